@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Counter-based random numbers: a stream is named by (seed, purpose, individual, event), never by who drew before.
+#pragma once
+
+#include <Random123/philox.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace trophic {
+
+/// What a stream is drawn for. Each rule has its own, so that an extra draw in one rule never shifts another's.
+enum class Stream : std::uint64_t {
+  placement,
+  newborn_tag,
+  initial_genome,
+  genome_source,
+  parent,
+  mutation,
+  captures,
+  sacrifice,
+  senescence,
+  user = 1'000'000,  ///< first number free for a user's own rules
+};
+
+/// A stream of random numbers (Philox 4x64, 10 rounds: Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3").
+/// The same four names give the same numbers on every platform; uniform and normal are the library's own transforms because
+/// those of <random> differ between standard libraries. Cheap to make, copy and throw away. Not for cryptography.
+class Rng {
+ public:
+  Rng(std::uint64_t seed, Stream purpose, std::uint64_t individual = 0, std::uint64_t event = 0)
+      : key_{{seed, static_cast<std::uint64_t>(purpose)}}, counter_{{0, individual, event, 0}} {}
+
+  /// 64 random bits.
+  std::uint64_t bits() {
+    if (used_ == block_.size()) {
+      const auto next = r123::Philox4x64{}(counter_, key_);
+      for (std::size_t i = 0; i < block_.size(); ++i) block_[i] = next[i];
+      ++counter_[0];
+      used_ = 0;
+    }
+    return block_[used_++];
+  }
+
+  /// Uniform in [0, 1), a multiple of 2^-53. One draw of 64 bits.
+  double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+
+  /// Uniform in [lower, upper). One draw.
+  double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
+
+  /// Normal with the given mean and standard deviation: Box-Muller, cosine branch. Two draws.
+  double normal(double mean, double standard_deviation) {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    const double angle = 2.0 * std::numbers::pi * uniform();
+    return mean + standard_deviation * radius * std::cos(angle);
+  }
+
+  /// True with the given probability. One draw.
+  bool chance(double probability) { return uniform() < probability; }
+
+  /// Uniform in {0, ..., size - 1}, without bias for sizes below 2^53 (to 2^-53). `size` > 0. One draw.
+  std::size_t index(std::size_t size) { return static_cast<std::size_t>(uniform() * static_cast<double>(size)); }
+
+  /// Fisher-Yates shuffle. items.size() - 1 draws.
+  template <class T>
+  void shuffle(std::span<T> items) {
+    for (std::size_t left = items.size(); left > 1; --left) std::swap(items[left - 1], items[index(left)]);
+  }
+
+ private:
+  r123::Philox4x64::key_type key_;
+  r123::Philox4x64::ctr_type counter_;
+  std::array<std::uint64_t, 4> block_{};
+  std::size_t used_ = 4;
+};
+
+}  // namespace trophic

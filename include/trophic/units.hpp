@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Units and frames, said once for the whole library; the few geometric types that every part shares.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace trophic {
+
+/// Units: SI and radians. Frames: right-handed, z up. Quaternions: w, x, y, z when written as four numbers.
+/// A name ends in its unit (`range_m`, `age_s`, `target_angle_rad`); a name without one has no dimension.
+/// Time is simulated time. `time_s` in rules and logs is the ecology's clock, which runs `World::clock_scale` times slower than
+/// the physics (1 in the paper's rules).
+
+/// Where a rigid body is: the world position of its frame and the rotation from its frame to the world.
+struct Pose {
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+/// Where a robot stands on the floor and which way it faces; all that perception, birth and death rules read of a body.
+struct GroundPose {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading_rad = 0.0;  ///< counter-clockwise from world x to the robot's forward axis, in (-pi, pi]
+};
+
+/// The angle in (-pi, pi] that differs from `angle_rad` by whole turns.
+[[nodiscard]] inline double wrap_angle(double angle_rad) {
+  const double wrapped = std::remainder(angle_rad, 2.0 * std::numbers::pi);
+  return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
+}
+
+/// Horizontal distance between two robots, m.
+[[nodiscard]] inline double distance_m(const GroundPose& a, const GroundPose& b) {
+  const double dx = b.x_m - a.x_m;
+  const double dy = b.y_m - a.y_m;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+/// Direction of `target` seen from `self`, relative to its heading: 0 ahead, positive to the right (the sense of the paper's
+/// target angle alpha), in [-pi, pi).
+[[nodiscard]] inline double bearing_rad(const GroundPose& self, const GroundPose& target) {
+  return -wrap_angle(std::atan2(target.y_m - self.y_m, target.x_m - self.x_m) - self.heading_rad);
+}
+
+}  // namespace trophic
