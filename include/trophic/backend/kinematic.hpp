@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A backend without physics: robots are oriented points that walk and turn.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/arena.hpp>
+#include <trophic/backend/concept.hpp>
+#include <trophic/body/ground_pose.hpp>
+#include <trophic/body/robot_model.hpp>
+#include <trophic/params.hpp>
+#include <trophic/units.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::backend {
+
+/// A robot is a point that walks along its heading at a constant speed and turns clockwise at a rate proportional to its target
+/// angle: each step it follows an exact arc. Walls stop it (it slides along them); robots pass through each other; slopes are
+/// walls too. For testing rules and observers and for quick looks: it stands for a robot that walks along its forward axis, not
+/// for how a legged robot moves. Ignores joints, Physics, and the height and tilt of the start poses: reported poses stand
+/// upright at the robot's rest height. No random draws; the same bits with every compiler and optimisation level that keeps IEEE
+/// arithmetic.
+class Kinematic {
+ public:
+  static constexpr std::string_view name = "kinematic";
+  [[nodiscard]] static std::string version() { return "1"; }
+
+  struct Params {
+    double speed_m_s = 0.046;
+    double turn_rate_per_rad = 0.14;
+    double radius_m = 0.1;
+    double timestep_s = 0.1;
+
+    static constexpr auto fields() {
+      return std::tuple{field("speed_m_s", &Params::speed_m_s, between(0.0, 100.0), "along the heading"),
+                        field("turn_rate_per_rad", &Params::turn_rate_per_rad, between(0.0, 100.0),
+                              "rad/s to the right per rad of target angle"),
+                        field("radius_m", &Params::radius_m, at_least(0.0), "walls stop the robot's centre this far away"),
+                        field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
+    }
+  };
+
+  struct Body {
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double heading_rad = 0.0;
+    double target_angle_rad = 0.0;
+    bool operator==(const Body&) const = default;
+  };
+  struct State {
+    std::uint64_t steps = 0;
+    std::vector<Body> bodies;
+    bool operator==(const State&) const = default;
+  };
+
+  /// Throws std::invalid_argument for a number outside its bound, no robot, a radius that the arena cannot hold and a start pose
+  /// outside the walls.
+  Kinematic(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
+            const Params& params)
+      : params_{params},
+        forward_rad_{robot.forward_rad},
+        height_m_{robot.rest_height_m},
+        limit_m_{arena.half_side_m - params.radius_m} {
+    validate(physics, "physics");
+    validate(params, "kinematic");
+    if (!(limit_m_ > 0.0)) {
+      throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +
+                                  number_text(arena.half_side_m)};
+    }
+    if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const GroundPose start = ground_pose(starts[i], forward_rad_);
+      const double farthest_m = std::max(std::abs(start.x_m), std::abs(start.y_m));
+      if (!(farthest_m <= arena.half_side_m) || !std::isfinite(start.heading_rad)) {
+        throw std::invalid_argument{"start pose " + std::to_string(i) + " at (" + number_text(start.x_m) + ", " +
+                                    number_text(start.y_m) + "): must be finite and within +-" + number_text(arena.half_side_m)};
+      }
+      state_.bodies.push_back({.x_m = start.x_m, .y_m = start.y_m, .heading_rad = start.heading_rad});
+    }
+  }
+
+  void advance_to(double time_s) {
+    while (this->time_s() < time_s - 1e-9) {
+      for (Body& body : state_.bodies) step(body);
+      ++state_.steps;
+    }
+  }
+
+  [[nodiscard]] std::size_t robots() const { return state_.bodies.size(); }
+  [[nodiscard]] double time_s() const { return static_cast<double>(state_.steps) * params_.timestep_s; }
+
+  [[nodiscard]] Pose pose(std::size_t robot) const {
+    const Body& body = state_.bodies.at(robot);
+    const double half_yaw_rad = 0.5 * (body.heading_rad - forward_rad_);
+    return {.position_m = {body.x_m, body.y_m, height_m_},
+            .orientation = {std::cos(half_yaw_rad), 0.0, 0.0, std::sin(half_yaw_rad)}};
+  }
+
+  /// Empty: no joints.
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t) const { return {}; }
+
+  /// Throws std::invalid_argument unless finite.
+  void set_target_angle(std::size_t robot, double target_angle_rad) {
+    if (!std::isfinite(target_angle_rad)) {
+      throw std::invalid_argument{"target_angle_rad = " + number_text(target_angle_rad) + ": must be finite"};
+    }
+    state_.bodies.at(robot).target_angle_rad = target_angle_rad;
+  }
+
+  [[nodiscard]] State save() const { return state_; }
+
+  /// Throws std::invalid_argument for a state with another number of robots.
+  void restore(const State& state) {
+    if (state.bodies.size() != state_.bodies.size()) {
+      throw std::invalid_argument{"state.bodies.size() = " + std::to_string(state.bodies.size()) + ": must be " +
+                                  std::to_string(state_.bodies.size())};
+    }
+    state_ = state;
+  }
+
+ private:
+  /// Along an arc of angle 2 h the chord is the arc's length times sin(h) / h and points h away from the old heading.
+  void step(Body& body) const {
+    const double half_turn_rad = -0.5 * params_.turn_rate_per_rad * body.target_angle_rad * params_.timestep_s;
+    const double shortening = half_turn_rad == 0.0 ? 1.0 : std::sin(half_turn_rad) / half_turn_rad;
+    const double chord_m = params_.speed_m_s * params_.timestep_s * shortening;
+    const double direction_rad = body.heading_rad + half_turn_rad;
+    body.x_m = std::clamp(body.x_m + chord_m * std::cos(direction_rad), -limit_m_, limit_m_);
+    body.y_m = std::clamp(body.y_m + chord_m * std::sin(direction_rad), -limit_m_, limit_m_);
+    body.heading_rad = wrap_angle(direction_rad + half_turn_rad);
+  }
+
+  Params params_;
+  double forward_rad_;
+  double height_m_;
+  double limit_m_;
+  State state_;
+};
+static_assert(SteeringDriven<Kinematic>);
+
+}  // namespace trophic::backend

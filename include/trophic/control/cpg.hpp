@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Central pattern generator: coupled linear oscillators, one per hinge.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <string_view>
+#include <trophic/control/gait.hpp>
+#include <trophic/params.hpp>
+#include <tuple>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace trophic::control {
+
+/// How a CPG steps. `exact`: the matrix exponential exp(W h). W is antisymmetric, so it is a rotation and amplitudes never drift.
+/// `rk4`: classical Runge-Kutta, which for a linear system is exp's Taylor series up to h^4 (what the released code does).
+enum class CpgIntegration { exact, rk4 };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(CpgIntegration) {
+  return {"exact", "rk4"};
+}
+
+/// CPG of one gait (Sec. "Robot Controller"): X' = W X with X = [x_0 .. x_{n-1}, y_0 .. y_{n-1}], W[i][n+i] = w_i, W[n+i][i] =
+/// -w_i, and for i < j W[i][j] = c_ij, W[j][i] = -c_ij. Output i is x_i clipped. All states start at sqrt(2)/2. No random draws.
+///
+/// Holds no robot's state: the states of many robots are the columns of one 2n x robots matrix that the caller owns; each
+/// column's result is bitwise the same whatever the other columns are.
+class Cpg {
+ public:
+  struct Params {
+    CpgIntegration integration = CpgIntegration::exact;
+    double step_s = 1.0 / 60.0;
+    double output_limit_rad = 1.0;
+
+    static constexpr auto fields() {
+      return std::tuple{field("integration", &Params::integration, "exact or rk4"),
+                        field("step_s", &Params::step_s, above_to(0.0, 1.0), "control period, simulated seconds"),
+                        field("output_limit_rad", &Params::output_limit_rad, above(0.0), "outputs are clipped to +- this")};
+    }
+  };
+
+  /// Throws std::invalid_argument for a gait or a number that is not valid.
+  explicit Cpg(const Gait& gait) : Cpg{gait, Params{}} {}
+  Cpg(const Gait& gait, const Params& params) : params_{params} {
+    trophic::validate(params, "cpg");
+    validate(gait);
+    const auto n = gait.internal.size();
+    weights_ = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    weights_.topLeftCorner(n, n) = gait.coupling;
+    weights_.topRightCorner(n, n) = gait.internal.asDiagonal();
+    weights_.bottomLeftCorner(n, n) = -weights_.topRightCorner(n, n);
+    const Eigen::MatrixXd step = weights_ * params.step_s;
+    if (params.integration == CpgIntegration::exact) {
+      propagator_ = step.exp();
+    } else {
+      const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+      propagator_ = one + step * (one + step / 2.0 * (one + step / 3.0 * (one + step / 4.0)));
+    }
+  }
+
+  [[nodiscard]] std::size_t hinges() const { return static_cast<std::size_t>(weights_.rows()) / 2; }
+  [[nodiscard]] const Eigen::MatrixXd& weights() const { return weights_; }        ///< W, 2n x 2n
+  [[nodiscard]] const Eigen::MatrixXd& propagator() const { return propagator_; }  ///< one step of the state, 2n x 2n
+
+  /// The starting states of that many robots, 2n x robots.
+  [[nodiscard]] Eigen::MatrixXd initial_states(std::size_t robots = 1) const {
+    return Eigen::MatrixXd::Constant(weights_.rows(), static_cast<Eigen::Index>(robots), std::numbers::sqrt2 / 2.0);
+  }
+
+  /// One step of every column. `states`: 2n x robots.
+  void step(Eigen::MatrixXd& states) const {
+    Eigen::VectorXd next(weights_.rows());
+    for (Eigen::Index robot = 0; robot < states.cols(); ++robot) {
+      next.setZero();
+      for (Eigen::Index k = 0; k < weights_.rows(); ++k) next += propagator_.col(k) * states(k, robot);
+      states.col(robot) = next;
+    }
+  }
+
+  /// Joint targets of one robot, rad: its x clipped to +-output_limit_rad. `targets_rad` has one place per hinge.
+  void outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const {
+    for (std::size_t i = 0; i < targets_rad.size(); ++i) {
+      targets_rad[i] = std::clamp(states(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(robot)),
+                                  -params_.output_limit_rad, params_.output_limit_rad);
+    }
+  }
+
+ private:
+  Params params_;
+  Eigen::MatrixXd weights_;
+  Eigen::MatrixXd propagator_;
+};
+
+}  // namespace trophic::control
