@@ -11,17 +11,17 @@ namespace trophic {
 
 /// Heights on a regular square grid that spans [-half_extent_m, half_extent_m] in x and y; linear in between.
 struct HeightField {
-  std::size_t nodes = 0;              ///< nodes along each side, >= 2
+  std::size_t nodes = 0;  ///< nodes along each side, >= 2
   double half_extent_m = 0.0;
-  std::vector<double> height_m;       ///< nodes * nodes values, y-major: height_m[iy * nodes + ix], >= 0
+  std::vector<double> height_m;  ///< nodes * nodes values, y-major: height_m[iy * nodes + ix], >= 0
 };
 
 /// A square arena centred at the origin with its floor at z = 0.
 struct Arena {
   std::string name;
-  double half_side_m = 10.0;          ///< the floor is flat for |x|, |y| <= half_side_m: walls stand or slopes begin there
-  double extent_m = 20.0;             ///< largest terrain extent (the paper's "maximum terrain bounds")
-  double friction = 1.0;              ///< sliding friction coefficient of floor and walls
+  double half_side_m = 10.0;                ///< the floor is flat for |x|, |y| <= half_side_m: walls stand or slopes begin there
+  double extent_m = 20.0;                   ///< largest terrain extent (the paper's "maximum terrain bounds")
+  double friction = 1.0;                    ///< sliding friction coefficient of floor and walls
   std::optional<HeightField> height_field;  ///< none: a plane with four vertical walls
 };
 

@@ -24,47 +24,58 @@ struct Bound {
   bool lower_excluded = false;
 };
 
-[[nodiscard]] constexpr Bound at_least(double lower) { return {.lower = lower}; }
-[[nodiscard]] constexpr Bound above(double lower) { return {.lower = lower, .lower_excluded = true}; }
-[[nodiscard]] constexpr Bound between(double lower, double upper) { return {.lower = lower, .upper = upper}; }
+[[nodiscard]] constexpr Bound at_least(double lower) {
+  return {.lower = lower};
+}
+[[nodiscard]] constexpr Bound above(double lower) {
+  return {.lower = lower, .lower_excluded = true};
+}
+[[nodiscard]] constexpr Bound between(double lower, double upper) {
+  return {.lower = lower, .upper = upper};
+}
 [[nodiscard]] constexpr Bound above_to(double lower, double upper) {
   return {.lower = lower, .upper = upper, .lower_excluded = true};
 }
-[[nodiscard]] constexpr Bound any_number() { return {}; }
+[[nodiscard]] constexpr Bound any_number() {
+  return {};
+}
 
 /// One named member of a Params struct. `help` is the line that `--print-config` shows beside it.
 template <class Owner, class T>
 struct Field {
   std::string_view name;
-  T Owner::* member;
+  T Owner::*member;
   Bound bound;
   std::string_view help;
 };
 
 /// A number with its bound.
 template <class Owner, class T>
-[[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::* member, Bound bound,
-                                              std::string_view help = {}) {
+[[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::*member, Bound bound, std::string_view help = {}) {
   return {name, member, bound, help};
 }
 
 /// A switch, a text, an enumeration (declare `constexpr std::array<std::string_view, N> enum_names(E)`) or a nested Params.
 template <class Owner, class T>
-[[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::* member, std::string_view help = {}) {
+[[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::*member, std::string_view help = {}) {
   return {name, member, Bound{}, help};
 }
 
 /// A struct that lists its fields: `static constexpr auto fields() { return std::tuple{field("max_age_s", &Params::max_age_s,
 /// above(0))}; }`.
 template <class P>
-concept HasFields = requires { std::tuple_size<decltype(P::fields())>::value; };
+concept HasFields = requires {
+  std::tuple_size<decltype(P::fields())>::value;
+};
 
 /// What a policy's Params must be: empty, or with every number listed, so that no number can be missing from a manifest.
 template <class P>
 concept Parameters = std::is_empty_v<P> || HasFields<P>;
 
 template <class E>
-concept NamedEnum = std::is_enum_v<E> && requires(E e) { enum_names(e).size(); };
+concept NamedEnum = std::is_enum_v<E> && requires(E e) {
+  enum_names(e).size();
+};
 
 /// The name of an enumerator, as written in configuration files.
 template <NamedEnum E>
@@ -83,7 +94,7 @@ constexpr void for_each_field(P& params, Visitor&& visit) {
 
 /// The shortest text that reads back as the same number.
 template <class Number>
-  requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number>
 [[nodiscard]] std::string number_text(Number value) {
   std::array<char, 64> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);

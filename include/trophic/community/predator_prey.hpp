@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The paper's two species.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/community/concept.hpp>
+#include <trophic/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::community {
+
+/// Predators eat prey. Rule: of N bodies the first N - predators start as prey, the others as predators; 16 and 14 of 30 in
+/// the paper (Sec. "Initialization").   Reads: nothing.   Random draws: 0.
+struct PredatorPrey {
+  static constexpr std::string_view name = "predator_prey";
+  static constexpr Species prey = 0;
+  static constexpr Species predator = 1;
+
+  struct Params {
+    std::size_t predators = 14;
+    static constexpr auto fields() {
+      return std::tuple{field("predators", &Params::predators, at_least(0), "founders that are predators; the others are prey")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] FoodWeb web() const { return {{"prey", "predator"}, {{.hunter = predator, .victim = prey}}}; }
+
+  [[nodiscard]] std::vector<Species> founders(std::size_t robots) const {
+    if (params.predators > robots) {
+      throw std::invalid_argument{"rules.community.predators = " + std::to_string(params.predators) +
+                                  ": must be <= " + std::to_string(robots) + ", the number of robots"};
+    }
+    std::vector<Species> species(robots, prey);
+    for (std::size_t body = robots - params.predators; body < robots; ++body) species[body] = predator;
+    return species;
+  }
+};
+static_assert(Community<PredatorPrey>);
+
+}  // namespace trophic::community

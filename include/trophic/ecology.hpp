@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+// The ecology: who lives in which body, in what order the rules act, and when.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <trophic/backend/concept.hpp>
+#include <trophic/body/ground_pose.hpp>
+#include <trophic/control/locomotion.hpp>
+#include <trophic/experiment.hpp>
+#include <trophic/habitat.hpp>
+#include <trophic/observe/hooks.hpp>
+#include <trophic/perception/adversary.hpp>
+#include <trophic/population.hpp>
+#include <trophic/rng.hpp>
+#include <trophic/rules.hpp>
+#include <trophic/settings.hpp>
+#include <trophic/view.hpp>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace trophic {
+
+/// A population of robots that live, perceive, catch, starve and reproduce by the rules of one table in one physics backend.
+///
+/// A tick is `World::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn, catches,
+/// senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run, whatever the
+/// number of threads and whoever observes.
+template <class Rules, Backend B>
+class Ecology {
+ public:
+  using Params = Experiment<Rules, B>;
+
+  /// Loads the models that `params.world` names. Throws std::invalid_argument naming field, value and bound, std::runtime_error
+  /// for a missing or broken file.
+  explicit Ecology(Params params = {}) : Ecology{load(std::move(params))} {}
+
+  /// In a habitat made by the program; the names in `params.world` are then only labels.
+  Ecology(Params params, Habitat habitat) : Ecology{check(std::move(params), std::move(habitat))} {}
+
+  Ecology(const Ecology&) = delete;
+  Ecology& operator=(const Ecology&) = delete;
+
+  /// Runs until the clock reaches `until_s` (rounded up to whole ticks) or an observer says stop. May be called again to go on.
+  /// If anything throws, the observers are told and the exception goes on.
+  template <class... Observers>
+  void run_until(double until_s, Observers&&... observers) {
+    observe::Audience<std::remove_reference_t<Observers>...> audience{observers...};
+    try {
+      audience.start(describe(until_s), view());
+      if (!started_) {
+        started_ = true;
+        for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
+        starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
+        apply_rules(audience);
+      }
+      while (time_s() < until_s && audience.keep_running()) {
+        move();
+        apply_rules(audience);
+      }
+      audience.end(view());
+    } catch (const std::exception& error) {
+      audience.failure(error.what());
+      throw;
+    }
+  }
+
+  [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * params_.world.tick_s; }
+  [[nodiscard]] std::int64_t tick() const { return tick_; }
+  [[nodiscard]] const Params& params() const { return params_; }
+  [[nodiscard]] const Habitat& habitat() const { return habitat_; }
+  [[nodiscard]] const B& backend() const { return backend_; }
+
+  /// The world as rules see it now. Valid as long as the ecology lives and does not run.
+  [[nodiscard]] View view() const {
+    return {.time_s = time_s(),
+            .tick = tick_,
+            .web = web_,
+            .arena = habitat_.arena,
+            .robots = population_.individuals(),
+            .poses = poses_,
+            .perceives = perceives_};
+  }
+
+  /// What determines this run, for observers.
+  [[nodiscard]] observe::Run describe(double until_s) const {
+    observe::Run run{.rules = table_name<Rules>(),
+                     .slots = {},
+                     .settings = settings_of(params_),
+                     .backend = std::string{B::name} + " " + B::version(),
+                     .seed = params_.seed,
+                     .tick_s = params_.world.tick_s,
+                     .clock_scale = params_.world.clock_scale,
+                     .until_s = until_s,
+                     .fingerprint = {}};
+    for_each_rule<Rules>([&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); });
+    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_));
+    return run;
+  }
+
+ private:
+  struct Checked {
+    Params params;
+    Habitat habitat;
+  };
+
+  static Checked load(Params params) {
+    validate(params, "");
+    Habitat habitat = load_habitat(params.world);
+    return {std::move(params), std::move(habitat)};
+  }
+  static Checked check(Params params, Habitat habitat) {
+    validate(params, "");
+    control::check_fit(habitat.gait, habitat.robot);
+    return {std::move(params), std::move(habitat)};
+  }
+
+  explicit Ecology(Checked from)
+      : params_{std::move(from.params)},
+        habitat_{std::move(from.habitat)},
+        steps_per_tick_{control_steps_per_tick<B>(params_.world, params_.physics)},
+        rules_{make_policies<Rules>(params_.rules)},
+        web_{rules_.community.web()},
+        perceives_{[this](const Individual& self, const Individual& other) { return rules_.visibility.perceives(self, other); }},
+        population_{rules_, web_, params_.seed, rules_.community.founders(params_.world.robots)},
+        poses_{place()},
+        backend_{habitat_.robot, habitat_.arena, root_poses(), params_.physics, params_.backend},
+        locomotion_{habitat_.robot,           habitat_.gait,
+                    rules_.steering,          params_.world.robots,
+                    params_.world.control_hz, params_.world.cpg_integration} {}
+
+  [[nodiscard]] std::vector<GroundPose> place() const {
+    Rng rng{params_.seed, Stream::placement};
+    return rules_.placement.place(params_.world.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
+  }
+
+  /// Root frames for the placed robots: upright, feet on the floor.
+  [[nodiscard]] std::vector<Pose> root_poses() const {
+    std::vector<Pose> poses;
+    for (const GroundPose& ground : poses_) {
+      const double yaw_rad = ground.heading_rad - habitat_.robot.forward_rad;
+      poses.push_back({.position_m = {ground.x_m, ground.y_m, habitat_.robot.rest_height_m},
+                       .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}});
+    }
+    return poses;
+  }
+
+  template <class Audience>
+  void emit(Audience& audience, observe::EventKind kind, BodyIndex body, std::optional<Cause> cause = {},
+            std::optional<IndividualId> other = {}) {
+    audience.event(observe::Event{.kind = kind, .body = body, .individual = population_[body], .cause = cause, .other = other},
+                   view());
+  }
+
+  void move() {
+    target_angles_rad_.clear();
+    for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
+    locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_);
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      poses_[body] = ground_pose(backend_.pose(body), habitat_.robot.forward_rad);
+    }
+    ++tick_;
+  }
+
+  template <class Audience>
+  void apply_rules(Audience& audience) {
+    activate(audience);
+    capture(audience);
+    age(audience);
+    starve(audience);
+    rescue(audience);
+    decide(audience);
+    audience.tick(view());
+  }
+
+  template <class Audience>
+  void activate(Audience& audience) {
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      if (population_[body].active || !rules_.activation.activates(body, view())) continue;
+      population_[body].active = true;
+      if (rules_.activation.restarts_age()) population_[body].age_from_s = time_s();
+      emit(audience, observe::EventKind::activation, body);
+    }
+  }
+
+  template <class Audience>
+  void capture(Audience& audience) {
+    Rng rng{params_.seed, Stream::captures, 0, static_cast<std::uint64_t>(tick_)};
+    const IndividualId first_newborn = population_.next_id();
+    for (const death::Capture& capture : rules_.capture.captures(view(), rng)) {
+      Individual& hunter = population_[capture.hunter];
+      const bool caught_meanwhile = hunter.id >= first_newborn;
+      if (caught_meanwhile || !rules_.floor.may_die(population_[capture.victim].species, view())) continue;
+      hunter.fed_tick = tick_;
+      hunter.memory.last_seen_victim.reset();
+      population_[capture.victim].memory.last_killer = hunter.as_ancestor();
+      emit(audience, observe::EventKind::capture, capture.hunter, {}, population_[capture.victim].id);
+      hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter}, rules_.capture_parent,
+              hunter.species);
+    }
+  }
+
+  template <class Audience>
+  void age(Audience& audience) {
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      const Individual& individual = population_[body];
+      Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
+      if (!rules_.senescence.dies(individual, view(), rng)) continue;
+      hand_on(audience, {.body = body, .cause = Cause::senescence, .killer = {}}, rules_.starvation_parent, individual.species);
+    }
+  }
+
+  template <class Audience>
+  void starve(Audience& audience) {
+    if (!rules_.starvation_schedule.due(starvation_clock_, view())) return;
+    const auto spared = [this](BodyIndex hunter) { return rules_.reprieve.spared(hunter, view()); };
+    if (const auto victim = rules_.starvation.victim(view(), spared)) {
+      hand_on(audience, {.body = *victim, .cause = Cause::starved, .killer = {}}, rules_.starvation_parent, std::nullopt);
+    }
+    starvation_clock_ = {.last_tick = tick_, .interval_ticks = rules_.starvation_schedule.interval_ticks(view())};
+  }
+
+  template <class Audience>
+  void rescue(Audience& audience) {
+    Rng rng{params_.seed, Stream::sacrifice, 0, static_cast<std::uint64_t>(tick_)};
+    for (const death::Sacrifice& sacrifice : rules_.rescue.sacrifices(view(), rng)) {
+      if (!rules_.floor.may_die(population_[sacrifice.victim].species, view())) continue;
+      hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}}, rules_.rescue_parent,
+              sacrifice.heir);
+    }
+  }
+
+  /// Death of the occupant and birth of its successor. Without `heir` the successor is of its parent's species or, for want of a
+  /// parent, of the first species that the dead one ate.
+  template <class Audience, class ParentRule>
+  void hand_on(Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule,
+               std::optional<Species> heir) {
+    const auto succession = population_.succession(vacancy, parent_rule, view());
+    const Species dead = population_[vacancy.body].species;
+    if (!heir) heir = succession.parent ? succession.parent->species : web_.first_victim(dead).value_or(dead);
+    const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;
+    emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
+    population_.succeed(vacancy.body, *heir, succession, view());
+    emit(audience, observe::EventKind::birth, vacancy.body);
+  }
+
+  /// Everybody perceives the same moment: all sightings and decisions are made before the first tag changes.
+  template <class Audience>
+  void decide(Audience& audience) {
+    const double tag_ratio = rules_.tag_ratio_input.input(view());
+    sightings_.clear();
+    decisions_.clear();
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      const auto sighting = perception::adversary(body, view());
+      const auto inputs = sighting
+                              ? std::optional{perception::BrainInputs{.angle = rules_.angle_input.input(*sighting, view()),
+                                                                      .distance = rules_.distance_input.input(*sighting, view()),
+                                                                      .tag_ratio = tag_ratio}}
+                              : rules_.blind_rule.inputs(tag_ratio);
+      sightings_.push_back(sighting);
+      decisions_.push_back(inputs ? std::optional{rules_.brain.decide(*inputs, population_[body].genome->weights)}
+                                  : std::nullopt);
+    }
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      remember(body, sightings_[body]);
+      if (decisions_[body]) act(audience, body, *decisions_[body]);
+    }
+  }
+
+  void remember(BodyIndex body, const std::optional<perception::Sighting>& sighting) {
+    Individual& self = population_[body];
+    self.adversary.reset();
+    self.adversary_distance_m = std::numeric_limits<double>::quiet_NaN();
+    if (!sighting) return;
+    self.adversary = sighting->adversary;
+    self.adversary_distance_m = sighting->distance_m;
+    self.memory.adversary_distance_m = sighting->distance_m;
+    const Individual& adversary = population_[sighting->adversary];
+    if (web_.eats(self.species, adversary.species)) self.memory.last_seen_victim = adversary.as_ancestor();
+  }
+
+  template <class Audience>
+  void act(Audience& audience, BodyIndex body, const control::Decision& decision) {
+    Individual& self = population_[body];
+    self.target_angle_rad = decision.target_angle_rad;
+    if (decision.tag == self.tag || !rules_.tag_switch.may_switch(self, view())) return;
+    self.tag = decision.tag;
+    self.tag_since_s = time_s();
+    emit(audience, observe::EventKind::tag_switch, body);
+  }
+
+  Params params_;
+  Habitat habitat_;
+  std::int64_t steps_per_tick_;
+  Policies<Rules> rules_;
+  FoodWeb web_;
+  Perceives perceives_;
+  Population<Rules> population_;
+  std::vector<GroundPose> poses_;
+  B backend_;
+  control::Locomotion<typename Rules::Steering> locomotion_;
+  death::StarvationClock starvation_clock_;
+  std::int64_t tick_ = 0;
+  bool started_ = false;
+  std::vector<double> target_angles_rad_;
+  std::vector<std::optional<perception::Sighting>> sightings_;
+  std::vector<std::optional<control::Decision>> decisions_;
+};
+
+}  // namespace trophic

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What an ecology lives in and with: the robot, the ground, the gait.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <trophic/arena.hpp>
+#include <trophic/arena_load.hpp>
+#include <trophic/body/load.hpp>
+#include <trophic/body/robot_model.hpp>
+#include <trophic/control/gait.hpp>
+#include <trophic/params.hpp>
+#include <trophic/world.hpp>
+
+namespace trophic {
+
+/// The models that `World` names, loaded; or any others, made by a program.
+struct Habitat {
+  RobotModel robot;
+  Arena arena;
+  control::Gait gait;
+};
+
+/// Loads and checks the three model files. Throws std::runtime_error for a file that is missing or broken and
+/// std::invalid_argument for content that does not fit, each naming file and key.
+[[nodiscard]] inline Habitat load_habitat(const World& world) {
+  Habitat habitat{.robot = body::load_robot(world.robot), .arena = load_arena(world.arena), .gait = control::load_gait(world.gait)};
+  control::check_fit(habitat.gait, habitat.robot);
+  return habitat;
+}
+
+/// Every number of a habitat as text, for fingerprints: two habitats with the same text move alike.
+[[nodiscard]] inline std::string numbers_text(const Habitat& habitat) {
+  std::string text;
+  const auto add = [&](double value) { text += number_text(value) + " "; };
+  const auto add_all = [&](const auto& matrix) {
+    for (Eigen::Index i = 0; i < matrix.size(); ++i) add(matrix.data()[i]);
+  };
+  for (const Link& link : habitat.robot.links) {
+    add(link.parent);
+    add_all(link.offset_m);
+    add_all(link.rotation.coeffs());
+    add(link.mass_kg);
+    add_all(link.centre_of_mass_m);
+    add_all(link.inertia_kgm2);
+    for (const Box& box : link.boxes) {
+      add_all(box.half_extents_m);
+      add_all(box.centre_m);
+      add_all(box.orientation.coeffs());
+    }
+  }
+  for (const Hinge& hinge : habitat.robot.hinges) {
+    add_all(hinge.axis);
+    add(hinge.range_rad);
+    add_all(hinge.grid_position.cast<double>().eval());
+    add(hinge.servo.position_gain);
+    add(hinge.servo.velocity_gain);
+    add(hinge.servo.target_limit_rad);
+  }
+  add(habitat.robot.friction);
+  add(habitat.robot.forward_rad);
+  add(habitat.arena.half_side_m);
+  add(habitat.arena.extent_m);
+  add(habitat.arena.friction);
+  if (habitat.arena.height_field) {
+    add(habitat.arena.height_field->half_extent_m);
+    for (const double height_m : habitat.arena.height_field->height_m) add(height_m);
+  }
+  add_all(habitat.gait.internal);
+  add_all(habitat.gait.coupling);
+  return text;
+}
+
+}  // namespace trophic

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What a run is made of, as observers and manifests are told: rules, numbers, seed, versions.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <trophic/settings.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::observe {
+
+/// Everything that determines a run's results.
+struct Run {
+  std::string rules;                                       ///< name of the rule table
+  std::vector<std::pair<std::string, std::string>> slots;  ///< (slot, policy name) for every slot
+  Settings settings;                                       ///< every number with its path: "rules.tag_switch.cool_down_s"
+  std::string backend;                                     ///< name and version of the engine
+  std::uint64_t seed = 0;
+  double tick_s = 0.0;       ///< ecology seconds
+  double clock_scale = 1.0;  ///< simulated seconds per ecology second
+  double until_s = 0.0;      ///< when this run is to end, ecology seconds
+  std::string fingerprint;   ///< see `fingerprint`
+};
+
+/// Whether two runs may be pooled as replicates: 16 hexadecimal digits of rules, numbers, models and backend; not of the seed,
+/// the duration and the number of threads. `models` is the text of the models' numbers.
+[[nodiscard]] inline std::string fingerprint(const Run& run, std::string_view models) {
+  std::string text = run.backend + "\n";
+  for (const auto& [slot, policy] : run.slots) text += slot + "=" + policy + "\n";
+  for (const Setting& setting : run.settings) {
+    if (setting.path == "seed" || setting.path == "world.duration_s" || setting.path == "backend.threads") continue;
+    text += setting.path + "=" + value_text(setting) + "\n";
+  }
+  return hash_text(text.append(models));
+}
+
+}  // namespace trophic::observe

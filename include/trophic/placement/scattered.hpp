@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Random positions and headings, nobody on top of another.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/params.hpp>
+#include <trophic/placement/concept.hpp>
+#include <vector>
+
+namespace trophic::placement {
+
+/// Rule: positions uniform over the flat floor, one bounding radius from the walls, drawn again while closer than two
+/// bounding radii to a robot already placed; headings uniform. The paper says "random positions" (Sec. "Initialization")
+/// and is silent about headings and overlap.   Reads: arena, radius.   Random draws: 3 per attempt.
+struct Scattered {
+  static constexpr std::string_view name = "scattered";
+  static constexpr int max_attempts_per_robot = 1000;
+
+  [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m, Rng& rng) const {
+    const double reach_m = arena.half_side_m - radius_m;
+    std::vector<GroundPose> placed;
+    while (placed.size() < robots) {
+      if (!place_one(placed, reach_m, radius_m, rng)) {
+        throw std::invalid_argument{"world.robots = " + std::to_string(robots) + ": must be <= about " +
+                                    std::to_string(placed.size()) + " to stand apart in a square of half side " +
+                                    number_text(arena.half_side_m) + " m"};
+      }
+    }
+    return placed;
+  }
+
+ private:
+  static bool place_one(std::vector<GroundPose>& placed, double reach_m, double radius_m, Rng& rng) {
+    for (int attempt = 0; attempt < max_attempts_per_robot; ++attempt) {
+      GroundPose pose;
+      pose.x_m = rng.uniform(-reach_m, reach_m);
+      pose.y_m = rng.uniform(-reach_m, reach_m);
+      pose.heading_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
+      if (std::ranges::all_of(placed, [&](const GroundPose& p) { return distance_m(p, pose) >= 2.0 * radius_m; })) {
+        placed.push_back(pose);
+        return true;
+      }
+    }
+    return false;
+  }
+};
+static_assert(Placement<Scattered>);
+
+}  // namespace trophic::placement

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The released code's start: uniform positions in a square, all turned the same way.
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string_view>
+#include <trophic/params.hpp>
+#include <trophic/placement/concept.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::placement {
+
+/// Rule: positions uniform in [-h, h]^2, overlaps allowed; everybody faces the same way. The released code uses h = 9 m
+/// and, by a slip in the order of quaternion components, turns each root frame by pi; the spider's forward axis is 45
+/// degrees from its root frame's x.   Reads: arena (bounds only).   Random draws: 2 per robot.
+struct UniformSquare {
+  static constexpr std::string_view name = "uniform_square";
+
+  struct Params {
+    double half_extent_m = 9.0;
+    double heading_rad = -0.75 * std::numbers::pi;
+    static constexpr auto fields() {
+      return std::tuple{field("half_extent_m", &Params::half_extent_m, above(0.0), "positions lie within +- this"),
+                        field("heading_rad", &Params::heading_rad, any_number(), "every robot's first heading")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double, Rng& rng) const {
+    if (params.half_extent_m > arena.half_side_m) {
+      throw std::invalid_argument{"rules.placement.half_extent_m = " + number_text(params.half_extent_m) +
+                                  ": must be <= " + number_text(arena.half_side_m) + ", the arena's half side"};
+    }
+    std::vector<GroundPose> placed(robots);
+    for (GroundPose& pose : placed) {
+      pose.x_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
+      pose.y_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
+      pose.heading_rad = params.heading_rad;
+    }
+    return placed;
+  }
+};
+static_assert(Placement<UniformSquare>);
+
+}  // namespace trophic::placement

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A rescued species takes its newcomer from the body's last killer.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <trophic/reproduction/concept.hpp>
+
+namespace trophic::reproduction {
+
+/// Rule (released code, for sacrificed prey): the parent is whoever last caught somebody in this body, dead or alive;
+/// nobody ever: none. Reads: body memory.   Random draws: 0.
+struct LastKiller {
+  static constexpr std::string_view name = "last_killer";
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
+    return view.robots[vacancy.body].memory.last_killer;
+  }
+};
+static_assert(Parent<LastKiller>);
+
+}  // namespace trophic::reproduction

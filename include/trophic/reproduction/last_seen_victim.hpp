@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The prey that the dying predator last perceived as closest reproduces, however long ago that was.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <trophic/reproduction/concept.hpp>
+
+namespace trophic::reproduction {
+
+/// Rule (released code): the parent is the last individual that the dying hunter's body perceived as closest among those it
+/// eats, at any distance, dead or alive; the memory outlives births in that body and is cleared only by a catch.   Reads:
+/// body memory.   Random draws: 0.
+struct LastSeenVictim {
+  static constexpr std::string_view name = "last_seen_victim";
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
+    return view.robots[vacancy.body].memory.last_seen_victim;
+  }
+};
+static_assert(Parent<LastSeenVictim>);
+
+}  // namespace trophic::reproduction

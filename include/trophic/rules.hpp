@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What a table of rules is: one policy per slot, and its numbers. Swap one rule with with_<slot>.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <trophic/community/concept.hpp>
+#include <trophic/control/concept.hpp>
+#include <trophic/death/concept.hpp>
+#include <trophic/params.hpp>
+#include <trophic/perception/concept.hpp>
+#include <trophic/placement/concept.hpp>
+#include <trophic/reproduction/concept.hpp>
+#include <tuple>
+
+/// Every slot of a rule table: (Slot, member, Concept, what a policy in it must offer). The one list that tables, numbers,
+/// with_<slot>, checks and manifests are made from.
+#define TROPHIC_RULE_SLOTS(SLOT)                                                                                               \
+  SLOT(Community, community, community::Community,                                                                             \
+       "FoodWeb web() const and std::vector<Species> founders(std::size_t robots) const; see trophic/community/concept.hpp")   \
+  SLOT(Placement, placement, placement::Placement,                                                                             \
+       "std::vector<GroundPose> place(std::size_t robots, const Arena&, double radius_m, Rng&) const; see "                    \
+       "trophic/placement/concept.hpp")                                                                                        \
+  SLOT(Visibility, visibility, perception::Visibility,                                                                         \
+       "bool perceives(const Individual& self, const Individual& other) const; see trophic/perception/concept.hpp")            \
+  SLOT(AngleInput, angle_input, perception::SightingInput,                                                                     \
+       "double input(const Sighting&, const View&) const; see trophic/perception/concept.hpp")                                 \
+  SLOT(DistanceInput, distance_input, perception::SightingInput,                                                               \
+       "double input(const Sighting&, const View&) const; see trophic/perception/concept.hpp")                                 \
+  SLOT(TagRatioInput, tag_ratio_input, perception::PopulationInput,                                                            \
+       "double input(const View&) const; see trophic/perception/concept.hpp")                                                  \
+  SLOT(BlindRule, blind_rule, perception::BlindRule,                                                                           \
+       "std::optional<BrainInputs> inputs(double tag_ratio) const; see trophic/perception/concept.hpp")                        \
+  SLOT(NewbornTag, newborn_tag, perception::NewbornTag,                                                                        \
+       "int tag(std::optional<int> body_tag, Rng&) const; see trophic/perception/concept.hpp")                                 \
+  SLOT(TagSwitch, tag_switch, perception::TagSwitch,                                                                           \
+       "bool may_switch(const Individual&, const View&) const; see trophic/perception/concept.hpp")                            \
+  SLOT(Brain, brain, control::Brain,                                                                                           \
+       "std::size_t genome_size() const and Decision decide(const BrainInputs&, std::span<const double> weights) const; see "  \
+       "trophic/control/concept.hpp")                                                                                          \
+  SLOT(Steering, steering, control::Steering,                                                                                  \
+       "void steer(double target_angle_rad, std::span<const Side>, std::span<double> targets_rad) const; see "                 \
+       "trophic/control/concept.hpp")                                                                                          \
+  SLOT(InitialGenome, initial_genome, reproduction::InitialGenome,                                                             \
+       "void draw(std::span<double> weights, Rng&) const; see trophic/reproduction/concept.hpp")                               \
+  SLOT(GenomeSource, genome_source, reproduction::GenomeSource,                                                                \
+       "bool inherits(Rng&) const and Origin without_parent() const; see trophic/reproduction/concept.hpp")                    \
+  SLOT(CaptureParent, capture_parent, reproduction::Parent,                                                                    \
+       "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const; see trophic/reproduction/concept.hpp")        \
+  SLOT(StarvationParent, starvation_parent, reproduction::Parent,                                                              \
+       "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const; see trophic/reproduction/concept.hpp")        \
+  SLOT(RescueParent, rescue_parent, reproduction::Parent,                                                                      \
+       "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const; see trophic/reproduction/concept.hpp")        \
+  SLOT(Heredity, heredity, reproduction::Heredity,                                                                             \
+       "std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const; see "                                    \
+       "trophic/reproduction/concept.hpp")                                                                                     \
+  SLOT(Mutation, mutation, reproduction::Mutation,                                                                             \
+       "void mutate(std::span<double> weights, Rng&) const; see trophic/reproduction/concept.hpp")                             \
+  SLOT(Activation, activation, death::Activation,                                                                              \
+       "bool activates(BodyIndex, const View&) const and bool restarts_age() const; see trophic/death/concept.hpp")            \
+  SLOT(Capture, capture, death::CaptureRule,                                                                                   \
+       "std::vector<Capture> captures(const View&, Rng&) const; see trophic/death/concept.hpp")                                \
+  SLOT(Floor, floor, death::Floor, "bool may_die(Species, const View&) const; see trophic/death/concept.hpp")                  \
+  SLOT(StarvationSchedule, starvation_schedule, death::StarvationSchedule,                                                     \
+       "std::int64_t interval_ticks(const View&) const and bool due(const StarvationClock&, const View&) const; see "          \
+       "trophic/death/concept.hpp")                                                                                            \
+  SLOT(Reprieve, reprieve, death::Reprieve, "bool spared(BodyIndex hunter, const View&) const; see trophic/death/concept.hpp") \
+  SLOT(Starvation, starvation, death::Starvation,                                                                              \
+       "std::optional<BodyIndex> victim(const View&, const std::function<bool(BodyIndex)>& spared) const; see "                \
+       "trophic/death/concept.hpp")                                                                                            \
+  SLOT(Rescue, rescue, death::Rescue,                                                                                          \
+       "std::vector<Sacrifice> sacrifices(const View&, Rng&) const; see trophic/death/concept.hpp")                            \
+  SLOT(Senescence, senescence, death::Senescence,                                                                              \
+       "bool dies(const Individual&, const View&, Rng&) const; see trophic/death/concept.hpp")
+
+namespace trophic {
+
+/// The Params of a policy without numbers.
+struct NoParams {
+  friend bool operator==(const NoParams&, const NoParams&) = default;
+};
+
+namespace detail {
+
+template <class Policy>
+struct params_of {
+  using type = NoParams;
+};
+template <class Policy>
+requires requires {
+  typename Policy::Params;
+}
+struct params_of<Policy> {
+  using type = typename Policy::Params;
+};
+
+}  // namespace detail
+
+/// The numbers of a policy: its nested Params, or none.
+template <class Policy>
+using ParamsOf = typename detail::params_of<Policy>::type;
+
+/// A policy with these numbers.
+template <class Policy>
+[[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params) {
+  if constexpr (requires { Policy{params}; }) {
+    return Policy{params};
+  } else {
+    return Policy{};
+  }
+}
+
+/// The name of a rule table: its own, and what was swapped in it: "paper with mutation = uniform_mutation".
+template <class Rules>
+[[nodiscard]] std::string table_name() {
+  if constexpr (requires { Rules::swapped_name(); }) {
+    return Rules::swapped_name();
+  } else {
+    return std::string{Rules::name};
+  }
+}
+
+namespace detail {
+
+/// Fails to compile, with one sentence, unless Rules has a policy in every slot that fits the slot's contract.
+template <class Rules>
+struct CheckRules {
+#define TROPHIC_CHECK_SLOT(Slot, member, Concept, sentence)                                                  \
+  static_assert(                                                                                             \
+      requires { typename Rules::Slot; }, "the rule table has no slot " #Slot "; write `using " #Slot        \
+                                          " = ...;` or derive it from a complete table with with_" #member); \
+  static_assert(Concept<typename Rules::Slot>, "the policy in Rules::" #Slot " needs " sentence);            \
+  static_assert(Parameters<ParamsOf<typename Rules::Slot>>,                                                  \
+                "the Params of the policy in Rules::" #Slot                                                  \
+                " need static constexpr auto fields(), listing every number; see trophic/params.hpp");
+  TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
+#undef TROPHIC_CHECK_SLOT
+  static constexpr bool ok = true;
+};
+
+}  // namespace detail
+
+/// The numbers of a rule table, one member per slot, each starting at the table's own number where it states one
+/// (`static constexpr TagCoolDown::Params tag_switch{...}` beside `using TagSwitch = ...`) and at the policy's default elsewhere.
+template <class Rules>
+struct RuleNumbers {
+  static_assert(detail::CheckRules<Rules>::ok);
+#define TROPHIC_NUMBERS(Slot, member, Concept, sentence) \
+  ParamsOf<typename Rules::Slot> member = [] {           \
+    if constexpr (requires { Rules::member; })           \
+      return Rules::member;                              \
+    else                                                 \
+      return ParamsOf<typename Rules::Slot>{};           \
+  }();
+  TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)
+#undef TROPHIC_NUMBERS
+
+  static constexpr auto fields() {
+    return std::tuple_cat(
+#define TROPHIC_FIELD(Slot, member, Concept, sentence) std::tuple{field(#member, &RuleNumbers::member)},
+        TROPHIC_RULE_SLOTS(TROPHIC_FIELD)
+#undef TROPHIC_FIELD
+            std::tuple<>{});
+  }
+};
+
+/// One object of each policy of a rule table, ready to be asked.
+template <class Rules>
+struct Policies {
+#define TROPHIC_POLICY(Slot, member, Concept, sentence) typename Rules::Slot member;
+  TROPHIC_RULE_SLOTS(TROPHIC_POLICY)
+#undef TROPHIC_POLICY
+};
+
+template <class Rules>
+[[nodiscard]] Policies<Rules> make_policies(const RuleNumbers<Rules>& numbers) {
+  return {
+#define TROPHIC_MAKE_POLICY(Slot, member, Concept, sentence) .member = make_policy<typename Rules::Slot>(numbers.member),
+      TROPHIC_RULE_SLOTS(TROPHIC_MAKE_POLICY)
+#undef TROPHIC_MAKE_POLICY
+  };
+}
+
+/// Calls `visit(slot_name, policy_name)` for each slot.
+template <class Rules, class Visitor>
+void for_each_rule(Visitor&& visit) {
+#define TROPHIC_VISIT(Slot, member, Concept, sentence) visit(std::string_view{#member}, std::string_view{Rules::Slot::name});
+  TROPHIC_RULE_SLOTS(TROPHIC_VISIT)
+#undef TROPHIC_VISIT
+}
+
+// with_<slot><Table, Policy>: the table with one rule swapped, that rule's numbers at the policy's own defaults.
+#define TROPHIC_WITH(Slot, member, Concept, sentence)                                                                      \
+  template <class Rules, class Policy>                                                                                     \
+  struct with_##member : Rules {                                                                                           \
+    static_assert(Concept<Policy>, "the policy given to with_" #member " needs " sentence);                                \
+    using Slot = Policy;                                                                                                   \
+    inline static const ParamsOf<Policy> member{};                                                                         \
+    static std::string swapped_name() { return table_name<Rules>() + " with " #member " = " + std::string{Policy::name}; } \
+  };
+TROPHIC_RULE_SLOTS(TROPHIC_WITH)
+#undef TROPHIC_WITH
+
+}  // namespace trophic
