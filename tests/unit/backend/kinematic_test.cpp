@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <support/temporary_folder.hpp>
+#include <trophic/arena_load.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/body/load.hpp>
+#include <vector>
+
+using namespace trophic;
+using trophic::backend::Kinematic;
+using trophic::test::message_of;
+
+namespace {
+
+Pose standing(double x_m, double y_m, double yaw_rad) {
+  return {.position_m = {x_m, y_m, 0.0}, .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}};
+}
+
+Kinematic world(const std::vector<Pose>& starts, const Kinematic::Params& params = {}, const char* robot = "spider") {
+  return {body::load_robot(robot), load_arena("walled_square"), starts, Physics{}, params};
+}
+
+const double forward_rad = std::numbers::pi / 4.0;
+
+}  // namespace
+
+TEST_CASE("without a target angle a robot walks straight along its forward axis") {
+  Kinematic backend = world({standing(1.0, 2.0, -forward_rad)}, {.speed_m_s = 0.05});
+  backend.advance_to(20.0);
+  const GroundPose at = ground_pose(backend.pose(0), forward_rad);
+  CHECK(at.x_m == doctest::Approx(2.0).epsilon(1e-12));
+  CHECK(at.y_m == doctest::Approx(2.0).epsilon(1e-12));
+  CHECK(std::abs(at.heading_rad) < 1e-12);
+  CHECK(backend.pose(0).position_m.z() == body::load_robot("spider").rest_height_m);
+}
+
+TEST_CASE("a positive target angle turns right on an exact circle") {
+  const double rate_rad_s = 0.2 * 0.5;
+  const double radius_m = 0.05 / rate_rad_s;
+  Kinematic backend = world({standing(0.0, 0.0, -forward_rad)}, {.speed_m_s = 0.05, .turn_rate_per_rad = 0.2});
+  backend.set_target_angle(0, 0.5);
+  for (int tick = 1; tick <= 100; ++tick) {
+    const double time_s = 0.5 * tick;
+    backend.advance_to(time_s);
+    const GroundPose at = ground_pose(backend.pose(0), forward_rad);
+    CHECK(at.x_m == doctest::Approx(radius_m * std::sin(rate_rad_s * time_s)).epsilon(1e-9));
+    CHECK(at.y_m == doctest::Approx(-radius_m * (1.0 - std::cos(rate_rad_s * time_s))).epsilon(1e-9));
+    CHECK(std::abs(wrap_angle(at.heading_rad + rate_rad_s * time_s)) < 1e-9);
+  }
+}
+
+TEST_CASE("left and right are mirror images") {
+  Kinematic backend = world({standing(0.0, 0.0, -forward_rad), standing(0.0, 0.0, -forward_rad)});
+  backend.set_target_angle(0, 0.7);
+  backend.set_target_angle(1, -0.7);
+  backend.advance_to(30.0);
+  const GroundPose right = ground_pose(backend.pose(0), forward_rad);
+  const GroundPose left = ground_pose(backend.pose(1), forward_rad);
+  CHECK(right.y_m < -0.1);
+  CHECK(left.x_m == doctest::Approx(right.x_m).epsilon(1e-12));
+  CHECK(left.y_m == doctest::Approx(-right.y_m).epsilon(1e-12));
+}
+
+TEST_CASE("walls stop a robot a radius away and it slides along them") {
+  Kinematic backend = world({standing(9.8, 0.0, 0.0)}, {.speed_m_s = 0.1, .radius_m = 0.15});
+  backend.advance_to(10.0);
+  CHECK(backend.pose(0).position_m.x() == 9.85);
+  CHECK(backend.pose(0).position_m.y() == doctest::Approx(0.1 * 10.0 / std::numbers::sqrt2));
+}
+
+TEST_CASE("the heading follows the robot's own forward axis") {
+  Kinematic gecko = world({standing(0.0, 0.0, 0.3)}, {}, "gecko");
+  gecko.advance_to(10.0);
+  const Eigen::Vector3d at = gecko.pose(0).position_m;
+  CHECK(std::atan2(at.y(), at.x()) == doctest::Approx(0.3));
+}
+
+TEST_CASE("bad numbers name field, value and bound") {
+  const std::vector<Pose> one{standing(0.0, 0.0, 0.0)};
+  CHECK(message_of<std::invalid_argument>([&] { world(one, {.speed_m_s = -1.0}); }) ==
+        "kinematic.speed_m_s = -1: must be >= 0 and <= 100");
+  CHECK(message_of<std::invalid_argument>([&] { world(one, {.timestep_s = 0.0}); }) ==
+        "kinematic.timestep_s = 0: must be > 0 and <= 10");
+  CHECK(message_of<std::invalid_argument>([&] { world(one, {.radius_m = 10.0}); }) ==
+        "kinematic.radius_m = 10: must be < the arena's half side, 10");
+  CHECK(message_of<std::invalid_argument>([&] { world({}); }) == "robots = 0: must be >= 1");
+  CHECK(message_of<std::invalid_argument>([&] {
+          world({standing(0.0, 0.0, 0.0), standing(0.0, -11.0, 0.0)});
+        }) == "start pose 1 at (0, -11): must be finite and within +-10");
+  CHECK(message_of<std::invalid_argument>([&] {
+          Kinematic backend = world(one);
+          backend.set_target_angle(0, std::nan(""));
+        }) == "target_angle_rad = nan: must be finite");
+  CHECK(message_of<std::invalid_argument>([&] {
+          Kinematic backend = world(one);
+          backend.restore({});
+        }) == "state.bodies.size() = 0: must be 1");
+}
+
+TEST_CASE("6000 s of 30 steered robots end in the same bits everywhere") {
+  std::vector<Pose> starts;
+  for (int i = 0; i < 30; ++i) starts.push_back(standing(0.6 * i - 9.0, 8.0 - 0.5 * i, 0.2 * i));
+  Kinematic backend = world(starts);
+  for (int tick = 0; tick < 3000; ++tick) {
+    for (std::size_t robot = 0; robot < 30; ++robot) {
+      backend.set_target_angle(robot, (static_cast<std::size_t>(tick) / 7 + robot) % 3 == 0 ? 0.7 : -0.7);
+    }
+    backend.advance_to(2.0 * (tick + 1));
+  }
+  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a over the words
+  for (const Kinematic::Body& body : backend.save().bodies) {
+    for (const double value : {body.x_m, body.y_m, body.heading_rad})
+      hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211ULL;
+  }
+  CHECK(hash == 4985954194399075582ULL);
+}

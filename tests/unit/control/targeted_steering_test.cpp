@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <trophic/body/load.hpp>
+#include <trophic/control/targeted_steering.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::control;
+
+TEST_CASE("spider: x - y < 0 is left, x - y > 0 right") {
+  CHECK(sides_of(body::load_robot("spider")) == std::vector<Side>{Side::right, Side::left, Side::left, Side::right});
+}
+
+TEST_CASE("gecko: legs by their place on the robot, the spine on no side") {
+  CHECK(sides_of(body::load_robot("gecko")) ==
+        std::vector<Side>{Side::middle, Side::middle, Side::right, Side::left, Side::left, Side::right});
+}
+
+TEST_CASE("delta = ((pi - |alpha|) / pi)^2") {
+  const TargetedSteering steering;
+  CHECK(steering.slowing(0.0) == 1.0);
+  CHECK(steering.slowing(0.7) == doctest::Approx(0.6040135393274385).epsilon(1e-14));
+  CHECK(steering.slowing(-0.7) == steering.slowing(0.7));
+  CHECK(steering.slowing(std::numbers::pi / 2.0) == 0.25);
+  CHECK(steering.slowing(std::numbers::pi) == 0.0);
+  CHECK(steering.slowing(4.0) == 0.0);
+  const TargetedSteering fourth{{.exponent = 4.0}};
+  CHECK(fourth.slowing(0.7) == doctest::Approx(0.6040135393274385 * 0.6040135393274385).epsilon(1e-14));
+}
+
+TEST_CASE("a positive target angle slows down the right side, a negative one the left, 0 none") {
+  const TargetedSteering steering;
+  const std::vector<Side> sides{Side::right, Side::left, Side::middle, Side::right};
+  const std::vector<double> walk{1.0, -0.5, 0.25, -1.0};
+  const double delta = steering.slowing(0.7);
+  std::vector<double> targets_rad = walk;
+  steering.steer(0.0, sides, targets_rad);
+  CHECK(targets_rad == walk);
+  steering.steer(0.7, sides, targets_rad);
+  CHECK(targets_rad == std::vector<double>{delta, -0.5, 0.25, -delta});
+  targets_rad = walk;
+  steering.steer(-0.7, sides, targets_rad);
+  CHECK(targets_rad == std::vector<double>{1.0, -0.5 * delta, 0.25, -1.0});
+}
