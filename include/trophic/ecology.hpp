@@ -113,6 +113,7 @@ class Ecology {
   static Checked load(Params params) {
     validate(params, "");
     Habitat habitat = load_habitat(params.world);
+    params.world.gait = habitat.gait.name;
     return {std::move(params), std::move(habitat)};
   }
   static Checked check(Params params, Habitat habitat) {

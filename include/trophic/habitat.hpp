@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <stdexcept>
 #include <string>
 #include <trophic/arena.hpp>
 #include <trophic/arena_load.hpp>
@@ -21,10 +22,13 @@ struct Habitat {
   control::Gait gait;
 };
 
-/// Loads and checks the three model files. Throws std::runtime_error for a file that is missing or broken and
-/// std::invalid_argument for content that does not fit, each naming file and key.
+/// Loads and checks the three models. Throws std::runtime_error for a file that is missing or broken and std::invalid_argument
+/// for content that does not fit, each naming file and key.
 [[nodiscard]] inline Habitat load_habitat(const World& world) {
-  Habitat habitat{.robot = body::load_robot(world.robot), .arena = load_arena(world.arena), .gait = control::load_gait(world.gait)};
+  Habitat habitat{.robot = body::load_robot(world.robot), .arena = load_arena(world.arena), .gait = {}};
+  const std::string& gait = world.gait.empty() ? habitat.robot.gait : world.gait;
+  if (gait.empty()) throw std::invalid_argument{"world.gait: must be given, as robot \"" + world.robot + "\" names none"};
+  habitat.gait = control::load_gait(gait);
   control::check_fit(habitat.gait, habitat.robot);
   return habitat;
 }

@@ -12,14 +12,14 @@ namespace trophic {
 
 /// Bodies, time scales and models (Sec. "Robot Body and Environment", "Cognitive Brain", "Birth").
 struct World {
-  std::size_t robots = 30;                ///< bodies, fixed for the whole run
-  double duration_s = 6000.0;             ///< of the ecology's clock; what a program runs unless told otherwise
-  double tick_s = 2.0;                    ///< decision step, of the ecology's clock
-  double control_hz = 60.0;               ///< gait control, per simulated second
-  double clock_scale = 1.0;               ///< simulated seconds per second of the ecology's clock
-  std::string robot = "spider";           ///< name or path of a robot file
-  std::string arena = "walled_square";    ///< name or path of an arena file
-  std::string gait = "spider_published";  ///< name or path of a gait file
+  std::size_t robots = 30;              ///< bodies, fixed for the whole run
+  double duration_s = 6000.0;           ///< of the ecology's clock; what a program runs unless told otherwise
+  double tick_s = 2.0;                  ///< decision step, of the ecology's clock
+  double control_hz = 60.0;             ///< gait control, per simulated second
+  double clock_scale = 1.0;             ///< simulated seconds per second of the ecology's clock
+  std::string robot = "spider";         ///< name or path of a robot file
+  std::string arena = "walled_square";  ///< name or path of an arena file
+  std::string gait;                     ///< name or path of a gait file; empty: the gait that the robot file names
   control::CpgIntegration cpg_integration = control::CpgIntegration::exact;
 
   static constexpr auto fields() {
@@ -30,7 +30,7 @@ struct World {
                       field("clock_scale", &World::clock_scale, above_to(0.0, 1e3), "simulated seconds per ecology second"),
                       field("robot", &World::robot, "name or path of a robot file"),
                       field("arena", &World::arena, "name or path of an arena file"),
-                      field("gait", &World::gait, "name or path of a gait file"),
+                      field("gait", &World::gait, "name or path of a gait file; empty: the robot's own"),
                       field("cpg_integration", &World::cpg_integration, "exact or rk4")};
   }
 };

@@ -23,6 +23,7 @@ namespace trophic::body {
 /// A robot as its file describes it.
 struct Design {
   std::string name;
+  std::string gait;  ///< name or path of the gait that it walks with unless told otherwise
   ModuleTree modules;
   double forward_deg = 0.0;
   double friction = 1.0;
@@ -86,6 +87,7 @@ class Builder {
  public:
   explicit Builder(const Design& design) : design_{design} {
     robot_.name = design.name;
+    robot_.gait = design.gait;
     robot_.friction = design.friction;
     robot_.forward_rad = design.forward_deg * std::numbers::pi / 180.0;
     robot_.links.emplace_back().name = "core";

@@ -52,6 +52,7 @@ inline void read_modules(const TomlTable& table, ModuleTree& tree, std::size_t p
   const auto file = detail::TomlTable::read(find_model(ModelKind::robot, name_or_path));
   Design design;
   design.name = file.text("name");
+  if (file.has("gait")) design.gait = file.text("gait");
   file.read_fields(design);
   if (file.has("root_density_kg_m3")) design.root_density_kg_m3 = file.number("root_density_kg_m3", above(0.0));
   if (file.has("servo")) {

@@ -11,27 +11,29 @@ namespace trophic {
 
 /// A uniform solid box fixed to a link; collision shape and mass at once.
 struct Box {
-  std::string part;                                                     ///< which module part it is, e.g. "servo_body"
+  std::string part;  ///< which module part it is, e.g. "servo_body"
   Eigen::Vector3d half_extents_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();                   ///< in the link's frame
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();      ///< box frame to link frame
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();               ///< in the link's frame
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< box frame to link frame
   double mass_kg = 0.0;
 };
 
 /// A rigid body. Link 0 is the root (free in space); link i > 0 hangs on `parent` by hinge i - 1.
-/// A link's frame has its origin in its hinge's anchor; at joint angle 0 it stands at `offset_m`, `rotation` in the parent's frame.
+/// A link's frame has its origin in its hinge's anchor; at joint angle 0 it stands at `offset_m`, `rotation` in the parent's
+/// frame.
 struct Link {
   std::string name;
   int parent = -1;  ///< index of the parent link, smaller than the own index; -1 for the root
   Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   double mass_kg = 0.0;
-  Eigen::Vector3d centre_of_mass_m = Eigen::Vector3d::Zero();   ///< in the link's frame
-  Eigen::Matrix3d inertia_kgm2 = Eigen::Matrix3d::Zero();       ///< about the centre of mass, axes of the link's frame
+  Eigen::Vector3d centre_of_mass_m = Eigen::Vector3d::Zero();  ///< in the link's frame
+  Eigen::Matrix3d inertia_kgm2 = Eigen::Matrix3d::Zero();      ///< about the centre of mass, axes of the link's frame
   std::vector<Box> boxes;
 };
 
-/// Position servo: torque = position_gain (target - angle) - velocity_gain * velocity, N m; targets are clipped to +-target_limit_rad.
+/// Position servo: torque = position_gain (target - angle) - velocity_gain * velocity, N m; targets are clipped to
+/// +-target_limit_rad.
 struct Servo {
   double position_gain = 5.0;
   double velocity_gain = 0.05;
@@ -40,10 +42,10 @@ struct Servo {
 
 /// A one-axis joint between link `index + 1` and its parent; anchor = origin of that link's frame.
 struct Hinge {
-  std::string name;                                             ///< path of faces from the core, e.g. "back.front"
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();              ///< unit vector in the child link's frame
-  double range_rad = 0.0;                                       ///< limits at +-range_rad
-  Eigen::Vector3i grid_position = Eigen::Vector3i::Zero();      ///< module grid cell relative to the core
+  std::string name;                                         ///< path of faces from the core, e.g. "back.front"
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();          ///< unit vector in the child link's frame
+  double range_rad = 0.0;                                   ///< limits at +-range_rad
+  Eigen::Vector3i grid_position = Eigen::Vector3i::Zero();  ///< module grid cell relative to the core
   Servo servo;
 };
 
@@ -51,13 +53,14 @@ struct Hinge {
 /// before children, masses > 0, inertias positive definite.
 struct RobotModel {
   std::string name;
+  std::string gait;  ///< name or path of the gait that it walks with unless told otherwise
   std::vector<Link> links;
   std::vector<Hinge> hinges;
   std::vector<std::vector<std::size_t>> hinge_neighbours;  ///< for hinge i the hinges within module-tree distance 2, ascending
-  double friction = 1.0;            ///< sliding friction coefficient of all boxes
-  double forward_rad = 0.0;         ///< direction of the robot's forward axis in the root frame, from x counter-clockwise
-  double rest_height_m = 0.0;       ///< height of the root frame above the floor when the lowest box corner touches it, all angles 0
-  double bounding_radius_m = 0.0;   ///< no box point is ever farther from the root frame's origin, whatever the angles
+  double friction = 1.0;                                   ///< sliding friction coefficient of all boxes
+  double forward_rad = 0.0;    ///< direction of the robot's forward axis in the root frame, from x counter-clockwise
+  double rest_height_m = 0.0;  ///< height of the root frame above the floor when the lowest box corner touches it, all angles 0
+  double bounding_radius_m = 0.0;  ///< no box point is ever farther from the root frame's origin, whatever the angles
 
   [[nodiscard]] double mass_kg() const {
     double sum = 0.0;

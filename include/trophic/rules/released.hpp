@@ -63,8 +63,11 @@ struct Released {
 
   /// All timers of the released code ran on the wall clock, about 1.2 simulated seconds per second.
   static World world() {
-    return {
-        .clock_scale = 1.2, .robot = "spider_released", .arena = "height_field", .cpg_integration = control::CpgIntegration::rk4};
+    return {.clock_scale = 1.2,
+            .robot = "spider_released",
+            .arena = "height_field",
+            .gait = "spider_published",
+            .cpg_integration = control::CpgIntegration::rk4};
   }
   static Physics physics() { return {.timestep_s = 0.012, .integrator = Integrator::rk4}; }
 };

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The shortest complete experiment: the paper's rules, one run, a folder with its data.
+#include <iostream>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/rules/paper.hpp>
+
+int main() {
+  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.seed = 42});
+  trophic::observe::RunFolder folder("runs/minimal-42");
+  trophic::observe::Progress progress;
+  ecology.run_until(6000.0, folder, progress);
+  progress.summary(std::cout, ecology.view());
+}

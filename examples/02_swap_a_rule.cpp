@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// One rule of the paper swapped for another: what if offspring shared their parent's genome, as in the released code?
+#include <iostream>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/reproduction/shared_copy.hpp>
+#include <trophic/rules/paper.hpp>
+
+using Rules = trophic::with_heredity<trophic::rules::Paper, trophic::reproduction::SharedCopy>;
+
+int main() {
+  trophic::Ecology<Rules, trophic::backend::Kinematic> ecology({.seed = 42});
+  trophic::observe::Progress progress;
+  ecology.run_until(6000.0, progress);
+  progress.summary(std::cout, ecology.view());
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A rule of one's own: the hungrier a predator, the farther it reaches.
+#include <iostream>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/rules/paper.hpp>
+
+struct HungryReach {
+  static constexpr std::string_view name = "hungry_reach";
+  struct Params {
+    double reach_per_tick_m = 0.05;  ///< > 0
+    static constexpr auto fields() {
+      return std::tuple{trophic::field("reach_per_tick_m", &Params::reach_per_tick_m, trophic::above(0.0))};
+    }
+  };
+  Params params;
+
+  std::vector<trophic::death::Capture> captures(const trophic::View& view, trophic::Rng&) const {
+    std::vector<trophic::death::Capture> caught;
+    for (trophic::BodyIndex hunter = 0; hunter < view.robots.size(); ++hunter) {
+      const trophic::Individual& self = view.robots[hunter];
+      const double reach_m = params.reach_per_tick_m * static_cast<double>(view.hunger_ticks(self));
+      const auto victim = view.closest(
+          hunter, [&](const trophic::Individual& other) { return other.active && view.web.eats(self.species, other.species); });
+      if (victim && view.distance_m(hunter, *victim) <= reach_m) caught.push_back({hunter, *victim});
+    }
+    return caught;
+  }
+};
+
+int main() {
+  using Rules = trophic::with_capture<trophic::rules::Paper, HungryReach>;
+  trophic::Ecology<Rules, trophic::backend::Kinematic> ecology({.seed = 42, .rules = {.capture = {.reach_per_tick_m = 0.02}}});
+  trophic::observe::Progress progress;
+  ecology.run_until(6000.0, progress);
+  progress.summary(std::cout, ecology.view());
+}

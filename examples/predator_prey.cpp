@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The paper's experiment: predators and prey, modular robots, one arena. `predator_prey --help` lists the options.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/config.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <vector>
+#ifdef TROPHIC_WITH_MUJOCO
+#include <trophic/backend/mujoco.hpp>
+#endif
+
+namespace {
+
+/// Everything that the command line says. What it leaves out comes from the configuration file, then from the rule table.
+struct Options {
+  std::optional<std::string> rules;
+  std::optional<std::string> backend;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> duration_s;
+  std::optional<std::size_t> robots;
+  std::optional<std::string> robot;
+  std::optional<int> threads;
+  std::string config;
+  std::vector<std::string> assignments;
+  std::string out;
+  std::string save_mjcf;
+  bool print_config = false;
+  std::string command_line;
+};
+
+/// The choice that a configuration file makes under `key`, removed from it; the numbers are left.
+std::optional<std::string> take_choice(toml::table& table, std::string_view key) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return std::nullopt;
+  const auto name = node->value_exact<std::string>();
+  if (!name) throw std::invalid_argument{std::string{key} + ": must be a text"};
+  table.erase(key);
+  return name;
+}
+
+/// Exit codes: what could be known from the arguments, and what went wrong later.
+constexpr int usage_error = 2;
+constexpr int run_error = 1;
+
+#ifdef TROPHIC_WITH_MUJOCO
+constexpr const char* backends = "mujoco or kinematic";
+constexpr const char* default_backend = "mujoco";
+#else
+constexpr const char* backends = "kinematic (this build has no mujoco)";
+constexpr const char* default_backend = "kinematic";
+#endif
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+template <class Rules, class Backend>
+auto resolve(const Options& options, const toml::table& config) {
+  typename trophic::Ecology<Rules, Backend>::Params params;
+  trophic::read_numbers(params, config);
+  for (const std::string& assignment : options.assignments) trophic::read_numbers(params, trophic::read_assignment(assignment));
+  if (options.seed) params.seed = *options.seed;
+  if (options.duration_s) params.world.duration_s = *options.duration_s;
+  if (options.robots) params.world.robots = *options.robots;
+  if (options.robot) params.world.robot = *options.robot;
+  if constexpr (requires { params.backend.threads; }) {
+    if (options.threads) params.backend.threads = *options.threads;
+  }
+  trophic::validate(params, "");
+  return params;
+}
+
+template <class Rules, class Backend>
+int run(const Options& options, const toml::table& config) {
+  const auto params = resolve<Rules, Backend>(options, config);
+  if (options.print_config) {
+    std::cout << "rule_table = \"" << trophic::table_name<Rules>() << "\"\nengine = \"" << Backend::name << "\"\n"
+              << trophic::toml_text(trophic::settings_of(params)) << std::flush;
+    if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+    return 0;
+  }
+  trophic::Ecology<Rules, Backend> ecology{params};
+  if (!options.save_mjcf.empty()) {
+    if constexpr (requires { ecology.backend().save_mjcf(options.save_mjcf); }) {
+      ecology.backend().save_mjcf(options.save_mjcf);
+    } else {
+      throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
+    }
+    if (options.out.empty()) return 0;
+  }
+  if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
+
+  const trophic::observe::StopOnSignal stop;
+  trophic::observe::RunFolder folder{options.out, {{"command_line", options.command_line}, {"host", host_name()}}};
+  trophic::observe::Progress progress;
+  try {
+    ecology.run_until(params.world.duration_s, folder, progress, stop);
+  } catch (const std::exception& error) {
+    std::cerr << "predator_prey: " << error.what() << "\nwhat was written before is in " << folder.path().string() << "\n";
+    return run_error;
+  }
+  folder.manifest().add({{"wall_s", trophic::observe::short_text(progress.elapsed_s())}});
+  if (stop.caught() != 0) std::cout << "stopped by signal " << stop.caught() << " after the tick at hand\n";
+  progress.summary(std::cout, ecology.view());
+  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json\n" << std::flush;
+  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  return 0;
+}
+
+template <class Rules>
+int run_on(const std::string& backend, const Options& options, const toml::table& config) {
+  if (backend == trophic::backend::Kinematic::name) return run<Rules, trophic::backend::Kinematic>(options, config);
+#ifdef TROPHIC_WITH_MUJOCO
+  if (backend == trophic::backend::Mujoco::name) return run<Rules, trophic::backend::Mujoco>(options, config);
+#endif
+  throw std::invalid_argument{"--backend " + backend + ": must be " + backends};
+}
+
+int run_program(const Options& options) {
+  toml::table config;
+  if (!options.config.empty()) config = trophic::read_toml(options.config);
+  const auto configured_rules = take_choice(config, "rule_table");
+  const auto configured_backend = take_choice(config, "engine");
+  const std::string rules = options.rules.value_or(configured_rules.value_or("paper"));
+  const std::string backend = options.backend.value_or(configured_backend.value_or(default_backend));
+  if (rules == trophic::rules::Paper::name) return run_on<trophic::rules::Paper>(backend, options, config);
+  if (rules == trophic::rules::Released::name) return run_on<trophic::rules::Released>(backend, options, config);
+  throw std::invalid_argument{"--rules " + rules + ": must be paper or released"};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  for (int i = 0; i < argc; ++i) options.command_line += (i == 0 ? "" : " ") + std::string{argv[i]};
+
+  CLI::App app{
+      "Predators and prey with evolving controllers in modular robots, by the paper's rules or those of its released code."};
+  app.add_option("--rules", options.rules, "rule table: paper or released (paper)");
+  app.add_option("--backend", options.backend, std::string{"physics: "} + backends + " (" + default_backend + ")");
+  app.add_option("--seed", options.seed, "every random number follows from it (1)");
+  app.add_option("--duration", options.duration_s, "length of the run, seconds of the ecology's clock (6000)");
+  app.add_option("--robots", options.robots, "number of bodies (30)");
+  app.add_option("--robot", options.robot, "name or path of a robot file (spider)");
+  app.add_option("--threads", options.threads, "threads of the physics; results do not depend on it");
+  app.add_option("--config", options.config, "TOML file with numbers, as --print-config writes it");
+  app.add_option("--set", options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config");
+  app.add_option("--out", options.out, "new folder for the run's files");
+  app.add_option("--save-mjcf", options.save_mjcf,
+                 "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run");
+  app.add_flag("--print-config", options.print_config, "print every number as TOML and stop");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : usage_error;
+  }
+  try {
+    return run_program(options);
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "predator_prey: " << error.what() << "\n";
+    return usage_error;
+  } catch (const std::exception& error) {
+    std::cerr << "predator_prey: " << error.what() << "\n";
+    return run_error;
+  }
+}

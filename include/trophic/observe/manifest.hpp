@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// manifest.json: what made a run, and how it ended.
+#pragma once
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/observe/run.hpp>
+#include <trophic/observe/tally.hpp>
+#include <trophic/version.hpp>
+#include <trophic/view.hpp>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace trophic::observe {
+
+/// Facts that only the program knows: command line, source revision, host.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// Writes the manifest when the run starts (status "running") and again when it ends: "complete", "stopped" (an observer ended it
+/// early) or "failed" with the error. Each time the file is replaced as a whole.
+class Manifest {
+ public:
+  Manifest(std::filesystem::path path, Facts facts) : path_{std::move(path)}, facts_{std::move(facts)} {}
+
+  void on_start(const Run& run, const View& view) {
+    until_s_ = run.until_s;
+    content_["trophic"] = version;
+    content_["status"] = "running";
+    content_["fingerprint"] = run.fingerprint;
+    content_["seed"] = run.seed;
+    content_["rule_table"] = run.rules;
+    content_["backend"] = run.backend;
+    content_["compiler"] = __VERSION__;
+    for (const auto& [name, text] : facts_) content_[name] = text;
+    content_["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
+    for (Species species = 0; species < view.web.size(); ++species) content_["species"].push_back(view.web.name(species));
+    for (const auto& [slot, policy] : run.slots) content_["rules"][slot] = policy;
+    for (const Setting& setting : run.settings) {
+      std::visit([&](const auto& value) { content_["numbers"][pointer(setting.path)] = value; }, setting.value);
+    }
+    write();
+  }
+  void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
+  void on_tick(const View& view) { reached_s_ = view.time_s; }
+  void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
+  void on_failure(std::string_view what) {
+    content_["error"] = what;
+    finish("failed");
+  }
+
+  /// Adds facts that are known only now, such as the wall time, and writes again.
+  void add(const Facts& facts) {
+    for (const auto& [name, text] : facts) content_[name] = text;
+    write();
+  }
+
+ private:
+  /// "rules.tag_switch.cool_down_s" as the place in a nested object.
+  static nlohmann::ordered_json::json_pointer pointer(std::string path) {
+    for (char& c : path) {
+      if (c == '.') c = '/';
+    }
+    return nlohmann::ordered_json::json_pointer{"/" + path};
+  }
+
+  void finish(std::string_view status) {
+    content_["status"] = status;
+    auto& result = content_["result"];
+    result["reached_s"] = reached_s_;
+    result["births"] = tally_.births();
+    result["deaths"] = tally_.deaths();
+    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+      result[std::string{enum_name(static_cast<Cause>(cause))}] = tally_.deaths(static_cast<Cause>(cause));
+    }
+    write();
+  }
+
+  void write() const {
+    const std::filesystem::path temporary = path_.string() + ".part";
+    std::ofstream file{temporary};
+    file << content_.dump(2) << '\n';
+    file.close();
+    if (!file) throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
+    std::filesystem::rename(temporary, path_);
+  }
+
+  std::filesystem::path path_;
+  Facts facts_;
+  nlohmann::ordered_json content_;
+  Tally tally_;
+  double until_s_ = 0.0;
+  double reached_s_ = 0.0;
+};
+
+}  // namespace trophic::observe

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// The library's version.
+#pragma once
+
+#include <string_view>
+
+namespace trophic {
+
+inline constexpr std::string_view version = "0.1.0";
+
+}  // namespace trophic
