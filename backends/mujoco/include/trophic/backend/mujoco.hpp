@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// The MuJoCo backend: modular robots as rigid bodies with contacts, friction and servos.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/backend/concept.hpp>
+#include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/backend/mujoco/one_model.hpp>
+#include <trophic/backend/mujoco/save_mjcf.hpp>
+#include <trophic/body/validate.hpp>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace trophic::backend {
+
+/// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies JointDriven.
+///
+/// Numbers: positions m, angles rad, velocities m/s and rad/s, torques N m. No random draws. Results do not depend on
+/// `Params::threads`, bitwise; `islands` and `one_model` agree to rounding, which contacts amplify slowly.
+/// Errors: std::invalid_argument on construction; Diverged when MuJoCo warns or a robot leaves the arena: the backend then still
+/// shows the last sound state. Not for calls from several threads at once; several backends in several threads are fine.
+class Mujoco {
+ public:
+  static constexpr std::string_view name = "mujoco";
+  [[nodiscard]] static std::string version() { return mj_versionString(); }
+
+  /// How the robots are divided into MuJoCo models.
+  enum class Stepping {
+    islands,   ///< robots that cannot touch are stepped apart, in several threads
+    one_model  ///< all in one model, stepped by mj_step in one thread: the reference
+  };
+  friend constexpr std::array<std::string_view, 2> enum_names(Stepping) { return {"islands", "one_model"}; }
+
+  struct Params {
+    Stepping stepping = Stepping::islands;
+    std::size_t threads = 1;
+
+    static constexpr auto fields() {
+      return std::tuple{field("stepping", &Params::stepping, "islands (fast) or one_model (the reference)"),
+                        field("threads", &Params::threads, between(1, 1024), "threads for islands; results do not depend on it")};
+    }
+  };
+
+  /// Everything that decides how the run goes on, warm starts of the solver and servo targets included.
+  struct State {
+    std::uint64_t steps = 0;
+    std::vector<double> robots;       ///< RobotStates::values
+    std::vector<double> targets_rad;  ///< robot by robot
+
+    friend bool operator==(const State&, const State&) = default;
+  };
+
+  Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params)
+      : robot_{checked(robot)},
+        arena_{arena},
+        physics_{checked(physics, params)},
+        steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
+        stepper_{make_stepper(starts.size(), params.stepping, params.threads)},
+        states_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_), starts.size()},
+        layout_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_)},
+        targets_rad_(starts.size() * robot.hinges.size()),
+        angles_rad_(targets_rad_.size()) {
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      check_start(i, starts[i]);
+      states_.set_root(i, starts[i]);
+    }
+  }
+
+  void advance_to(double time_s) {
+    const double steps = std::ceil((time_s - slack_s) / physics_.timestep_s);
+    if (!(steps > static_cast<double>(steps_))) return;
+    const auto goal = static_cast<std::uint64_t>(steps);
+    while (steps_ < goal) advance(std::min<std::size_t>(steps_per_block_, goal - steps_));
+  }
+
+  /// Throws std::invalid_argument unless there is one finite number per hinge.
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+    const std::size_t hinges = robot_.hinges.size();
+    if (targets_rad.size() != hinges) {
+      throw std::invalid_argument{"joint targets of robot " + std::to_string(robot) + ": " + std::to_string(targets_rad.size()) +
+                                  " numbers, must be " + std::to_string(hinges)};
+    }
+    for (std::size_t i = 0; i < hinges; ++i) {
+      const double limit_rad = robot_.hinges[i].servo.target_limit_rad;
+      if (!std::isfinite(targets_rad[i])) {
+        throw std::invalid_argument{"joint target " + std::to_string(i) + " of robot " + std::to_string(robot) + " = " +
+                                    number_text(targets_rad[i]) + ": must be finite"};
+      }
+      targets_rad_[robot * hinges + i] = std::clamp(targets_rad[i], -limit_rad, limit_rad);
+    }
+  }
+
+  [[nodiscard]] std::size_t robots() const { return states_.robots(); }
+  [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * physics_.timestep_s; }
+  [[nodiscard]] Pose pose(std::size_t robot) const { return states_.root(robot); }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
+    return std::span{angles_rad_}.subspan(robot * layout_.hinges, layout_.hinges);
+  }
+
+  [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_}; }
+
+  /// Throws std::invalid_argument for a state of another robot or number of robots.
+  void restore(const State& state) {
+    if (state.robots.size() != states_.values().size() || state.targets_rad.size() != targets_rad_.size()) {
+      throw std::invalid_argument{"mujoco state of " + std::to_string(state.robots.size()) + " numbers: must have " +
+                                  std::to_string(states_.values().size())};
+    }
+    steps_ = state.steps;
+    states_.set_values(state.robots);
+    targets_rad_ = state.targets_rad;
+    read_angles();
+  }
+
+  /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
+  /// `simulate` opens it; the heights of a height field go into a binary file beside it. Throws std::runtime_error.
+  void save_mjcf(const std::filesystem::path& path) const {
+    mujoco::save_mjcf(path, robot_, arena_, physics_, states_, targets_rad_);
+  }
+
+ private:
+  /// Groups of robots are chosen anew after so much time, as often as controllers usually set targets.
+  static constexpr double block_s = 1.0 / 60.0;
+  /// Rounding that makes no step.
+  static constexpr double slack_s = 1e-9;
+
+  static const RobotModel& checked(const RobotModel& robot) {
+    validate(robot);
+    return robot;
+  }
+
+  static const Physics& checked(const Physics& physics, const Params& params) {
+    validate(physics, "physics");
+    validate(params, "mujoco");
+    return physics;
+  }
+
+  using Stepper = std::variant<mujoco::Islands, mujoco::OneModel>;
+
+  [[nodiscard]] Stepper make_stepper(std::size_t robots, Stepping stepping, std::size_t threads) const {
+    if (robots == 0) throw std::invalid_argument{"robots = 0: must be >= 1"};
+    if (stepping == Stepping::one_model) return Stepper{std::in_place_type<mujoco::OneModel>, robot_, arena_, physics_, robots};
+    return Stepper{std::in_place_type<mujoco::Islands>, robot_, arena_, physics_, threads};
+  }
+
+  void check_start(std::size_t robot, const Pose& start) const {
+    const Eigen::Vector3d& at = start.position_m;
+    const double norm = start.orientation.norm();
+    const bool inside = std::max(std::abs(at.x()), std::abs(at.y())) <= arena_.half_side_m && std::abs(at.z()) <= arena_.extent_m;
+    if (!inside || !(norm > 0.5 && norm < 2.0)) {
+      throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(at.x()) + ", " +
+                                  number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +
+                                  number_text(arena_.half_side_m)};
+    }
+  }
+
+  void advance(std::size_t steps) {
+    mujoco::RobotStates next = states_;
+    mujoco::GroupResult result = std::visit([&](auto& stepper) { return stepper.advance(next, targets_rad_, steps); }, stepper_);
+    if (result.end == mujoco::GroupResult::End::done) check_inside(next, steps, result);
+    if (result.end != mujoco::GroupResult::End::done) {
+      throw Diverged{static_cast<double>(steps_ + result.steps) * physics_.timestep_s, result.robot, result.what};
+    }
+    states_ = std::move(next);
+    steps_ += steps;
+    read_angles();
+  }
+
+  void check_inside(const mujoco::RobotStates& states, std::size_t steps, mujoco::GroupResult& result) const {
+    for (std::size_t i = 0; i < states.robots(); ++i) {
+      const Eigen::Vector3d at = states.root(i).position_m;
+      if (at.cwiseAbs().maxCoeff() > arena_.extent_m) {
+        result = {.end = mujoco::GroupResult::End::diverged, .steps = steps, .robot = i, .what = "it left the arena"};
+        return;
+      }
+    }
+  }
+
+  void read_angles() {
+    for (std::size_t robot = 0; robot < states_.robots(); ++robot) {
+      for (std::size_t hinge = 0; hinge < layout_.hinges; ++hinge) {
+        angles_rad_[robot * layout_.hinges + hinge] = states_.positions(robot)[layout_.angle_index[hinge]];
+      }
+    }
+  }
+
+  RobotModel robot_;
+  Arena arena_;
+  Physics physics_;
+  std::size_t steps_per_block_;
+  Stepper stepper_;
+  mujoco::RobotStates states_;
+  mujoco::Layout layout_;
+  std::uint64_t steps_ = 0;
+  std::vector<double> targets_rad_;
+  std::vector<double> angles_rad_;
+};
+
+static_assert(JointDriven<Mujoco>);
+
+}  // namespace trophic::backend

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A compiled MuJoCo model of k robots, the working memory in which threads step it, and where a robot's numbers are in it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/mjcf.hpp>
+#include <vector>
+
+namespace trophic::backend::mujoco {
+
+/// Sizes of one robot's share of a model and where its hinge angles are in its share of qpos.
+struct Layout {
+  std::size_t positions = 0;   ///< numbers in qpos
+  std::size_t velocities = 0;  ///< numbers in qvel
+  std::size_t hinges = 0;
+  std::vector<std::size_t> angle_index;  ///< one per hinge, in the order of RobotModel::hinges
+};
+
+/// Compiles MJCF. Throws std::runtime_error with MuJoCo's own words where it refuses.
+[[nodiscard]] inline ModelPtr compile(const pugi::xml_document& document, const Arena& arena, const std::string& height_file) {
+  static std::mutex one_at_a_time;  // MuJoCo's compiler is not said to be safe in several threads
+  const std::lock_guard lock{one_at_a_time};
+  const EngineGuard guard;
+
+  struct DeleteFiles {
+    void operator()(mjVFS* files) const {
+      mj_deleteVFS(files);
+      delete files;
+    }
+  };
+  const std::unique_ptr<mjVFS, DeleteFiles> files{new mjVFS};
+  mj_defaultVFS(files.get());
+  const auto add_file = [&](const std::string& name, const std::string& content) {
+    if (mj_makeEmptyFileVFS(files.get(), name.c_str(), static_cast<int>(content.size())) != 0) {
+      throw std::runtime_error{"MuJoCo: cannot hold " + name + " of " + std::to_string(content.size()) + " bytes"};
+    }
+    std::ranges::copy(content, static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), name.c_str())]));
+  };
+  std::ostringstream text;
+  document.save(text, "", pugi::format_raw);
+  add_file("model.xml", text.str());
+  if (arena.height_field) add_file(height_file, height_file_content(*arena.height_field));
+
+  std::array<char, 1000> error{};
+  ModelPtr model{mj_loadXML("model.xml", files.get(), error.data(), static_cast<int>(error.size()))};
+  if (!model) throw std::runtime_error{std::string{"MuJoCo refuses the model: "} + error.data()};
+  return model;
+}
+
+/// k robots in one scene. Robot j's numbers are the j-th share of qpos, qvel and ctrl.
+class CompiledModel {
+ public:
+  CompiledModel(const RobotModel& robot, const Arena& arena, const Physics& physics, const Scene& scene, std::size_t robots,
+                std::size_t threads)
+      : robots_{robots}, data_(threads) {
+    const std::string height_file = "ground.hfield";
+    // MuJoCo steps what it compiles once: far enough apart and above the ground nothing touches.
+    std::vector<Pose> apart(robots);
+    const double ground_m = arena.height_field ? std::ranges::max(arena.height_field->height_m) : 0.0;
+    for (std::size_t i = 0; i < robots; ++i) {
+      apart[i].position_m = {3.0 * robot.bounding_radius_m * static_cast<double>(i), 0.0,
+                             ground_m + 3.0 * robot.bounding_radius_m};
+    }
+    model_ = compile(write_mjcf(robot, arena, physics, scene, apart, height_file), arena, height_file);
+    // Dense rows are faster for one or two robots only.
+    model_->opt.jacobian = robots < 3 ? mjJAC_DENSE : mjJAC_SPARSE;
+    read_layout(robot);
+    resize(std::min<std::size_t>(300 + 100 * robots, largest_rows()));
+  }
+
+  [[nodiscard]] std::size_t robots() const { return robots_; }
+  [[nodiscard]] const mjModel& model() const { return *model_; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+
+  /// The working memory of one thread, made at its first use. Different threads may ask at the same time.
+  [[nodiscard]] mjData& data(std::size_t thread) {
+    if (!data_[thread]) {
+      const EngineGuard guard;
+      data_[thread].reset(mj_makeData(model_.get()));
+      if (!data_[thread]) throw std::runtime_error{"MuJoCo: model of " + std::to_string(robots_) + " robots is too large"};
+    }
+    return *data_[thread];
+  }
+
+  /// Doubles the room for contacts. False where MuJoCo's 31-bit buffer size is reached.
+  bool grow() {
+    const auto rows = static_cast<std::size_t>(model_->njmax);
+    const std::size_t larger = std::min(2 * rows, largest_rows());
+    if (larger <= rows) return false;
+    resize(larger);
+    for (DataPtr& data : data_) data.reset();
+    return true;
+  }
+
+ private:
+  void read_layout(const RobotModel& robot) {
+    layout_.hinges = robot.hinges.size();
+    layout_.positions = static_cast<std::size_t>(model_->nq) / robots_;
+    layout_.velocities = static_cast<std::size_t>(model_->nv) / robots_;
+    for (std::size_t hinge = 0; hinge < layout_.hinges; ++hinge) {
+      for (std::size_t i = 0; i < robots_; ++i) {
+        const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, hinge_name(i, hinge).c_str());
+        const auto index = static_cast<std::size_t>(model_->jnt_qposadr[joint]) - i * layout_.positions;
+        if (i == 0) layout_.angle_index.push_back(index);
+        if (index != layout_.angle_index[hinge]) throw std::logic_error{"MuJoCo ordered the joints of two robots differently"};
+      }
+    }
+  }
+
+  /// Room for `rows` constraint rows, hence for rows / 4 contacts (a pyramid of four edges each); the stack is what the Newton
+  /// solver and the collision sweep take, not the much larger default that serves other solvers too.
+  void resize(std::size_t rows) {
+    const auto nv = static_cast<std::size_t>(model_->nv);
+    const auto bodies = static_cast<std::size_t>(model_->nbody);
+    model_->njmax = static_cast<int>(rows);
+    model_->nconmax = static_cast<int>(rows / 4);
+    model_->nstack = static_cast<int>(std::min<std::size_t>(
+        50000 + 5 * nv * nv + bodies * bodies + 200 * (nv + bodies) + 20 * rows, std::numeric_limits<int>::max() / 8));
+  }
+
+  /// The most rows for which mjData's buffer stays below 2^31 bytes: per row the Jacobian and its transpose with their column
+  /// indices (12 bytes an entry each), and the square matrix of the dual solvers with its indices.
+  [[nodiscard]] std::size_t largest_rows() const {
+    const auto nv = static_cast<double>(model_->nv);
+    const double fixed = 8.0 * nv * (static_cast<double>(model_->nu) + 200.0) + 0x1p24;
+    const double per_row = 24.0 * nv + 200.0 + sizeof(mjContact) / 4.0;
+    const double room = 0x1p31 - fixed;
+    if (room <= 0.0) throw std::invalid_argument{"MuJoCo: " + std::to_string(robots_) + " robots are too many for one model"};
+    return static_cast<std::size_t>((-per_row + std::sqrt(per_row * per_row + 48.0 * room)) / 24.0);
+  }
+
+  std::size_t robots_;
+  ModelPtr model_;
+  Layout layout_;
+  std::vector<DataPtr> data_;
+};
+
+}  // namespace trophic::backend::mujoco

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Steps one group of robots in one MuJoCo model and says how it ended.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <trophic/backend/mujoco/compiled_model.hpp>
+#include <trophic/backend/mujoco/robot_states.hpp>
+#include <vector>
+
+namespace trophic::backend::mujoco {
+
+/// How stepping a group ended. Only `done` leaves a state worth keeping.
+struct GroupResult {
+  enum class End {
+    done,
+    left_disc,     ///< a robot moved farther than its slack: it may have met robots outside the group
+    buffers_full,  ///< more contacts than the model has room for
+    diverged
+  };
+  End end = End::done;
+  std::size_t steps = 0;  ///< whole steps before the end
+  std::size_t robot = 0;  ///< which robot, except for `done`
+  std::string what;
+};
+
+/// The first warning in MuJoCo's counters, if any, as a result; `robots` are the group's.
+[[nodiscard]] inline GroupResult read_warnings(const CompiledModel& compiled, const mjData& data,
+                                               std::span<const std::size_t> robots) {
+  for (int kind = 0; kind < mjNWARNING; ++kind) {
+    if (data.warning[kind].number == 0) continue;
+    const int info = data.warning[kind].lastinfo;
+    GroupResult result{.end = GroupResult::End::diverged, .robot = robots.front(), .what = mju_warningText(kind, info)};
+    std::size_t share = 0;
+    switch (kind) {
+      case mjWARN_CONTACTFULL:
+      case mjWARN_CNSTRFULL:
+        result.end = GroupResult::End::buffers_full;
+        break;
+      case mjWARN_BADQPOS:
+        share = compiled.layout().positions;
+        break;
+      case mjWARN_BADCTRL:
+        share = compiled.layout().hinges;
+        break;
+      default:
+        share = compiled.layout().velocities;
+    }
+    if (share > 0 && info >= 0) result.robot = robots[std::min(static_cast<std::size_t>(info) / share, robots.size() - 1)];
+    return result;
+  }
+  return {};
+}
+
+/// Takes `steps` steps of the robots listed, from the states in `from` to those in `to`, under the servo targets `targets_rad`
+/// (one row of hinges per robot). `slack_m`: how far each may move horizontally from where it stands at first; empty: anywhere.
+[[nodiscard]] inline GroupResult step_group(CompiledModel& compiled, std::size_t thread, std::span<const std::size_t> robots,
+                                            std::span<const double> targets_rad, std::span<const double> slack_m,
+                                            std::size_t steps, const RobotStates& from, RobotStates& to) {
+  const Layout& layout = compiled.layout();
+  mjData& data = compiled.data(thread);
+  for (std::size_t share = 0; share < robots.size(); ++share) {
+    from.load(robots[share], share, data);
+    std::copy_n(targets_rad.begin() + static_cast<std::ptrdiff_t>(robots[share] * layout.hinges), layout.hinges,
+                data.ctrl + share * layout.hinges);
+  }
+
+  const auto check = [&]() -> GroupResult {
+    if (GroupResult result = read_warnings(compiled, data, robots); result.end != GroupResult::End::done) return result;
+    if (slack_m.empty()) return {};
+    for (std::size_t share = 0; share < robots.size(); ++share) {
+      const double* now = data.qpos + share * layout.positions;
+      const std::span<const double> start = from.positions(robots[share]);
+      if (std::hypot(now[0] - start[0], now[1] - start[1]) > slack_m[robots[share]]) {
+        return {.end = GroupResult::End::left_disc, .robot = robots[share], .what = {}};
+      }
+    }
+    return {};
+  };
+
+  GroupResult result;
+  const EngineGuard guard;
+  try {
+    for (std::size_t step = 0; step < steps && result.end == GroupResult::End::done; ++step) {
+      mj_step(&compiled.model(), &data);
+      result = check();
+      result.steps = step;
+    }
+  } catch (const EngineError& error) {
+    result = {.end = GroupResult::End::diverged, .steps = result.steps, .robot = robots.front(), .what = error.what()};
+  }
+  for (std::size_t share = 0; share < robots.size() && result.end == GroupResult::End::done; ++share) {
+    if (!to.store(robots[share], share, data)) {
+      result = {
+          .end = GroupResult::End::diverged, .steps = steps, .robot = robots[share], .what = "a number is NaN or too large"};
+    }
+  }
+  if (result.end != GroupResult::End::done) mj_resetData(&compiled.model(), &data);
+  return result;
+}
+
+}  // namespace trophic::backend::mujoco

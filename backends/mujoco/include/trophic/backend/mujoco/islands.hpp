@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Robots that cannot touch are stepped in separate small models, on several threads, with the motion of one big model.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <trophic/backend/mujoco/clusters.hpp>
+#include <trophic/backend/mujoco/group_step.hpp>
+#include <trophic/backend/mujoco/thread_pool.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::backend::mujoco {
+
+/// A robot has no part outside its bounding sphere and, during a block of steps, its centre stays within its slack of where it
+/// started; that is checked at every step. So robots whose discs of (radius + slack) are disjoint at the start of a block cannot
+/// touch within it, nor can a robot whose disc is clear of the walls touch those: connected discs make one group, a group is
+/// stepped in a cached model of its size, with walls or without. Should a robot leave its disc, the block is taken again with
+/// twice the slack for it. Nothing here depends on the number of threads.
+class Islands {
+ public:
+  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads)
+      : robot_{robot}, arena_{arena}, physics_{physics}, pool_{std::make_unique<ThreadPool>(threads)} {}
+
+  [[nodiscard]] const Layout& layout() { return model_for({1, false}).layout(); }
+
+  /// Takes all steps or none; a result that is not `done` leaves `states` as it was.
+  [[nodiscard]] GroupResult advance(RobotStates& states, std::span<const double> targets_rad, std::size_t steps) {
+    slack_m_.resize(states.robots());
+    for (std::size_t i = 0; i < states.robots(); ++i) slack_m_[i] = first_slack_m(states, i, steps);
+    RobotStates next = states;
+    while (true) {
+      const GroupResult failure = attempt(states, targets_rad, steps, next);
+      if (failure.end == GroupResult::End::done) {
+        states = std::move(next);
+        return {};
+      }
+      if (failure.end == GroupResult::End::diverged) return failure;
+    }
+  }
+
+ private:
+  /// Robots in the model and whether it has walls.
+  using ModelKey = std::pair<std::size_t, bool>;
+
+  /// Enough for a walking robot in one block, so that a block is seldom taken twice.
+  static constexpr double least_slack_m = 0.02;
+
+  [[nodiscard]] double first_slack_m(const RobotStates& states, std::size_t robot, std::size_t steps) const {
+    const std::span<const double> velocity = states.velocities(robot);
+    return least_slack_m + 1.5 * std::hypot(velocity[0], velocity[1]) * static_cast<double>(steps) * physics_.timestep_s;
+  }
+
+  CompiledModel& model_for(const ModelKey& key) {
+    std::unique_ptr<CompiledModel>& model = models_[key];
+    if (!model) {
+      const auto collisions = key.first <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
+      const Scene scene{.walls = key.second, .collisions = collisions};
+      model = std::make_unique<CompiledModel>(robot_, arena_, physics_, scene, key.first, pool_->threads());
+    }
+    return *model;
+  }
+
+  [[nodiscard]] bool near_wall(const Disc& disc) const {
+    return !arena_.height_field && std::max(std::abs(disc.x_m), std::abs(disc.y_m)) + disc.radius_m >= arena_.half_side_m;
+  }
+
+  /// Steps every group once. `done`, or what must be reported or repaired; repairs (slack, room) are already made.
+  [[nodiscard]] GroupResult attempt(const RobotStates& states, std::span<const double> targets_rad, std::size_t steps,
+                                    RobotStates& next) {
+    discs_.clear();
+    for (std::size_t i = 0; i < states.robots(); ++i) {
+      const std::span<const double> root = states.positions(i);
+      discs_.push_back({root[0], root[1], robot_.bounding_radius_m + slack_m_[i]});
+    }
+    const std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
+    std::vector<CompiledModel*> models;
+    for (const std::vector<std::size_t>& group : groups) {
+      const bool walls = std::ranges::any_of(group, [&](std::size_t i) { return near_wall(discs_[i]); });
+      models.push_back(&model_for({group.size(), walls}));
+    }
+    std::vector<GroupResult> results(groups.size());
+    pool_->run(groups.size(), [&](std::size_t i, std::size_t thread) {
+      results[i] = step_group(*models[i], thread, groups[i], targets_rad, slack_m_, steps, states, next);
+    });
+    return repair(results, models);
+  }
+
+  /// The most urgent result: what can be repaired first, then the earliest divergence.
+  [[nodiscard]] GroupResult repair(std::span<const GroupResult> results, std::span<CompiledModel* const> models) {
+    GroupResult worst;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      GroupResult result = results[i];
+      if (result.end == GroupResult::End::left_disc) {
+        double& slack_m = slack_m_[result.robot];
+        slack_m *= 2.0;
+        if (slack_m > 2.0 * arena_.extent_m) {
+          result.end = GroupResult::End::diverged;
+          result.what = "it crosses the whole arena between two control ticks";
+        }
+      } else if (result.end == GroupResult::End::buffers_full && !models[i]->grow()) {
+        result.end = GroupResult::End::diverged;
+      }
+      if (result.end == GroupResult::End::done) continue;
+      const bool both_diverged = result.end == GroupResult::End::diverged && worst.end == GroupResult::End::diverged;
+      const bool earlier = std::pair{result.steps, result.robot} < std::pair{worst.steps, worst.robot};
+      if (worst.end == GroupResult::End::done || result.end < worst.end || (both_diverged && earlier)) worst = std::move(result);
+    }
+    return worst;
+  }
+
+  /// Above, MuJoCo's sweep over bodies is cheaper than testing every pair of boxes.
+  static constexpr std::size_t most_robots_with_pairs = 1;
+
+  RobotModel robot_;
+  Arena arena_;
+  Physics physics_;
+  std::unique_ptr<ThreadPool> pool_;
+  std::map<ModelKey, std::unique_ptr<CompiledModel>> models_;
+  std::vector<double> slack_m_;
+  std::vector<Disc> discs_;
+};
+
+}  // namespace trophic::backend::mujoco

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Writes robots and arena as MJCF, MuJoCo's model format.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <pugixml.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <trophic/arena.hpp>
+#include <trophic/backend/concept.hpp>
+#include <trophic/body/robot_model.hpp>
+#include <trophic/params.hpp>
+#include <trophic/units.hpp>
+#include <vector>
+
+namespace trophic::backend::mujoco {
+
+/// Which geoms are tested against each other.
+enum class Collisions {
+  pairs,      ///< an explicit list of every pair that can touch: cheapest for one robot
+  broadphase  ///< MuJoCo's own sweep over bodies: cheapest for many
+};
+
+/// What is in one MJCF model beside the robots.
+struct Scene {
+  bool walls = true;  ///< the four walls of an arena without height field
+  Collisions collisions = Collisions::broadphase;
+};
+
+/// Names of robot `robot`'s parts in the model: "robot3", "robot3.link1", "robot3.link1.box0", "robot3.hinge0". Indices are those
+/// of RobotModel.
+[[nodiscard]] inline std::string body_name(std::size_t robot, std::size_t link) {
+  const std::string name = "robot" + std::to_string(robot);
+  return link == 0 ? name : name + ".link" + std::to_string(link);
+}
+[[nodiscard]] inline std::string box_name(std::size_t robot, std::size_t link, std::size_t box) {
+  return body_name(robot, link) + ".box" + std::to_string(box);
+}
+[[nodiscard]] inline std::string hinge_name(std::size_t robot, std::size_t hinge) {
+  return body_name(robot, 0) + ".hinge" + std::to_string(hinge);
+}
+
+/// Numbers as MJCF lists them: separated by spaces, each reading back exactly.
+[[nodiscard]] inline std::string numbers_text(std::span<const double> values) {
+  std::string text;
+  for (const double value : values) {
+    if (!text.empty()) text += ' ';
+    text += number_text(value);
+  }
+  return text;
+}
+
+/// A height field as MuJoCo's binary file: rows and columns as 32-bit integers, then the heights as 32-bit floats, row (y) by
+/// row.
+[[nodiscard]] inline std::string height_file_content(const HeightField& field) {
+  const std::array<std::int32_t, 2> size{static_cast<std::int32_t>(field.nodes), static_cast<std::int32_t>(field.nodes)};
+  const std::vector<float> heights(field.height_m.begin(), field.height_m.end());
+  std::string bytes(sizeof size + heights.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), size.data(), sizeof size);
+  std::memcpy(bytes.data() + sizeof size, heights.data(), heights.size() * sizeof(float));
+  return bytes;
+}
+
+/// Builds one MJCF document; `write_mjcf` is the way to use it.
+class MjcfWriter {
+ public:
+  MjcfWriter(const RobotModel& model, const Arena& arena, const Physics& physics, const Scene& scene)
+      : model_{model}, arena_{arena}, scene_{scene} {
+    root_ = document_.append_child("mujoco");
+    root_.append_attribute("model").set_value(model.name.c_str());
+    auto compiler = root_.append_child("compiler");
+    set(compiler, "angle", "radian");
+    set(compiler, "inertiafromgeom", "false");
+    write_option(physics);
+  }
+
+  pugi::xml_document write(std::span<const Pose> poses, const std::string& height_file) {
+    if (arena_.height_field) write_height_asset(*arena_.height_field, height_file);
+    auto world = root_.append_child("worldbody");
+    write_ground(world);
+    for (std::size_t robot = 0; robot < poses.size(); ++robot) write_robot(world, robot, poses[robot]);
+    write_servos(poses.size());
+    if (scene_.collisions == Collisions::pairs) write_pairs(poses.size());
+    return std::move(document_);
+  }
+
+ private:
+  static void set(pugi::xml_node node, const char* name, std::string_view text) {
+    node.append_attribute(name).set_value(std::string{text}.c_str());
+  }
+  static void set(pugi::xml_node node, const char* name, double value) { set(node, name, number_text(value)); }
+  static void set(pugi::xml_node node, const char* name, std::initializer_list<double> values) {
+    set(node, name, numbers_text({values.begin(), values.size()}));
+  }
+  static void set(pugi::xml_node node, const char* name, const Eigen::Vector3d& v) { set(node, name, {v.x(), v.y(), v.z()}); }
+  static void set(pugi::xml_node node, const char* name, const Eigen::Quaterniond& q) {
+    set(node, name, {q.w(), q.x(), q.y(), q.z()});
+  }
+
+  /// Newton on the pyramidal cone ends exactly; a tolerance at rounding level makes the result independent of how many robots
+  /// share the model, whose size scales MuJoCo's default tolerance.
+  void write_option(const Physics& physics) {
+    auto option = root_.append_child("option");
+    set(option, "timestep", physics.timestep_s);
+    set(option, "gravity", {0.0, 0.0, -physics.gravity_m_s2});
+    set(option, "integrator", physics.integrator == Integrator::rk4 ? "RK4" : "Euler");
+    set(option, "solver", "Newton");
+    set(option, "cone", "pyramidal");
+    set(option, "tolerance", 1e-15);
+    set(option, "iterations", 100.0);
+    set(option, "collision", scene_.collisions == Collisions::pairs ? "predefined" : "all");
+  }
+
+  void write_height_asset(const HeightField& field, const std::string& file) {
+    const auto [low, high] = std::ranges::minmax(field.height_m);
+    auto asset = root_.append_child("asset").append_child("hfield");
+    set(asset, "name", "ground");
+    set(asset, "file", file);
+    const double rise_m = high > low ? high - low : 1.0;
+    set(asset, "size", {field.half_extent_m, field.half_extent_m, rise_m, 1.0});
+  }
+
+  pugi::xml_node ground_geom(pugi::xml_node world, const char* name, const char* type) {
+    auto geom = world.append_child("geom");
+    set(geom, "name", name);
+    set(geom, "type", type);
+    set(geom, "friction", {arena_.friction, 0.005, 0.0001});
+    ground_.emplace_back(name);
+    return geom;
+  }
+
+  void write_ground(pugi::xml_node world) {
+    if (arena_.height_field) {
+      auto geom = ground_geom(world, "ground", "hfield");
+      set(geom, "hfield", "ground");
+      set(geom, "pos", {0.0, 0.0, std::ranges::min(arena_.height_field->height_m)});
+      return;
+    }
+    const double side_m = arena_.half_side_m;
+    set(ground_geom(world, "floor", "plane"), "size", {side_m, side_m, 1.0});
+    if (!scene_.walls) return;
+    struct Wall {
+      const char* name;
+      double x, y;
+    };
+    for (const Wall& wall : {Wall{"wall_east", 1, 0}, {"wall_west", -1, 0}, {"wall_north", 0, 1}, {"wall_south", 0, -1}}) {
+      auto geom = ground_geom(world, wall.name, "plane");
+      set(geom, "size", {wall.x != 0.0 ? 0.5 : side_m, wall.x != 0.0 ? side_m : 0.5, 1.0});
+      set(geom, "pos", {wall.x * side_m, wall.y * side_m, 0.5});
+      set(geom, "zaxis", {-wall.x, -wall.y, 0.0});
+      set(geom, "rgba", {0.5, 0.5, 0.5, 0.3});
+    }
+  }
+
+  void write_robot(pugi::xml_node world, std::size_t robot, const Pose& pose) {
+    std::vector<pugi::xml_node> bodies(model_.links.size());
+    for (std::size_t link = 0; link < model_.links.size(); ++link) {
+      const Link& part = model_.links[link];
+      auto parent = link == 0 ? world : bodies[static_cast<std::size_t>(part.parent)];
+      auto body = bodies[link] = parent.append_child("body");
+      set(body, "name", body_name(robot, link));
+      set(body, "pos", link == 0 ? pose.position_m : part.offset_m);
+      set(body, "quat", link == 0 ? pose.orientation : part.rotation);
+      write_joint(body, robot, link);
+      write_inertia(body, part);
+      for (std::size_t box = 0; box < part.boxes.size(); ++box) write_box(body, robot, link, box);
+    }
+  }
+
+  void write_joint(pugi::xml_node body, std::size_t robot, std::size_t link) {
+    if (link == 0) {
+      set(body.append_child("freejoint"), "name", body_name(robot, 0) + ".root");
+      return;
+    }
+    const Hinge& hinge = model_.hinges[link - 1];
+    auto joint = body.append_child("joint");
+    set(joint, "name", hinge_name(robot, link - 1));
+    set(joint, "type", "hinge");
+    set(joint, "axis", hinge.axis);
+    set(joint, "limited", "true");
+    set(joint, "range", {-hinge.range_rad, hinge.range_rad});
+  }
+
+  static void write_inertia(pugi::xml_node body, const Link& link) {
+    auto inertial = body.append_child("inertial");
+    set(inertial, "pos", link.centre_of_mass_m);
+    set(inertial, "mass", link.mass_kg);
+    const Eigen::Matrix3d& i = link.inertia_kgm2;
+    set(inertial, "fullinertia", {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)});
+  }
+
+  void write_box(pugi::xml_node body, std::size_t robot, std::size_t link, std::size_t box) {
+    const Box& shape = model_.links[link].boxes[box];
+    auto geom = body.append_child("geom");
+    set(geom, "name", box_name(robot, link, box));
+    set(geom, "type", "box");
+    set(geom, "size", shape.half_extents_m);
+    set(geom, "pos", shape.centre_m);
+    set(geom, "quat", shape.orientation);
+    set(geom, "friction", {model_.friction, 0.005, 0.0001});
+  }
+
+  /// One actuator per hinge: torque = position_gain (target - angle) - velocity_gain * velocity.
+  void write_servos(std::size_t robots) {
+    auto actuators = root_.append_child("actuator");
+    for (std::size_t robot = 0; robot < robots; ++robot) {
+      for (std::size_t hinge = 0; hinge < model_.hinges.size(); ++hinge) {
+        const Servo& servo = model_.hinges[hinge].servo;
+        auto actuator = actuators.append_child("general");
+        set(actuator, "name", hinge_name(robot, hinge) + ".servo");
+        set(actuator, "joint", hinge_name(robot, hinge));
+        set(actuator, "ctrllimited", "true");
+        set(actuator, "ctrlrange", {-servo.target_limit_rad, servo.target_limit_rad});
+        set(actuator, "gainprm", servo.position_gain);
+        set(actuator, "biastype", "affine");
+        set(actuator, "biasprm", {0.0, -servo.position_gain, -servo.velocity_gain});
+      }
+    }
+  }
+
+  void write_pairs(std::size_t robots) {
+    auto contact = root_.append_child("contact");
+    const auto add = [&](const std::string& a, const std::string& b) {
+      auto pair = contact.append_child("pair");
+      set(pair, "geom1", a);
+      set(pair, "geom2", b);
+    };
+    const auto add_links = [&](std::size_t robot_a, std::size_t a, std::size_t robot_b, std::size_t b) {
+      for (std::size_t i = 0; i < model_.links[a].boxes.size(); ++i) {
+        for (std::size_t j = 0; j < model_.links[b].boxes.size(); ++j) add(box_name(robot_a, a, i), box_name(robot_b, b, j));
+      }
+    };
+    const std::size_t links = model_.links.size();
+    for (std::size_t robot = 0; robot < robots; ++robot) {
+      for (std::size_t a = 0; a < links; ++a) {
+        for (std::size_t i = 0; i < model_.links[a].boxes.size(); ++i) {
+          for (const std::string& ground : ground_) add(ground, box_name(robot, a, i));
+        }
+        for (std::size_t b = a + 1; b < links; ++b) {
+          const bool adjacent = model_.links[b].parent == static_cast<int>(a);
+          if (!adjacent) add_links(robot, a, robot, b);
+        }
+        for (std::size_t other = robot + 1; other < robots; ++other) {
+          for (std::size_t b = 0; b < links; ++b) add_links(robot, a, other, b);
+        }
+      }
+    }
+  }
+
+  const RobotModel& model_;
+  const Arena& arena_;
+  Scene scene_;
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+  std::vector<std::string> ground_;
+};
+
+/// One model of a robot at each pose in the arena: inertias as the RobotModel states them, one position servo per hinge, walls as
+/// planes. `height_file` is the name under which MuJoCo will find `height_file_content` (unused without height field).
+[[nodiscard]] inline pugi::xml_document write_mjcf(const RobotModel& model, const Arena& arena, const Physics& physics,
+                                                   const Scene& scene, std::span<const Pose> poses,
+                                                   const std::string& height_file) {
+  return MjcfWriter{model, arena, physics, scene}.write(poses, height_file);
+}
+
+}  // namespace trophic::backend::mujoco

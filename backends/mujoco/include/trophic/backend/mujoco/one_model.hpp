@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// All robots in one MuJoCo model, stepped by mj_step: the plain way, against which the fast one is compared.
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <trophic/backend/mujoco/group_step.hpp>
+#include <vector>
+
+namespace trophic::backend::mujoco {
+
+class OneModel {
+ public:
+  OneModel(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t robots)
+      : all_(robots), compiled_{robot, arena, physics, Scene{.walls = true, .collisions = Collisions::broadphase}, robots, 1} {
+    std::iota(all_.begin(), all_.end(), std::size_t{0});
+  }
+
+  [[nodiscard]] const Layout& layout() const { return compiled_.layout(); }
+
+  /// Takes all steps or none; a result that is not `done` leaves `states` as it was.
+  [[nodiscard]] GroupResult advance(RobotStates& states, std::span<const double> targets_rad, std::size_t steps) {
+    RobotStates next = states;
+    GroupResult result;
+    do {
+      result = step_group(compiled_, 0, all_, targets_rad, {}, steps, states, next);
+    } while (result.end == GroupResult::End::buffers_full && compiled_.grow());
+    if (result.end == GroupResult::End::done) states = std::move(next);
+    return result;
+  }
+
+ private:
+  std::vector<std::size_t> all_;
+  CompiledModel compiled_;
+};
+
+}  // namespace trophic::backend::mujoco
