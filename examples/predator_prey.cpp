@@ -33,7 +33,7 @@ struct Options {
   std::optional<double> duration_s;
   std::optional<std::size_t> robots;
   std::optional<std::string> robot;
-  std::optional<int> threads;
+  std::optional<std::size_t> threads;
   std::string config;
   std::vector<std::string> assignments;
   std::string out;
@@ -87,6 +87,7 @@ auto resolve(const Options& options, const toml::table& config) {
 
 template <class Rules, class Backend>
 int run(const Options& options, const toml::table& config) {
+  if (options.threads == std::size_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
   const auto params = resolve<Rules, Backend>(options, config);
   if (options.print_config) {
     std::cout << "rule_table = \"" << trophic::table_name<Rules>() << "\"\nengine = \"" << Backend::name << "\"\n"

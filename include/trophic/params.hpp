@@ -14,6 +14,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace trophic {
 
@@ -88,7 +89,11 @@ template <class P, class Visitor>
 constexpr void for_each_field(P& params, Visitor&& visit) {
   using Plain = std::remove_const_t<P>;
   if constexpr (HasFields<Plain>) {
-    std::apply([&](const auto&... f) { (visit(f, params.*(f.member)), ...); }, Plain::fields());
+    constexpr auto fields = Plain::fields();
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (visit(std::get<I>(fields), params.*(std::get<I>(fields).member)), ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<decltype(fields)>>{});
   }
 }
 
@@ -125,7 +130,8 @@ void validate(const P& params, std::string_view path) {
     } else if constexpr (std::is_arithmetic_v<T> && !std::same_as<T, bool>) {
       const auto number = static_cast<double>(value);
       const bool low = f.bound.lower_excluded ? !(number > f.bound.lower) : !(number >= f.bound.lower);
-      if (!std::isfinite(number) || low || number > f.bound.upper) {
+      if (!std::isfinite(number)) throw std::invalid_argument{name + " = " + number_text(value) + ": must be finite"};
+      if (low || number > f.bound.upper) {
         throw std::invalid_argument{name + " = " + number_text(value) + ": " + bound_text(f.bound)};
       }
     }

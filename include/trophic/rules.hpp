@@ -140,6 +140,16 @@ struct CheckRules {
 
 }  // namespace detail
 
+namespace detail {
+
+/// A tuple of all arguments but the first, which lets a list begin with a comma.
+template <class... Items>
+[[nodiscard]] constexpr std::tuple<Items...> tuple_after(int, Items... items) {
+  return {items...};
+}
+
+}  // namespace detail
+
 /// The numbers of a rule table, one member per slot, each starting at the table's own number where it states one
 /// (`static constexpr TagCoolDown::Params tag_switch{...}` beside `using TagSwitch = ...`) and at the policy's default elsewhere.
 template <class Rules>
@@ -156,11 +166,9 @@ struct RuleNumbers {
 #undef TROPHIC_NUMBERS
 
   static constexpr auto fields() {
-    return std::tuple_cat(
-#define TROPHIC_FIELD(Slot, member, Concept, sentence) std::tuple{field(#member, &RuleNumbers::member)},
-        TROPHIC_RULE_SLOTS(TROPHIC_FIELD)
+#define TROPHIC_FIELD(Slot, member, Concept, sentence) , field(#member, &RuleNumbers::member)
+    return detail::tuple_after(0 TROPHIC_RULE_SLOTS(TROPHIC_FIELD));
 #undef TROPHIC_FIELD
-            std::tuple<>{});
   }
 };
 

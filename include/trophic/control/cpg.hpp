@@ -13,7 +13,6 @@
 #include <trophic/control/gait.hpp>
 #include <trophic/params.hpp>
 #include <tuple>
-#include <unsupported/Eigen/MatrixFunctions>
 
 namespace trophic::control {
 
@@ -53,13 +52,7 @@ class Cpg {
     weights_.topLeftCorner(n, n) = gait.coupling;
     weights_.topRightCorner(n, n) = gait.internal.asDiagonal();
     weights_.bottomLeftCorner(n, n) = -weights_.topRightCorner(n, n);
-    const Eigen::MatrixXd step = weights_ * params.step_s;
-    if (params.integration == CpgIntegration::exact) {
-      propagator_ = step.exp();
-    } else {
-      const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(2 * n, 2 * n);
-      propagator_ = one + step * (one + step / 2.0 * (one + step / 3.0 * (one + step / 4.0)));
-    }
+    propagator_ = exponential(weights_ * params.step_s, params.integration == CpgIntegration::rk4 ? 4 : max_order);
   }
 
   [[nodiscard]] std::size_t hinges() const { return static_cast<std::size_t>(weights_.rows()) / 2; }
@@ -90,6 +83,22 @@ class Cpg {
   }
 
  private:
+  static constexpr int max_order = 200;
+
+  /// exp(step) = sum of step^k / k!, up to that order or until a term no longer changes the sum.
+  static Eigen::MatrixXd exponential(const Eigen::MatrixXd& step, int order) {
+    Eigen::MatrixXd term = Eigen::MatrixXd::Identity(step.rows(), step.cols());
+    Eigen::MatrixXd sum = term;
+    for (int k = 1; k <= order; ++k) {
+      const Eigen::MatrixXd next = term.lazyProduct(step) / k;
+      term = next;
+      const Eigen::MatrixXd before = sum;
+      sum += term;
+      if (sum == before) break;
+    }
+    return sum;
+  }
+
   Params params_;
   Eigen::MatrixXd weights_;
   Eigen::MatrixXd propagator_;
