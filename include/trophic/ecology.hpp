@@ -85,7 +85,8 @@ class Ecology {
             .arena = habitat_.arena,
             .robots = population_.individuals(),
             .poses = poses_,
-            .perceives = perceives_};
+            .perceives = perceives_,
+            .grid = poses_.size() >= grid_from_robots ? &grid_ : nullptr};
   }
 
   /// What determines this run, for observers.
@@ -166,6 +167,7 @@ class Ecology {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       poses_[body] = ground_pose(backend_.pose(body), habitat_.robot.forward_rad);
     }
+    grid_ = SpatialGrid{poses_};
     ++tick_;
   }
 
@@ -296,6 +298,9 @@ class Ecology {
     emit(audience, observe::EventKind::tag_switch, body);
   }
 
+  /// From so many on, a grid finds the closest robot sooner than a look at everybody; both give the same.
+  static constexpr std::size_t grid_from_robots = 64;
+
   Params params_;
   Habitat habitat_;
   std::int64_t steps_per_tick_;
@@ -304,6 +309,7 @@ class Ecology {
   Perceives perceives_;
   Population<Rules> population_;
   std::vector<GroundPose> poses_;
+  SpatialGrid grid_{poses_};
   B backend_;
   control::Locomotion<typename Rules::Steering> locomotion_;
   death::StarvationClock starvation_clock_;

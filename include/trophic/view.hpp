@@ -12,6 +12,7 @@
 #include <trophic/arena.hpp>
 #include <trophic/food_web.hpp>
 #include <trophic/individual.hpp>
+#include <trophic/spatial_grid.hpp>
 #include <trophic/units.hpp>
 
 namespace trophic {
@@ -29,6 +30,7 @@ struct View {
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
   const Perceives& perceives;
+  const SpatialGrid* grid = nullptr;  ///< over the poses; without one, searches look at everybody
 
   [[nodiscard]] std::size_t count(Species species) const {
     return static_cast<std::size_t>(std::ranges::count(robots, species, &Individual::species));
@@ -46,6 +48,7 @@ struct View {
   /// index. None if nobody is accepted.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, Accepts&& accepts) const {
+    if (grid != nullptr) return grid->closest(self, poses, [&](BodyIndex other) { return accepts(robots[other]); });
     std::optional<BodyIndex> best;
     double best_m = std::numeric_limits<double>::infinity();
     for (BodyIndex other = 0; other < robots.size(); ++other) {

@@ -30,26 +30,24 @@ struct CatchWithinReach {
   Params params;
 
   [[nodiscard]] std::vector<Capture> captures(const View& view, Rng&) const {
-    struct Pair {
+    struct Reached {
       double distance_m;
       Capture capture;
     };
-    std::vector<Pair> pairs;
-    for (BodyIndex hunter = 0; hunter < view.robots.size(); ++hunter) {
-      const Individual& predator = view.robots[hunter];
-      if (!view.web.hunts(predator.species) || view.age_s(predator) < params.min_age_s) continue;
-      for (BodyIndex victim = 0; victim < view.robots.size(); ++victim) {
-        const Individual& prey = view.robots[victim];
-        if (!prey.active || !view.web.eats(predator.species, prey.species)) continue;
-        const double d = view.distance_m(hunter, victim);
-        if (d <= params.reach_m) pairs.push_back({d, {hunter, victim}});
-      }
+    std::vector<Reached> reached;
+    for (BodyIndex victim = 0; victim < view.robots.size(); ++victim) {
+      const Individual& prey = view.robots[victim];
+      if (!prey.active) continue;
+      const auto hunter = view.closest(victim, [&](const Individual& other) {
+        return view.web.eats(other.species, prey.species) && view.age_s(other) >= params.min_age_s;
+      });
+      if (!hunter) continue;
+      const double d = view.distance_m(*hunter, victim);
+      if (d <= params.reach_m) reached.push_back({d, {*hunter, victim}});
     }
-    std::ranges::stable_sort(pairs, {}, &Pair::distance_m);
+    std::ranges::sort(reached, {}, [](const Reached& r) { return std::tuple{r.distance_m, r.capture.hunter, r.capture.victim}; });
     std::vector<Capture> result;
-    for (const Pair& pair : pairs) {
-      if (std::ranges::find(result, pair.capture.victim, &Capture::victim) == result.end()) result.push_back(pair.capture);
-    }
+    for (const Reached& r : reached) result.push_back(r.capture);
     return result;
   }
 };
