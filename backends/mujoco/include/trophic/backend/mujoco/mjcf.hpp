@@ -227,21 +227,26 @@ class MjcfWriter {
 
   void write_pairs(std::size_t robots) {
     auto contact = root_.append_child("contact");
-    const auto add = [&](const std::string& a, const std::string& b) {
+    // A pair does not inherit the friction of its geoms.
+    const auto add = [&](const std::string& a, const std::string& b, double friction) {
       auto pair = contact.append_child("pair");
       set(pair, "geom1", a);
       set(pair, "geom2", b);
+      set(pair, "friction", {friction, friction, 0.005, 0.0001, 0.0001});
     };
+    const double ground_friction = std::max(model_.friction, arena_.friction);
     const auto add_links = [&](std::size_t robot_a, std::size_t a, std::size_t robot_b, std::size_t b) {
       for (std::size_t i = 0; i < model_.links[a].boxes.size(); ++i) {
-        for (std::size_t j = 0; j < model_.links[b].boxes.size(); ++j) add(box_name(robot_a, a, i), box_name(robot_b, b, j));
+        for (std::size_t j = 0; j < model_.links[b].boxes.size(); ++j) {
+          add(box_name(robot_a, a, i), box_name(robot_b, b, j), model_.friction);
+        }
       }
     };
     const std::size_t links = model_.links.size();
     for (std::size_t robot = 0; robot < robots; ++robot) {
       for (std::size_t a = 0; a < links; ++a) {
         for (std::size_t i = 0; i < model_.links[a].boxes.size(); ++i) {
-          for (const std::string& ground : ground_) add(ground, box_name(robot, a, i));
+          for (const std::string& ground : ground_) add(ground, box_name(robot, a, i), ground_friction);
         }
         for (std::size_t b = a + 1; b < links; ++b) {
           const bool adjacent = model_.links[b].parent == static_cast<int>(a);

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Second stage of a step: contacts of boxes with planes, joint limits, and the constraint rows that they make.
+#pragma once
+
+#include <trophic/backend/mujoco/kernel/workspace.hpp>
+
+namespace trophic::backend::kernel {
+
+/// A row residual that no acceleration turns negative: the row of a lane without contact never pushes.
+inline constexpr double out_of_reach = 1e30;
+
+/// Impedance of a row at signed distance r (MuJoCo's solimp): x = |r| / width; y = x^2 / mid up to the midpoint, then
+/// 1 - (1 - x)^2 / (1 - mid), 1 from x = 1; imp = dmin + y (dmax - dmin).
+[[nodiscard]] TROPHIC_LANES_INLINE Real impedance(const ContactLaw& law, const Real& distance_m) {
+  const Real x = abs(distance_m) * (1.0 / law.width_m);
+  const Real rest = 1.0 - x;
+  const Real low = x * x * (1.0 / law.midpoint);
+  const Real high = 1.0 - rest * rest * (1.0 / (1.0 - law.midpoint));
+  const Real y = select(x >= 1.0, broadcast(1.0), select(x <= law.midpoint, low, high));
+  return law.impedance_min + y * (law.impedance_max - law.impedance_min);
+}
+
+/// Rows of joint limits. A hinge at distance r < 0 beyond its nearer limit has one row -side q'' with
+/// aref = -B v - K imp r and D = imp / ((1 - imp) * dof_invweight0).
+TROPHIC_LANES_INLINE void limit_joints(const KernelModel& model, const LaneState& state, Workspace& work) {
+  for (std::size_t j = 0; j < model.hinges.size(); ++j) {
+    const KernelHinge& hinge = model.hinges[j];
+    HingeWork& own = work.hinges[j];
+    const Real angle = state.position[7 + j];
+    const Real below = angle - hinge.lower_rad;
+    const Real above = hinge.upper_rad - angle;
+    const Mask upper = above < below;
+    const Real distance = select(upper, above, below);
+    const Mask beyond = distance < 0.0;
+    own.limit_side = select(upper, broadcast(1.0), broadcast(-1.0));
+    const Real imp = impedance(model.law, distance);
+    own.limit_weight = where(beyond, imp / ((1.0 - imp) * hinge.inverse_weight));
+    own.limit_offset = select(
+        beyond, model.law.stiffness_per_s2 * imp * distance - model.law.damping_per_s * own.limit_side * state.velocity[6 + j],
+        broadcast(out_of_reach));
+  }
+}
+
+/// Finds the contacts of one link with one plane, MuJoCo's plane-box rule: of the corners that are not above the box's centre
+/// those below the plane, four at most in the order of the corners' sign bits; the contact point lies half the depth above the
+/// corner. Returns their largest number in any lane.
+template <int Axis>
+TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelLink& link, const LinkWork& pose,
+                                         const Plane& plane, const Real& origin_m, ContactWork* slots) {
+  std::size_t counts[lane_count] = {};
+  std::size_t opened = 0;
+  const Real base_m = origin_m + plane.sign * pose.anchor[Axis];
+  // Height per unit along each axis of the link.
+  const Real slope[3] = {plane.sign * pose.rotation.column[0][Axis], plane.sign * pose.rotation.column[1][Axis],
+                         plane.sign * pose.rotation.column[2][Axis]};
+  for (std::size_t b = link.first_box; b < link.first_box + link.boxes; ++b) {
+    const KernelBox& box = model.boxes[b];
+    const auto& c = box.centre_m;
+    const Real centre_m = base_m + (slope[0] * c[0] + slope[1] * c[1] + slope[2] * c[2]);
+    Real rise[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* axis = box.axes.data() + 3 * k;
+      const Real along = box.aligned ? slope[k] : slope[0] * axis[0] + slope[1] * axis[1] + slope[2] * axis[2];
+      rise[k] = along * box.half_extents_m[k];
+    }
+    const Real reach_m = abs(rise[0]) + abs(rise[1]) + abs(rise[2]);
+    if (lane_bits(centre_m < reach_m) == 0) continue;
+
+    const Vec3 centre = pose.anchor + rotate(pose.rotation, c.data());
+    Vec3 half[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* axis = box.axes.data() + 3 * k;
+      half[k] = (box.aligned ? pose.rotation.column[k] : rotate(pose.rotation, axis)) * broadcast(box.half_extents_m[k]);
+    }
+    std::size_t found[lane_count] = {};
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const double sx = (corner & 1u) != 0 ? 1.0 : -1.0;
+      const double sy = (corner & 2u) != 0 ? 1.0 : -1.0;
+      const double sz = (corner & 4u) != 0 ? 1.0 : -1.0;
+      const Real below_m = sx * rise[0] + sy * rise[1] + sz * rise[2];
+      const Real distance_m = centre_m + below_m;
+      unsigned hits = lane_bits((below_m <= 0.0) & (distance_m < 0.0));
+      if (hits == 0) continue;
+      Vec3 point;
+      for (int i = 0; i < 3; ++i) point[i] = centre[i] + (sx * half[0][i] + sy * half[1][i] + sz * half[2][i]);
+      point[Axis] -= (0.5 * plane.sign) * distance_m;
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        if ((hits & (1u << lane)) == 0 || found[lane] == 4) continue;
+        ++found[lane];
+        const std::size_t slot = counts[lane]++;
+        if (slot == opened) {
+          slots[opened].point = {};
+          slots[opened].depth = Real{};
+          ++opened;
+        }
+        for (int i = 0; i < 3; ++i) slots[slot].point[i][lane] = point[i][lane];
+        slots[slot].depth[lane] = distance_m[lane];
+      }
+    }
+  }
+  return opened;
+}
+
+/// Rows of a pyramidal contact: n +- mu t1, n +- mu t2, each with aref = -B v - K imp r and, MuJoCo's pyramid,
+/// D = 1 / (2 mu^2 R), R = (1 - imp) / imp (1 + mu^2) body_invweight0. With y = J q'' + B v + K imp r n (a vector), the rows'
+/// residuals J q'' - aref are y_n +- mu y_t.
+template <int Axis>
+TROPHIC_LANES_INLINE void make_rows(const KernelModel& model, const KernelLink& link, const LinkWork& pose, const Plane& plane,
+                                    ContactWork& contact) {
+  const double mu = model.friction;
+  const Real imp = impedance(model.law, contact.depth);
+  const Mask present = contact.depth < 0.0;
+  const double scale = 2.0 * mu * mu * (1.0 + mu * mu) * link.inverse_weight_per_kg;
+  contact.weight = where(present, imp / ((1.0 - imp) * scale));
+  const Vec3 velocity = point_motion(pose.velocity, contact.point);
+  for (int k = 0; k < 3; ++k) contact.offset[k] = where(present, model.law.damping_per_s * velocity[(Axis + k) % 3]);
+  const Real normal = contact.offset[0] + (plane.sign * model.law.stiffness_per_s2) * imp * contact.depth;
+  contact.offset[0] = select(present, normal, broadcast(plane.sign * out_of_reach));
+}
+
+/// Contacts of all links with plane `index`, appended to the workspace.
+template <int Axis>
+TROPHIC_LANES_INLINE std::size_t collide_all(const KernelModel& model, std::size_t index, const LaneState& state, Workspace& work,
+                                             std::size_t used) {
+  const Plane& plane = model.planes[index];
+  const Real origin_m = plane.sign * state.position[Axis] - plane.offset_m;
+  if (lane_bits(origin_m < model.bounding_radius_m) == 0) return used;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const std::size_t count = collide<Axis>(model, model.links[i], work.links[i], plane, origin_m, work.contacts.data() + used);
+    if (count == 0) continue;
+    for (std::size_t c = used; c < used + count; ++c) {
+      make_rows<Axis>(model, model.links[i], work.links[i], plane, work.contacts[c]);
+    }
+    work.groups[work.group_count++] = {index, i, used, count};
+    used += count;
+  }
+  return used;
+}
+
+/// All contacts of all links, grouped by plane and link.
+TROPHIC_LANES_INLINE void find_contacts(const KernelModel& model, const LaneState& state, Workspace& work) {
+  work.group_count = 0;
+  std::size_t used = 0;
+  for (std::size_t index = 0; index < model.planes.size(); ++index) {
+    switch (model.planes[index].axis) {
+      case 0:
+        used = collide_all<0>(model, index, state, work, used);
+        break;
+      case 1:
+        used = collide_all<1>(model, index, state, work, used);
+        break;
+      default:
+        used = collide_all<2>(model, index, state, work, used);
+        break;
+    }
+  }
+}
+
+}  // namespace trophic::backend::kernel

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The search over sets of pushing rows: full Newton steps, then Newton steps with exact line search.
+#pragma once
+
+#include <trophic/backend/mujoco/kernel/solver.hpp>
+
+namespace trophic::backend::kernel {
+
+/// Full steps tried before the line search, which makes the search finite, and the bound of all steps.
+inline constexpr int full_steps = 6;
+inline constexpr int largest_steps = 60;
+/// Evaluations of the slope in one line search; where they do not suffice the best bracket is used, which still descends.
+inline constexpr int line_steps = 30;
+
+/// Slope of one row along the line, d/da of 1/2 D min(0, r0 + a (r1 - r0))^2, and its curvature.
+TROPHIC_LANES_INLINE void add_row(const Real& start, const Real& end, const Real& weight, const Real& along, Real& slope,
+                                  Real& curvature) {
+  const Real step = end - start;
+  const Real value = start + along * step;
+  const Real pushed = where(value < 0.0, weight * step);
+  slope += pushed * value;
+  curvature += pushed * step;
+}
+
+/// Slope of all rows of the contacts at `along`.
+struct SlopeContact {
+  double mu;
+  const Real* along;
+  Real* slope;
+  Real* curvature;
+  template <int>
+  TROPHIC_LANES_INLINE void visit(const ContactWork& contact, double sign, const LinkWork&) const {
+    const Vec3& r = contact.residual;
+    const Vec3& t = contact.trial;
+    for (int k = 1; k < 3; ++k) {
+      add_row(sign * r[0] + mu * r[k], sign * t[0] + mu * t[k], contact.weight, *along, *slope, *curvature);
+      add_row(sign * r[0] - mu * r[k], sign * t[0] - mu * t[k], contact.weight, *along, *slope, *curvature);
+    }
+  }
+};
+
+TROPHIC_LANES_INLINE void row_slope(const KernelModel& model, Workspace& work, const Real& along, Real& slope, Real& curvature) {
+  for_each_contact(model, work, SlopeContact{model.friction, &along, &slope, &curvature});
+  for (const HingeWork& hinge : work.hinges) {
+    add_row(hinge.limit_offset - hinge.limit_side * hinge.acceleration, hinge.limit_offset - hinge.limit_side * hinge.trial,
+            hinge.limit_weight, along, slope, curvature);
+  }
+}
+
+/// Moves the trial point to `along` between current point (0) and trial point (1) in the lanes of `moved`.
+struct MoveContact {
+  double mu;
+  const Mask* moved;
+  const Real* along;
+  template <int>
+  TROPHIC_LANES_INLINE void visit(ContactWork& contact, double sign, const LinkWork&) const {
+    contact.trial = select(*moved, contact.residual + (contact.trial - contact.residual) * *along, contact.trial);
+    update_rows(contact.trial, mu, sign, contact.active);
+  }
+};
+
+/// Exact line search from the current to the trial point in the lanes of `changed`, which becomes the trial point.
+///
+/// With v = trial - current the slope of the cost is, because the trial point is the minimum of the quadratic of the current
+/// point's rows, slope(a) = (a - 1) v'Mv + rows(a) - rows that push at 0, taken at 1; it increases, is piecewise linear and not
+/// positive at 0. Newton's method on it, kept inside a bracket, ends at the root of the piece that holds it.
+TROPHIC_LANES_INLINE void search_line(const KernelModel& model, Workspace& work, const Mask& changed) {
+  Real quadratic{};
+  for (const LinkWork& link : work.links) {
+    const Spatial step = link.trial - link.acceleration;
+    quadratic += dot(step, link.inertia * step);
+  }
+  Real start_slope{}, start_curvature{};
+  row_slope(model, work, Real{}, start_slope, start_curvature);
+  // Rows that push at 0, as a quadratic, have the slope start_slope + start_curvature at 1.
+  const Real constant = start_slope + start_curvature;
+  Real low{};
+  Real high = broadcast(1.0);
+  Real along = high;
+  Mask open = changed;
+  for (int i = 0; i < line_steps && lane_bits(open) != 0; ++i) {
+    Real slope = (along - 1.0) * quadratic - constant;
+    Real curvature = quadratic;
+    row_slope(model, work, along, slope, curvature);
+    // Up to here the slope at 1 may be negative: the minimum then lies beyond, and the bracket grows.
+    const Mask negative = slope < 0.0;
+    low = select(open & negative, along, low);
+    high = select(open & negative & (high <= along), along * 2.0, select(open & ~negative, along, high));
+    const Real newton = along - slope / curvature;
+    const Real next = select((newton > low) & (newton < high), newton, 0.5 * (low + high));
+    open &= (next != along) & (abs(slope) > 1e-14 * (quadratic + abs(constant)));
+    along = select(open, next, along);
+  }
+  for (LinkWork& link : work.links) {
+    link.trial.angular =
+        select(changed, link.acceleration.angular + (link.trial.angular - link.acceleration.angular) * along, link.trial.angular);
+    link.trial.linear =
+        select(changed, link.acceleration.linear + (link.trial.linear - link.acceleration.linear) * along, link.trial.linear);
+  }
+  for (HingeWork& hinge : work.hinges) {
+    hinge.trial = select(changed, hinge.acceleration + (hinge.trial - hinge.acceleration) * along, hinge.trial);
+    hinge.limit_active = hinge.limit_offset - hinge.limit_side * hinge.trial < 0.0;
+  }
+  for_each_contact(model, work, MoveContact{model.friction, &changed, &along});
+}
+
+/// The acceleration that minimises the cost, as `trial` of links and hinges, from the warm start in `state`. A lane whose rows no
+/// longer change stays at its solution bitwise whatever happens in the others. Returns the lanes that did not settle.
+[[nodiscard]] TROPHIC_LANES_INLINE Mask minimise(const KernelModel& model, const LaneState& state, Workspace& work) {
+  try_warm_start(model, state, work);
+  evaluate_trial(model, work);
+  Mask changed{};
+  for (int step = 0; step < largest_steps; ++step) {
+    if (step >= full_steps) accept_trial(model, work);
+    solve_active(model, work);
+    changed = evaluate_trial(model, work);
+    if (lane_bits(changed) == 0) break;
+    if (step >= full_steps) search_line(model, work, changed);
+  }
+  return changed;
+}
+
+}  // namespace trophic::backend::kernel

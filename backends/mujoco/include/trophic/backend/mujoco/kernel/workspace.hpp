@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The states of four robots and the scratch memory of their step.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <trophic/backend/mujoco/kernel/model.hpp>
+#include <trophic/backend/mujoco/kernel/spatial.hpp>
+#include <vector>
+
+namespace trophic::backend::kernel {
+
+/// States of four robots, laid out as in MuJoCo: position (root position, quaternion, joint angles), velocity (root linear
+/// velocity in world axes, angular in the root's, joint velocities), acceleration of the last step (MuJoCo's qacc_warmstart).
+struct LaneState {
+  LaneArray position;
+  LaneArray velocity;
+  LaneArray acceleration;
+  LaneArray target;
+
+  explicit LaneState(const KernelModel& model)
+      : position(model.hinges.size() + 7),
+        velocity(model.hinges.size() + 6),
+        acceleration(model.hinges.size() + 6),
+        target(model.hinges.size()) {}
+
+  /// Copies one robot in; the spans have the sizes of the vectors above.
+  void load(std::size_t lane, std::span<const double> qpos, std::span<const double> qvel, std::span<const double> warm_start,
+            std::span<const double> targets_rad) {
+    copy_in(lane, qpos, position);
+    copy_in(lane, qvel, velocity);
+    copy_in(lane, warm_start, acceleration);
+    copy_in(lane, targets_rad, target);
+  }
+
+  /// Copies one robot out.
+  void store(std::size_t lane, std::span<double> qpos, std::span<double> qvel, std::span<double> warm_start) const {
+    copy_out(lane, position, qpos);
+    copy_out(lane, velocity, qvel);
+    copy_out(lane, acceleration, warm_start);
+  }
+
+ private:
+  static void copy_in(std::size_t lane, std::span<const double> from, LaneArray& to) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i][lane] = from[i];
+  }
+  static void copy_out(std::size_t lane, const LaneArray& from, std::span<double> to) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[i] = from[i][lane];
+  }
+};
+
+/// One link during a step. Vectors are in world axes, points relative to the root's origin.
+struct LinkWork {
+  Mat3 rotation;         ///< directions of the link's axes
+  Vec3 anchor;           ///< of its hinge
+  Vec3 sphere_centre;    ///< of the sphere that holds its boxes
+  Spatial axis;          ///< S: motion of the link per unit of joint velocity
+  RigidInertia inertia;  ///< I
+  Spatial velocity;      ///< V
+  Spatial drift;         ///< acceleration of the link when all joint accelerations are 0, gravity subtracted
+  Spatial bias;          ///< p = I drift + V x* I V
+  Inertia6 articulated;  ///< inertia of the subtree below the hinge as its parent feels it
+  Spatial force;         ///< and its bias force
+  Spatial reach;         ///< U = articulated S
+  Real inverse;          ///< 1 / (S' U + joint terms)
+  Real load;             ///< added to S' U: an active joint limit's D
+  Real torque;           ///< joint torque minus S' force
+  Spatial acceleration;  ///< of the current point of the search, without drift
+  Spatial trial;         ///< of the point that the search tries
+};
+
+/// One hinge during a step.
+struct HingeWork {
+  Real torque;        ///< of the servo
+  Real limit_weight;  ///< D of the joint limit's row, 0 where no limit is near
+  Real limit_side;    ///< -1 at the lower limit, +1 at the upper
+  Real limit_offset;  ///< row residual = offset - side * acceleration
+  Mask limit_active;
+  Real acceleration;
+  Real trial;
+};
+
+/// One contact in up to four robots, at most one per lane. Coordinates are cyclic from the plane's axis: (a, a + 1, a + 2) mod 3.
+struct ContactWork {
+  Vec3 point;
+  Real depth;      ///< signed distance, m, negative in contact
+  Real weight;     ///< D of the four rows, 0 in a lane without this contact
+  Vec3 offset;     ///< what is added to the point's acceleration so that the rows' residuals are projections of the sum
+  Mask active[4];  ///< rows n + mu t1, n - mu t1, n + mu t2, n - mu t2 that push
+  Vec3 residual;   ///< at the current point of the search
+  Vec3 trial;
+};
+
+/// The contacts of one link with one plane.
+struct ContactGroup {
+  std::size_t plane;
+  std::size_t link;
+  std::size_t first;
+  std::size_t count;
+};
+
+/// Scratch memory of one thread.
+struct Workspace {
+  std::vector<LinkWork> links;
+  std::vector<HingeWork> hinges;
+  std::vector<ContactWork> contacts;
+  std::vector<ContactGroup> groups;
+  std::size_t group_count = 0;
+  LaneState stage;  ///< start and sums of a Runge-Kutta step
+  LaneState sum;
+
+  explicit Workspace(const KernelModel& model)
+      : links(model.links.size()),
+        hinges(model.hinges.size()),
+        contacts(model.planes.size() * model.boxes.size() * 4),
+        groups(model.planes.size() * model.links.size()),
+        stage{model},
+        sum{model} {}
+};
+
+}  // namespace trophic::backend::kernel

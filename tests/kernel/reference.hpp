@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// One robot in MuJoCo, and random states to compare it with the kernel in.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <trophic/arena.hpp>
+#include <trophic/backend/concept.hpp>
+#include <trophic/backend/mujoco/compiled_model.hpp>
+#include <trophic/backend/mujoco/kernel/step.hpp>
+#include <trophic/body/robot_model.hpp>
+#include <trophic/rng.hpp>
+#include <vector>
+
+namespace trophic::test {
+
+namespace kernel = backend::kernel;
+
+/// One robot in MuJoCo, and the kernel's constants read from it.
+struct Reference {
+  backend::mujoco::CompiledModel compiled;
+  mjModel& model;
+  mjData& data;
+  kernel::KernelModel constants;
+
+  /// `joint_damping` N m s is given to all hinges.
+  Reference(const RobotModel& robot, const Arena& arena, const Physics& physics, double joint_damping = 0.0)
+      : compiled{robot, arena, physics, {.walls = true, .collisions = backend::mujoco::Collisions::pairs}, 1, 1},
+        model{const_cast<mjModel&>(compiled.model())},
+        data{roomy(compiled)} {
+    for (int dof = 6; dof < model.nv; ++dof) model.dof_damping[dof] = joint_damping;
+    constants = kernel::read_model(model).value();
+  }
+
+  /// Room for every corner of the robot in every plane.
+  [[nodiscard]] static mjData& roomy(backend::mujoco::CompiledModel& compiled) {
+    for (int i = 0; i < 2; ++i) compiled.grow();
+    return compiled.data(0);
+  }
+
+  /// One mj_step without any warning.
+  void step() {
+    mj_step(&model, &data);
+    for (const mjWarningStat& warning : data.warning) {
+      if (warning.number != 0) throw std::runtime_error{"MuJoCo warned"};
+    }
+  }
+};
+
+/// A robot's state as MuJoCo lays it out.
+struct RobotState {
+  std::vector<double> qpos, qvel, warm, target;
+
+  void put(mjData& data) const {
+    std::ranges::copy(qpos, data.qpos);
+    std::ranges::copy(qvel, data.qvel);
+    std::ranges::copy(warm, data.qacc_warmstart);
+    std::ranges::copy(target, data.ctrl);
+  }
+  void put(kernel::LaneState& lanes, std::size_t lane) const { lanes.load(lane, qpos, qvel, warm, target); }
+};
+
+/// At rest on the floor, angles 0.
+[[nodiscard]] inline RobotState resting(const RobotModel& robot) {
+  RobotState state;
+  state.qpos.assign(robot.hinges.size() + 7, 0.0);
+  state.qpos[2] = robot.rest_height_m;
+  state.qpos[3] = 1.0;
+  state.qvel.assign(robot.hinges.size() + 6, 0.0);
+  state.warm = state.qvel;
+  state.target.assign(robot.hinges.size(), 0.0);
+  return state;
+}
+
+/// Any pose, most of them near the ground, some at a wall; angles up to beyond the limits; fast and slow.
+[[nodiscard]] inline RobotState random_state(const RobotModel& robot, const Arena& arena, Reference& reference, Rng& rng) {
+  const mjModel& model = reference.model;
+  mjData& scratch = reference.data;
+  RobotState state = resting(robot);
+  const double tilt = rng.chance(0.5) ? 0.2 : 2.0;
+  Eigen::Quaterniond turn =
+      Eigen::AngleAxisd(rng.uniform(-3.1, 3.1), Eigen::Vector3d::UnitZ()) *
+      Eigen::AngleAxisd(tilt * rng.normal(0.0, 1.0), Eigen::Vector3d(rng.normal(0, 1), rng.normal(0, 1), 0.1).normalized());
+  state.qpos[3] = turn.w(), state.qpos[4] = turn.x(), state.qpos[5] = turn.y(), state.qpos[6] = turn.z();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    state.qpos[axis] = rng.uniform(-5.0, 5.0);
+    if (rng.chance(0.15)) state.qpos[axis] = (rng.chance(0.5) ? 1 : -1) * (arena.half_side_m - rng.uniform(0.02, 0.2));
+  }
+  const double bend = rng.chance(0.8) ? 0.8 : 1.15;
+  for (std::size_t j = 0; j < robot.hinges.size(); ++j) {
+    state.qpos[7 + j] = rng.uniform(-bend, bend);
+    state.target[j] = rng.uniform(-1.3, 1.3);
+  }
+  const double speed = rng.chance(0.5) ? 0.1 : 2.0;
+  for (double& v : state.qvel) v = speed * rng.normal(0.0, 1.0);
+  const double warm = rng.chance(0.5) ? 0.0 : 30.0;
+  for (double& a : state.warm) a = warm * rng.normal(0.0, 1.0);
+  // Lowest corner a few millimetres in or above the floor.
+  state.put(scratch);
+  mj_kinematics(&model, &scratch);
+  double lowest_m = 1e9;
+  for (int g = 0; g < model.ngeom; ++g) {
+    if (model.geom_type[g] != mjGEOM_BOX) continue;
+    double reach_m = 0.0;
+    for (int k = 0; k < 3; ++k) reach_m += model.geom_size[3 * g + k] * std::abs(scratch.geom_xmat[9 * g + 6 + k]);
+    lowest_m = std::min(lowest_m, scratch.geom_xpos[3 * g + 2] - reach_m);
+  }
+  state.qpos[2] += rng.uniform(-0.004, 0.001) - lowest_m;
+  return state;
+}
+
+/// Largest |a_i - b_i|, divided by the largest |b_i| (at least 1).
+template <class Left, class Right>
+[[nodiscard]] double relative_difference(const Left& a, const Right& b, std::size_t n) {
+  double difference = 0.0;
+  double scale = 1.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+    scale = std::max(scale, std::abs(b[i]));
+  }
+  return std::isnan(difference) ? 1e300 : difference / scale;
+}
+
+}  // namespace trophic::test
