@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <exception>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/config.hpp>
 #include <trophic/ecology.hpp>
@@ -72,6 +74,9 @@ std::string host_name() {
 template <class Rules, class Backend>
 auto resolve(const Options& options, const toml::table& config) {
   typename trophic::Ecology<Rules, Backend>::Params params;
+  if constexpr (requires { params.backend.threads; }) {
+    params.backend.threads = std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  }
   trophic::read_numbers(params, config);
   for (const std::string& assignment : options.assignments) trophic::read_numbers(params, trophic::read_assignment(assignment));
   if (options.seed) params.seed = *options.seed;
@@ -158,7 +163,7 @@ int main(int argc, char** argv) {
   app.add_option("--duration", options.duration_s, "length of the run, seconds of the ecology's clock (6000)");
   app.add_option("--robots", options.robots, "number of bodies (30)");
   app.add_option("--robot", options.robot, "name or path of a robot file (spider)");
-  app.add_option("--threads", options.threads, "threads of the physics; results do not depend on it");
+  app.add_option("--threads", options.threads, "threads of the physics; results do not depend on it (all cores)");
   app.add_option("--config", options.config, "TOML file with numbers, as --print-config writes it");
   app.add_option("--set", options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config");
   app.add_option("--out", options.out, "new folder for the run's files");
