@@ -88,6 +88,7 @@ template <NamedEnum E>
 template <class P, class Visitor>
 constexpr void for_each_field(P& params, Visitor&& visit) {
   using Plain = std::remove_const_t<P>;
+  static_assert(Parameters<Plain>, "Params must be empty or list every number in fields(); see trophic/params.hpp");
   if constexpr (HasFields<Plain>) {
     constexpr auto fields = Plain::fields();
     [&]<std::size_t... I>(std::index_sequence<I...>) {

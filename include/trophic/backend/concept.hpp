@@ -9,16 +9,18 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <trophic/arena.hpp>
 #include <trophic/body/robot_model.hpp>
 #include <trophic/params.hpp>
 #include <trophic/units.hpp>
+#include <tuple>
 
 namespace trophic {
 
 enum class Integrator { semi_implicit_euler, rk4 };
-[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Integrator) { return {"semi_implicit_euler", "rk4"}; }
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Integrator) {
+  return {"semi_implicit_euler", "rk4"};
+}
 
 /// How the equations of motion are stepped; the part of the physics that an experiment's rules state (Sec. Methodology).
 /// The paper gives the timestep and is silent about the integrator.
@@ -38,7 +40,8 @@ struct Physics {
 class Diverged : public std::runtime_error {
  public:
   Diverged(double time_s, std::size_t robot, const std::string& what)
-      : std::runtime_error{"simulation diverged at t = " + number_text(time_s) + " s, robot " + std::to_string(robot) + ": " + what},
+      : std::runtime_error{"simulation diverged at t = " + number_text(time_s) + " s, robot " + std::to_string(robot) + ": " +
+                           what},
         time_s_{time_s},
         robot_{robot} {}
   [[nodiscard]] double time_s() const noexcept { return time_s_; }
@@ -51,39 +54,41 @@ class Diverged : public std::runtime_error {
 
 /// A backend simulates n copies of one RobotModel in one Arena.
 ///
-/// - built from (model, arena, one start pose of the root link per robot, physics, its own Params); joint angles start at 0, at rest;
+/// - built from (model, arena, one start pose of the root link per robot, physics, its own Params); joint angles start at 0, at
+/// rest;
 ///   throws std::invalid_argument naming field, value and bound
 /// - `advance_to(t)` takes whole steps until the first step time >= t (simulated seconds since the start; 1e-9 s of slack so that
 ///   rounding adds no step); throws Diverged; a t in the past does nothing
 /// - `pose(i)` is the root link's; `joint_angles(i)` in the order of RobotModel::hinges (empty without joints)
-/// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved one
+/// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved
+/// one
 /// - results must not depend on the number of threads
 template <class B>
 concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {
   { B::name } -> std::convertible_to<std::string_view>;
   { B::version() } -> std::convertible_to<std::string>;
   requires Parameters<typename B::Params>;
-  requires std::constructible_from<B, const RobotModel&, const Arena&, std::span<const Pose>, const Physics&,
-                                   const typename B::Params&>;
-  { backend.advance_to(time_s) };
+  requires std::constructible_from < B, const RobotModel&, const Arena&, std::span<const Pose>,
+  const Physics&, const typename B::Params& > ;
+  {backend.advance_to(time_s)};
   { observed.robots() } -> std::same_as<std::size_t>;
   { observed.time_s() } -> std::same_as<double>;
   { observed.pose(robot) } -> std::same_as<Pose>;
   { observed.joint_angles(robot) } -> std::convertible_to<std::span<const double>>;
   { observed.save() } -> std::same_as<typename B::State>;
-  { backend.restore(state) };
+  {backend.restore(state)};
 };
 
 /// Driven by servo targets, rad, one per hinge in the model's order, held until the next call; clipped to the servo's limit.
 template <class B>
 concept JointDriven = Backend<B> && requires(B backend, std::size_t robot, std::span<const double> targets_rad) {
-  { backend.set_joint_targets(robot, targets_rad) };
+  {backend.set_joint_targets(robot, targets_rad)};
 };
 
 /// Driven by the target angle alone (no joints): positive turns right, held until the next call.
 template <class B>
 concept SteeringDriven = Backend<B> && requires(B backend, std::size_t robot, double target_angle_rad) {
-  { backend.set_target_angle(robot, target_angle_rad) };
+  {backend.set_target_angle(robot, target_angle_rad)};
 };
 
 }  // namespace trophic

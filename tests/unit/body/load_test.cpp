@@ -80,7 +80,8 @@ TEST_CASE("bad content names key and value") {
   CHECK(complaint<Bad>("name = \"a\"\n") == " core: missing");
   CHECK(complaint<Bad>("name = \"a\"\ncore = 1\n") == " core = 1: must be a table");
   CHECK(complaint<Bad>("colour = \"red\"\n" + leg) ==
-        " colour: unknown key; known here: core, forward_deg, friction, gait, hinge_range_rad, name, part_mass_kg, root_density_kg_m3, "
+        " colour: unknown key; known here: core, forward_deg, friction, gait, hinge_range_rad, name, part_mass_kg, "
+        "root_density_kg_m3, "
         "servo");
   CHECK(complaint<Bad>(leg + "top = 1\n") ==
         " core.left.front.top: unknown key; known here: back, front, left, module, right, "
