@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""house.py ROOT CHECK: one house rule, checked on the source tree. Prints each offence; exit 0 kept, 1 broken, 77 not checkable."""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(sys.argv[1])
+CORE = ROOT / "include"
+SKIPPED = 77
+
+
+def sources(*folders: str, suffixes: tuple[str, ...] = (".hpp", ".cpp")) -> list[pathlib.Path]:
+    return sorted(path for folder in folders for path in (ROOT / folder).rglob("*") if path.suffix in suffixes)
+
+
+def lines_with(pattern: str, files: list[pathlib.Path]) -> list[str]:
+    found = re.compile(pattern)
+    return [
+        f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
+        for path in files
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+        if found.search(line)
+    ]
+
+
+def engine_free_core():
+    """The core includes no engine."""
+    return lines_with(r'#\s*include\s*[<"](mujoco|ode|pugixml)', sources("include"))
+
+
+def rule_free_backends():
+    """A backend knows bodies and arenas, never a rule of the ecology."""
+    named = r"\b(predator|prey|starv\w*|hunger|(perception|reproduction|death|rules|measure)(::|/\w+\.hpp)|ecology\.hpp|population\.hpp)"
+    return lines_with(named, [path for path in sources("backends") if "tests" not in path.parts])
+
+
+def simulated_time_only():
+    """No wall clock and no entropy outside the progress display."""
+    read = r"(system|steady|high_resolution)_clock|random_device|\bs?rand\(|\btime\((nullptr|NULL|0|&)|\bclock\(\)|clock_gettime|gettimeofday"
+    return lines_with(read, [path for path in sources("include", "backends") if path != CORE / "trophic/observe/progress.hpp"])
+
+
+def header_length():
+    """A header has at most 400 lines."""
+    counted = [(path, len(path.read_text().splitlines())) for path in sources("include", "backends", "tests", suffixes=(".hpp",))]
+    return [f"{path.relative_to(ROOT)}: {lines} lines, must be <= 400" for path, lines in counted if lines > 400]
+
+
+def header_start():
+    """The licence comes first, then what the file is for; headers have #pragma once."""
+    offences = []
+    for path in sources("include", "backends", "examples", "tests"):
+        text = path.read_text()
+        if not text.startswith("// SPDX-License-Identifier: MIT\n"):
+            offences.append(f"{path.relative_to(ROOT)}: the first line must be // SPDX-License-Identifier: MIT")
+        if path.suffix == ".hpp" and not re.match(r"//.*\n(//.*\n)+#pragma once\n", text):
+            offences.append(f"{path.relative_to(ROOT)}: after the licence come a one-line summary and #pragma once")
+    return offences
+
+
+def policies_have_tests():
+    """Each policy and each metric has a test file of its name."""
+    tests = {path.name for path in (ROOT / "tests").rglob("*_test.cpp")}
+    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "measure")]
+    policies = [path for path in sources(*folders) if path.stem != "concept" and "detail" not in path.parts]
+    return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
+
+
+def complete_umbrella():
+    """trophic.hpp reaches every public header of the core."""
+    reached, waiting = set(), [CORE / "trophic/trophic.hpp"]
+    while waiting:
+        path = waiting.pop()
+        if path not in reached and path.exists():
+            reached.add(path)
+            waiting += [CORE / name for name in re.findall(r"#include <(trophic/[^>]+)>", path.read_text())]
+    missing = [path for path in sources("include") if path not in reached and "detail" not in path.parts]
+    return [f"trophic.hpp lacks #include <{path.relative_to(CORE)}>" for path in missing]
+
+
+def nothing_unfinished():
+    """What is in the tree is done."""
+    files = sources("include", "backends", "examples", "tests", "models", suffixes=(".hpp", ".cpp", ".md", ".toml", ".txt"))
+    return lines_with(r"\b(TODO|FIXME|XXX)\b", files)
+
+
+def formatted():
+    """clang-format 14 (Debian 12) has nothing to change."""
+    tool = shutil.which("clang-format-14") or shutil.which("clang-format")
+    if not tool or " 14." not in subprocess.run([tool, "--version"], capture_output=True, text=True).stdout:
+        print("clang-format 14 is not installed")
+        sys.exit(SKIPPED)
+    files = [str(path) for path in sources("include", "backends", "examples", "tests")]
+    done = subprocess.run([tool, "--dry-run", *files], capture_output=True, text=True, check=True)
+    return sorted({line.split(":")[0] + ": run clang-format -i on it" for line in done.stderr.splitlines() if "warning:" in line})
+
+
+if __name__ == "__main__":
+    broken = globals()[sys.argv[2]]()
+    for offence in broken:
+        print(offence)
+    sys.exit(1 if broken else 0)
