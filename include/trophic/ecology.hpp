@@ -81,6 +81,7 @@ class Ecology {
   [[nodiscard]] View view() const {
     return {.time_s = time_s(),
             .tick = tick_,
+            .tick_s = params_.world.tick_s,
             .web = web_,
             .arena = habitat_.arena,
             .robots = population_.individuals(),

@@ -25,6 +25,7 @@ using Perceives = std::function<bool(const Individual&, const Individual&)>;
 struct View {
   double time_s = 0.0;    ///< the ecology's clock
   std::int64_t tick = 0;  ///< number of this decision step; 0 at the start
+  double tick_s = 2.0;    ///< length of a decision step
   const FoodWeb& web;
   const Arena& arena;
   std::span<const Individual> robots;
