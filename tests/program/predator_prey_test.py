@@ -1,0 +1,234 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""predator_prey_test.py PROGRAM [unittest arguments]: the predator_prey program as its users meet it: options, files, errors, exit codes."""
+
+import csv
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = sys.argv.pop(1)
+HAS_MUJOCO = "mujoco or" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+FILES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"]
+TABLES = FILES[:4]
+
+
+class PredatorPrey(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def call(self, *arguments, shell=None):
+        command = [PROGRAM, *map(str, arguments)]
+        if shell:
+            command = ["bash", "-c", shell, "bash", *command]
+        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300)
+
+    def run_ok(self, out, *arguments):
+        result = self.call("--backend", "kinematic", "--out", out, *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def rows(self, out, file):
+        with open(self.folder / out / file, newline="") as table:
+            return list(csv.DictReader(table))
+
+    def manifest(self, out):
+        return json.loads((self.folder / out / "manifest.json").read_text())
+
+    def assert_refused(self, result, code, *parts):
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        for part in parts:
+            self.assertIn(part, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+
+
+class Runs(PredatorPrey):
+    def test_books_balance(self):
+        for rules in ("paper", "released"):
+            with self.subTest(rules=rules):
+                self.run_ok(rules, "--rules", rules, "--seed", 3)
+                events = self.rows(rules, "events.csv")
+                births = [e for e in events if e["event"] == "birth"]
+                deaths = [e for e in events if e["event"] == "death"]
+                self.assertEqual(len(births), len(deaths) + 30)
+                self.assertGreater(len(deaths), 100)
+                self.assertEqual({d["cause"] for d in deaths}, {"caught", "starved", "sacrificed"})
+                for death in deaths:
+                    self.assertEqual(bool(death["killer_id"]), death["cause"] == "caught")
+                if rules == "paper":
+                    for birth in births:
+                        self.assertEqual(bool(birth["parent_id"]), birth["origin"] == "inherited")
+
+                agents = self.rows(rules, "agents.csv")
+                ticks = {}
+                for agent in agents:
+                    ticks.setdefault(int(agent["tick"]), []).append(agent["species"])
+                self.assertEqual(sorted(ticks), list(range(3001)))
+                for species in ticks.values():
+                    self.assertEqual(len(species), 30)
+                    self.assertGreaterEqual(species.count("prey"), 7 if rules == "paper" else 6)
+                    self.assertGreaterEqual(species.count("predator"), 7 if rules == "paper" else 8)
+
+                lineage = self.rows(rules, "phylogeny.csv")
+                ids = {row["id"] for row in lineage}
+                self.assertEqual(len(ids), len(births))
+                self.assertEqual(sum(row["destruction_time"] == "inf" for row in lineage), 30)
+                for row in lineage:
+                    ancestor = row["ancestor_list"].strip("[]")
+                    self.assertTrue(ancestor == "none" or ancestor in ids)
+                    self.assertEqual(row["ancestor_id"], row["id"] if ancestor == "none" else ancestor)
+                self.assertEqual(self.manifest(rules)["status"], "complete")
+
+    def test_parents_keep_their_genomes_under_paper(self):
+        self.run_ok("run", "--duration", 3000)
+        genomes = [row["genome_id"] for row in self.rows("run", "genomes.csv")]
+        self.assertEqual(len(genomes), len(set(genomes)))
+
+    def test_same_seed_same_bytes(self):
+        for out, seed in (("a", 5), ("b", 5), ("c", 6)):
+            self.run_ok(out, "--seed", seed, "--duration", 1000)
+        for file in TABLES:
+            first = (self.folder / "a" / file).read_bytes()
+            self.assertEqual(first, (self.folder / "b" / file).read_bytes(), file)
+            self.assertNotEqual(first, (self.folder / "c" / file).read_bytes(), file)
+
+    @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
+    def test_threads_do_not_change_mujoco_results(self):
+        for threads in (1, 2):
+            out = f"threads{threads}"
+            self.assertEqual(self.call("--duration", 20, "--threads", threads, "--out", out).returncode, 0)
+        for file in TABLES:
+            self.assertEqual((self.folder / "threads1" / file).read_bytes(), (self.folder / "threads2" / file).read_bytes(), file)
+
+    @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
+    def test_released_physics_runs(self):
+        result = self.call("--rules", "released", "--duration", 10, "--out", "released")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        physics = self.manifest("released")["numbers"]["physics"]
+        self.assertEqual((physics["timestep_s"], physics["integrator"]), (0.012, "rk4"))
+
+    def test_any_robot(self):
+        self.run_ok("gecko", "--robot", "gecko", "--duration", 100)
+        self.assertTrue(self.manifest("gecko")["numbers"]["world"]["gait"].startswith("gecko"))
+
+    def test_printed_configuration_makes_the_same_run(self):
+        printed = self.call("--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config")
+        self.assertEqual(printed.returncode, 0, printed.stderr)
+        (self.folder / "numbers.toml").write_text(printed.stdout)
+        self.run_ok("direct", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--duration", 500)
+        result = self.call("--config", "numbers.toml", "--duration", 500, "--out", "configured")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for file in TABLES:
+            self.assertEqual((self.folder / "direct" / file).read_bytes(), (self.folder / "configured" / file).read_bytes())
+        self.assertEqual(self.manifest("direct")["fingerprint"], self.manifest("configured")["fingerprint"])
+
+    def test_silent_when_piped(self):
+        self.assertEqual(self.run_ok("quiet", "--duration", 100).stderr, "")
+
+    def test_interrupt_ends_cleanly(self):
+        command = [PROGRAM, "--backend", "kinematic", "--duration", "100000000", "--out", "long"]
+        with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, text=True) as process:
+            while not (self.folder / "long" / "agents.csv").exists() and process.poll() is None:
+                time.sleep(0.01)
+            time.sleep(0.2)
+            process.send_signal(signal.SIGINT)
+            printed, _ = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn("births", printed)
+        self.assertEqual(self.manifest("long")["status"], "stopped")
+        births = sum(e["event"] == "birth" for e in self.rows("long", "events.csv"))
+        self.assertEqual(len(self.rows("long", "phylogeny.csv")), births)
+        self.assertEqual(len(self.rows("long", "agents.csv")) % 30, 0)
+
+
+class Refusals(PredatorPrey):
+    def test_bad_arguments(self):
+        for arguments, parts in [
+            (["--rules", "nope"], ["--rules nope", "paper or released"]),
+            (["--backend", "nope"], ["--backend nope", "kinematic"]),
+            (["--robots", "0"], ["world.robots = 0", ">= 1"]),
+            (["--robots", "10"], ["rules.community.predators = 14", "<= 10"]),
+            (["--robots", "1000000"], ["world.robots = 1000000", "must be <="]),
+            (["--duration", "-5"], ["world.duration_s = -5", "> 0"]),
+            (["--duration", "nan"], ["world.duration_s = nan", "finite"]),
+            (["--threads", "0"], ["--threads 0", ">= 1"]),
+            (["--set", "seed=-1"], ["seed = -1", ">= 0"]),
+            (["--set", "rules.mutation.sdd=1"], ["rules.mutation.sdd", "unknown key", "sd"]),
+            (["--set", "rules.mutation.sd=-1"], ["rules.mutation.sd = -1", ">= 0"]),
+            (["--set", "rules.mutation.sd=wide"], ["rules.mutation.sd", "a number"]),
+            (["--set", "physics.timestep_s=0"], ["physics.timestep_s = 0", "> 0"]),
+            (["--set", "physics.integrator=euler"], ["physics.integrator", "semi_implicit_euler or rk4"]),
+            (["--set", "world.tick_s=0.001"], ["world.tick_s", "whole number"]),
+            (["--set", "nonsense"], ["nonsense", "PATH=VALUE"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                options = arguments if "--backend" in arguments else ["--backend", "kinematic", *arguments]
+                self.assert_refused(self.call("--out", "refused", *options), 2, *parts)
+                self.assertFalse((self.folder / "refused").exists())
+
+    def test_unknown_option(self):
+        result = self.call("--bogus")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--bogus", result.stderr)
+
+    @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
+    def test_timestep_above_the_control_period(self):
+        self.assert_refused(self.call("--out", "refused", "--set", "physics.timestep_s=0.02"), 2, "physics.timestep_s = 0.02", "control period")
+
+    def test_no_output_folder(self):
+        self.assert_refused(self.call(), 2, "--out")
+
+    def test_existing_output_is_left_alone(self):
+        self.run_ok("run", "--duration", 10)
+        before = {file: (self.folder / "run" / file).read_bytes() for file in FILES}
+        self.assert_refused(self.call("--backend", "kinematic", "--duration", 20, "--out", "run"), 2, "run", "never overwritten")
+        self.assertEqual(before, {file: (self.folder / "run" / file).read_bytes() for file in FILES})
+        self.assert_refused(self.call("--backend", "kinematic", "--out", "/dev/full"), 2, "/dev/full", "never overwritten")
+
+    def test_folder_that_cannot_be_made(self):
+        (self.folder / "file").write_text("")
+        self.assert_refused(self.call("--backend", "kinematic", "--out", "file/run"), 1, "file/run", "cannot be made")
+
+    def test_broken_files(self):
+        (self.folder / "bad.toml").write_text("[world]\nrobots = = 3\n")
+        self.assert_refused(self.call("--config", "bad.toml", "--out", "x"), 2, "bad.toml:2")
+        self.assert_refused(self.call("--config", "missing.toml", "--out", "x"), 1, "missing.toml")
+        self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), 1, "nosuch", "searched")
+        (self.folder / "robot.toml").write_text('name = "x"\n[core.front]\nmodule = "wheel"\n')
+        self.assert_refused(self.call("--robot", "./robot.toml", "--out", "x"), 2, "robot.toml", "wheel")
+        (self.folder / "numbers.toml").write_text("[world]\nrobot_count = 3\n")
+        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "world.robot_count", "unknown key")
+
+    def test_full_disk_keeps_what_was_written(self):
+        limited = 'trap "" XFSZ; ulimit -f 200; exec "$@"'
+        result = self.call("--backend", "kinematic", "--out", "full", shell=limited)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("agents.csv", result.stderr)
+        self.assertEqual(self.manifest("full")["status"], "failed")
+        self.assertGreater(len(self.rows("full", "events.csv")), 30)
+
+    def test_full_standard_output(self):
+        self.assertEqual(self.call("--print-config", shell='exec "$@" > /dev/full').returncode, 1)
+        result = self.call("--backend", "kinematic", "--duration", 10, "--out", "run", shell='exec "$@" > /dev/full')
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(self.manifest("run")["status"], "complete")
+
+    @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
+    def test_divergence_names_time_and_robot_and_keeps_the_run(self):
+        result = self.call("--out", "diverged", "--duration", 600, "--set", "physics.timestep_s=0.02", "--set", "world.control_hz=50")
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertRegex(result.stderr, r"diverged at t = [\d.]+ s, robot \d+")
+        self.assertEqual(self.manifest("diverged")["status"], "failed")
+        self.assertIn("diverged", self.manifest("diverged")["error"])
+        self.assertGreaterEqual(len(self.rows("diverged", "agents.csv")), 30)
+
+
+if __name__ == "__main__":
+    unittest.main()
