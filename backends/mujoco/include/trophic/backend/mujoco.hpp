@@ -156,7 +156,8 @@ class Mujoco {
   void check_start(std::size_t robot, const Pose& start) const {
     const Eigen::Vector3d& at = start.position_m;
     const double norm = start.orientation.norm();
-    const bool inside = std::max(std::abs(at.x()), std::abs(at.y())) <= arena_.half_side_m && std::abs(at.z()) <= arena_.extent_m;
+    const bool inside = at.allFinite() && std::max(std::abs(at.x()), std::abs(at.y())) <= arena_.half_side_m &&
+                        std::abs(at.z()) <= arena_.extent_m;
     if (!inside || !(norm > 0.5 && norm < 2.0)) {
       throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(at.x()) + ", " +
                                   number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +

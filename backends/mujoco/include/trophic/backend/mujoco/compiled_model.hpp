@@ -22,6 +22,7 @@ namespace trophic::backend::mujoco {
 struct Layout {
   std::size_t positions = 0;   ///< numbers in qpos
   std::size_t velocities = 0;  ///< numbers in qvel
+  std::size_t controls = 0;    ///< numbers in ctrl, the hinges' targets first
   std::size_t hinges = 0;
   std::vector<std::size_t> angle_index;  ///< one per hinge, in the order of RobotModel::hinges
 };
@@ -107,6 +108,7 @@ class CompiledModel {
     layout_.hinges = robot.hinges.size();
     layout_.positions = static_cast<std::size_t>(model_->nq) / robots_;
     layout_.velocities = static_cast<std::size_t>(model_->nv) / robots_;
+    layout_.controls = static_cast<std::size_t>(model_->nu) / robots_;
     for (std::size_t hinge = 0; hinge < layout_.hinges; ++hinge) {
       for (std::size_t i = 0; i < robots_; ++i) {
         const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, hinge_name(i, hinge).c_str());

@@ -43,7 +43,7 @@ struct GroupResult {
         share = compiled.layout().positions;
         break;
       case mjWARN_BADCTRL:
-        share = compiled.layout().hinges;
+        share = compiled.layout().controls;
         break;
       default:
         share = compiled.layout().velocities;
@@ -64,7 +64,7 @@ struct GroupResult {
   for (std::size_t share = 0; share < robots.size(); ++share) {
     from.load(robots[share], share, data);
     std::copy_n(targets_rad.begin() + static_cast<std::ptrdiff_t>(robots[share] * layout.hinges), layout.hinges,
-                data.ctrl + share * layout.hinges);
+                data.ctrl + share * layout.controls);
   }
 
   const auto check = [&]() -> GroupResult {

@@ -58,7 +58,7 @@ class Islands {
     std::unique_ptr<CompiledModel>& model = models_[key];
     if (!model) {
       const auto collisions = key.first <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
-      const Scene scene{.walls = key.second, .collisions = collisions};
+      const Scene scene{.walls = key.second, .collisions = collisions, .servos = Servos::combined};
       model = std::make_unique<CompiledModel>(robot_, arena_, physics_, scene, key.first, pool_->threads());
     }
     return *model;

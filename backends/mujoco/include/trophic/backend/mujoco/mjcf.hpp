@@ -28,10 +28,18 @@ enum class Collisions {
   broadphase  ///< MuJoCo's own sweep over bodies: cheapest for many
 };
 
+/// How a hinge's servo is written. The motion is the same; MuJoCo keeps actuators x velocities numbers, so that many actuators
+/// cost most in a large model.
+enum class Servos {
+  combined,              ///< one general actuator with an affine bias
+  position_and_velocity  ///< as people write it: <position> takes the target, <velocity> brakes
+};
+
 /// What is in one MJCF model beside the robots.
 struct Scene {
   bool walls = true;  ///< the four walls of an arena without height field
   Collisions collisions = Collisions::broadphase;
+  Servos servos = Servos::position_and_velocity;
 };
 
 /// Names of robot `robot`'s parts in the model: "robot3", "robot3.link1", "robot3.link1.box0", "robot3.hinge0". Indices are those
@@ -207,22 +215,36 @@ class MjcfWriter {
     set(geom, "friction", {model_.friction, 0.005, 0.0001});
   }
 
-  /// One actuator per hinge: torque = position_gain (target - angle) - velocity_gain * velocity.
+  /// Torque = position_gain (target - angle) - velocity_gain * velocity. A robot's first controls are its targets, hinge by
+  /// hinge.
   void write_servos(std::size_t robots) {
     auto actuators = root_.append_child("actuator");
     for (std::size_t robot = 0; robot < robots; ++robot) {
       for (std::size_t hinge = 0; hinge < model_.hinges.size(); ++hinge) {
         const Servo& servo = model_.hinges[hinge].servo;
-        auto actuator = actuators.append_child("general");
-        set(actuator, "name", hinge_name(robot, hinge) + ".servo");
-        set(actuator, "joint", hinge_name(robot, hinge));
+        const bool combined = scene_.servos == Servos::combined;
+        auto actuator = actuator_of(actuators, combined ? "general" : "position", robot, hinge);
         set(actuator, "ctrllimited", "true");
         set(actuator, "ctrlrange", {-servo.target_limit_rad, servo.target_limit_rad});
-        set(actuator, "gainprm", servo.position_gain);
-        set(actuator, "biastype", "affine");
-        set(actuator, "biasprm", {0.0, -servo.position_gain, -servo.velocity_gain});
+        if (combined) {
+          set(actuator, "gainprm", servo.position_gain);
+          set(actuator, "biastype", "affine");
+          set(actuator, "biasprm", {0.0, -servo.position_gain, -servo.velocity_gain});
+        } else {
+          set(actuator, "kp", servo.position_gain);
+        }
+      }
+      for (std::size_t hinge = 0; hinge < model_.hinges.size() && scene_.servos == Servos::position_and_velocity; ++hinge) {
+        set(actuator_of(actuators, "velocity", robot, hinge), "kv", model_.hinges[hinge].servo.velocity_gain);
       }
     }
+  }
+
+  static pugi::xml_node actuator_of(pugi::xml_node actuators, const char* kind, std::size_t robot, std::size_t hinge) {
+    auto actuator = actuators.append_child(kind);
+    set(actuator, "name", hinge_name(robot, hinge) + "." + kind);
+    set(actuator, "joint", hinge_name(robot, hinge));
+    return actuator;
   }
 
   void write_pairs(std::size_t robots) {
@@ -267,7 +289,7 @@ class MjcfWriter {
   std::vector<std::string> ground_;
 };
 
-/// One model of a robot at each pose in the arena: inertias as the RobotModel states them, one position servo per hinge, walls as
+/// One model of a robot at each pose in the arena: inertias as the RobotModel states them, a position servo per hinge, walls as
 /// planes. `height_file` is the name under which MuJoCo will find `height_file_content` (unused without height field).
 [[nodiscard]] inline pugi::xml_document write_mjcf(const RobotModel& model, const Arena& arena, const Physics& physics,
                                                    const Scene& scene, std::span<const Pose> poses,

@@ -13,7 +13,7 @@ namespace trophic::backend::mujoco {
 class OneModel {
  public:
   OneModel(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t robots)
-      : all_(robots), compiled_{robot, arena, physics, Scene{.walls = true, .collisions = Collisions::broadphase}, robots, 1} {
+      : all_(robots), compiled_{robot, arena, physics, Scene{}, robots, 1} {
     std::iota(all_.begin(), all_.end(), std::size_t{0});
   }
 

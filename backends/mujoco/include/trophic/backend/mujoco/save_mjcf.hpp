@@ -33,15 +33,19 @@ inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot
   std::vector<Pose> poses;
   std::vector<double> positions;
   std::vector<double> velocities;
+  std::vector<double> controls;
+  const CompiledModel compiled{robot, arena, physics, Scene{}, states.robots(), 1};
+  const Layout& layout = compiled.layout();
   for (std::size_t i = 0; i < states.robots(); ++i) {
     poses.push_back(states.root(i));
     std::ranges::copy(states.positions(i), std::back_inserter(positions));
     std::ranges::copy(states.velocities(i), std::back_inserter(velocities));
+    std::ranges::copy(targets_rad.subspan(i * layout.hinges, layout.hinges), std::back_inserter(controls));
+    controls.resize((i + 1) * layout.controls);
   }
 
   pugi::xml_document document = write_mjcf(robot, arena, physics, Scene{}, poses, height_file);
   pugi::xml_node root = document.child("mujoco");
-  const CompiledModel compiled{robot, arena, physics, Scene{}, states.robots(), 1};
   auto size = root.append_child("size");
   size.append_attribute("njmax").set_value(compiled.model().njmax);
   size.append_attribute("nconmax").set_value(compiled.model().nconmax);
@@ -50,7 +54,7 @@ inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot
   key.append_attribute("name").set_value("now");
   key.append_attribute("qpos").set_value(numbers_text(positions).c_str());
   key.append_attribute("qvel").set_value(numbers_text(velocities).c_str());
-  if (!targets_rad.empty()) key.append_attribute("ctrl").set_value(numbers_text(targets_rad).c_str());
+  if (!controls.empty()) key.append_attribute("ctrl").set_value(numbers_text(controls).c_str());
 
   std::ostringstream text;
   document.save(text, "  ");

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <mujoco/touching.hpp>
+#include <string>
+
+using namespace trophic;
+using backend::Mujoco;
+
+namespace {
+
+const RobotModel spider = body::load_robot("spider");
+const Arena square = load_arena("walled_square");
+
+std::vector<Mujoco::Params> both_ways() {
+  return {{.stepping = Mujoco::Stepping::islands, .threads = 2}, {.stepping = Mujoco::Stepping::one_model}};
+}
+
+template <class Make>
+std::string complaint(Make&& make) {
+  try {
+    make();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("too large a timestep ends in Diverged with time and robot, the last sound state still there") {
+  const std::vector<Pose> starts = test::lattice(spider, 6, 2.0);
+  for (const Mujoco::Params& params : both_ways()) {
+    Mujoco backend{spider, square, starts, {.timestep_s = 0.02}, params};
+    double diverged_s = -1.0;
+    try {
+      test::walk(backend, 60.0);
+    } catch (const Diverged& diverged) {
+      MESSAGE(std::string{diverged.what()});
+      diverged_s = diverged.time_s();
+      CHECK(diverged.robot() < 6);
+      CHECK(contains(diverged.what(), "robot " + std::to_string(diverged.robot())));
+    }
+    CHECK(diverged_s >= backend.time_s());
+    CHECK(diverged_s <= backend.time_s() + 0.1);
+    for (std::size_t i = 0; i < 6; ++i) CHECK(backend.pose(i).position_m.allFinite());
+  }
+}
+
+TEST_CASE("a number that is not finite names its robot") {
+  for (const Mujoco::Params& params : both_ways()) {
+    Mujoco backend{spider, square, test::lattice(spider, 4, 0.45), {}, params};
+    backend.advance_to(0.1);
+    const Mujoco::State sound = backend.save();
+    const std::size_t row = sound.robots.size() / 4;
+    for (const std::size_t column : {std::size_t{2}, std::size_t{8}, std::size_t{7 + 4 + 3}}) {
+      Mujoco::State broken = sound;
+      broken.robots[2 * row + column] = std::numeric_limits<double>::quiet_NaN();
+      backend.restore(broken);
+      try {
+        backend.advance_to(0.2);
+        FAIL("went on with NaN");
+      } catch (const Diverged& diverged) {
+        CHECK(diverged.robot() == 2);
+        CHECK(diverged.time_s() == doctest::Approx(backend.time_s()).epsilon(0.02));
+      }
+    }
+    backend.restore(sound);
+    CHECK_NOTHROW(backend.advance_to(0.2));
+  }
+}
+
+TEST_CASE("robots that start inside one another drive apart and the run goes on") {
+  std::vector<Pose> starts = test::lattice(spider, 4, 3.0);
+  starts.push_back(starts[0]);                                 // exactly the same place
+  starts.push_back(test::standing(spider, 3.02, 3.01, 0.3));   // nearly
+  starts.push_back(test::standing(spider, 9.99, -9.99, 0.3));  // half in two walls
+  Mujoco backend{spider, square, starts, {}, {.threads = 2}};
+  CHECK_NOTHROW(test::walk(backend, 5.0));
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    CAPTURE(i);
+    const Eigen::Vector3d at = backend.pose(i).position_m;
+    CHECK(at.allFinite());
+    CHECK(std::max(std::abs(at.x()), std::abs(at.y())) < 10.0);
+  }
+}
+
+TEST_CASE("a heap of robots gets all the room for contacts that it needs") {
+  const std::vector<Pose> starts = test::crowd(spider, 4, 0.1, 3);
+  test::TouchWatch watch{spider, square, 4};
+  const std::size_t first_room = watch.room();
+  CHECK(first_room < 1500);
+  Mujoco backend{spider, square, starts, {}, {.threads = 1}};
+  watch.look(backend);
+  CHECK(watch.most_rows() > static_cast<int>(first_room));
+  CHECK_NOTHROW(test::walk(backend, 1.0));
+}
+
+TEST_CASE("more contacts than MuJoCo can hold are an error, not a loss") {
+  Mujoco backend{spider, square, test::crowd(spider, 12, 0.1, 3), {}, {}};
+  CHECK_THROWS_AS(backend.advance_to(0.1), Diverged);
+  CHECK(backend.time_s() == 0.0);
+}
+
+TEST_CASE("no contact is dropped while a crowd mills about") {
+  const std::vector<Pose> starts = test::tight_crowd(spider, 24, 3.0, 5000);
+  backend::mujoco::CompiledModel single{spider, square, {}, {}, 1, 1};
+  Mujoco backend{spider, square, starts, {}, {.threads = 2}};
+  test::TouchWatch watch{spider, square, starts.size()};
+  for (double time_s = 0.1; time_s < 2.05; time_s += 0.1) {
+    test::walk(backend, time_s);  // a dropped row would be a warning, and a warning throws
+    watch.look(backend);
+  }
+  CHECK(watch.most_rows() > 24 * 8);
+  CHECK(single.model().njmax >= 17 * 4 * 4);  // every box on its four lower corners, four rows each
+}
+
+TEST_CASE("bad input is refused by name before anything is simulated") {
+  const std::vector<Pose> starts = test::lattice(spider, 2, 1.0);
+  const auto with_threads = [&](std::size_t threads) {
+    return complaint([&] { Mujoco{spider, square, starts, {}, {.threads = threads}}; });
+  };
+  CHECK(contains(with_threads(0), "mujoco.threads = 0: must be >= 1"));
+  CHECK(contains(with_threads(5000), "mujoco.threads = 5000"));
+  CHECK(contains(complaint([&] { Mujoco{spider, square, {}, {}, {}}; }), "robots = 0"));
+  CHECK(contains(complaint([&] { Mujoco{spider, square, starts, {.timestep_s = -1.0}, {}}; }), "physics.timestep_s = -1"));
+  for (const Eigen::Vector3d& at : {Eigen::Vector3d{10.5, 0.0, 0.1}, Eigen::Vector3d{0.0, std::nan(""), 0.1},
+                                    Eigen::Vector3d{0.0, 0.0, std::numeric_limits<double>::infinity()}}) {
+    std::vector<Pose> outside = starts;
+    outside[1].position_m = at;
+    CHECK(contains(complaint([&] { Mujoco{spider, square, outside, {}, {}}; }), "start pose 1"));
+  }
+  std::vector<Pose> unturned = starts;
+  unturned[0].orientation.coeffs().setZero();
+  CHECK(contains(complaint([&] { Mujoco{spider, square, unturned, {}, {}}; }), "start pose 0"));
+  RobotModel weightless = spider;
+  weightless.links[1].mass_kg = 0.0;
+  CHECK(complaint([&] { Mujoco{weightless, square, starts, {}, {}}; }) != "accepted");
+
+  Mujoco backend{spider, square, starts, {}, {}};
+  const std::vector<double> three(3, 0.0);
+  const std::vector<double> wrong{0.0, 0.0, std::nan(""), 0.0};
+  CHECK(contains(complaint([&] { backend.set_joint_targets(1, three); }), "joint targets of robot 1: 3 numbers, must be 4"));
+  CHECK(contains(complaint([&] { backend.set_joint_targets(1, wrong); }), "joint target 2 of robot 1"));
+}
