@@ -2,6 +2,7 @@
 // Steps one group of robots in one MuJoCo model and says how it ended.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -97,7 +98,8 @@ struct GroupResult {
           .end = GroupResult::End::diverged, .steps = steps, .robot = robots[share], .what = "a number is NaN or too large"};
     }
   }
-  if (result.end != GroupResult::End::done) mj_resetData(&compiled.model(), &data);
+  if (result.end == GroupResult::End::diverged) mj_resetData(&compiled.model(), &data);
+  std::ranges::fill(data.warning, mjWarningStat{});
   return result;
 }
 
