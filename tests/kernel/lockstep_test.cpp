@@ -62,7 +62,7 @@ void compare_random_states(const RobotModel& robot, const Physics& physics, std:
     const unsigned stepped = step(model, lanes, work, 0xfu);
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       RobotState after = states[lane];
-      lanes.store(lane, after.qpos, after.qvel, after.warm);
+      after.get(lanes, lane);
       if ((stepped & (1u << lane)) == 0) {
         ++comparison.declined;
         CHECK(relative_difference(after.qpos, states[lane].qpos, after.qpos.size()) < 1e-15);

@@ -61,7 +61,26 @@ struct RobotState {
     std::ranges::copy(warm, data.qacc_warmstart);
     std::ranges::copy(target, data.ctrl);
   }
-  void put(kernel::LaneState& lanes, std::size_t lane) const { lanes.load(lane, qpos, qvel, warm, target); }
+  void get(const mjData& data) {
+    std::copy_n(data.qpos, qpos.size(), qpos.begin());
+    std::copy_n(data.qvel, qvel.size(), qvel.begin());
+    std::copy_n(data.qacc_warmstart, warm.size(), warm.begin());
+  }
+  void put(kernel::LaneState& lanes, std::size_t lane) const {
+    std::vector<double> numbers = qpos;
+    numbers.insert(numbers.end(), qvel.begin(), qvel.end());
+    numbers.insert(numbers.end(), warm.begin(), warm.end());
+    lanes.load(lane, numbers, target);
+  }
+  void get(const kernel::LaneState& lanes, std::size_t lane) {
+    std::vector<double> numbers(qpos.size() + qvel.size() + warm.size());
+    lanes.store(lane, numbers);
+    const auto speeds = numbers.begin() + static_cast<std::ptrdiff_t>(qpos.size());
+    const auto accelerations = speeds + static_cast<std::ptrdiff_t>(qvel.size());
+    qpos.assign(numbers.begin(), speeds);
+    qvel.assign(speeds, accelerations);
+    warm.assign(accelerations, numbers.end());
+  }
 };
 
 /// At rest on the floor, angles 0.

@@ -52,8 +52,7 @@ class Walk {
         }
       }
       for (std::size_t lane = 0; lane < used; ++lane) {
-        RobotState& state = states[order[first + lane]];
-        lanes.store(lane, state.qpos, state.qvel, state.warm);
+        states[order[first + lane]].get(lanes, lane);
       }
     }
   }
@@ -65,12 +64,10 @@ class Walk {
   void step_by_mujoco(kernel::LaneState& lanes, std::size_t lane, RobotState& state) {
     ++declined;
     mjData& data = reference_.data;
-    lanes.store(lane, state.qpos, state.qvel, state.warm);
+    state.get(lanes, lane);
     state.put(data);
     reference_.step();
-    std::copy_n(data.qpos, state.qpos.size(), state.qpos.begin());
-    std::copy_n(data.qvel, state.qvel.size(), state.qvel.begin());
-    std::copy_n(data.qacc_warmstart, state.warm.size(), state.warm.begin());
+    state.get(data);
     state.put(lanes, lane);
   }
 

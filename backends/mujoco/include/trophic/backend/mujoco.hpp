@@ -27,7 +27,7 @@ namespace trophic::backend {
 /// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies JointDriven.
 ///
 /// Numbers: positions m, angles rad, velocities m/s and rad/s, torques N m. No random draws. Results do not depend on
-/// `Params::threads`, bitwise; `islands` and `one_model` agree to rounding, which contacts amplify slowly.
+/// `Params::threads`, bitwise; `fast`, `islands` and `one_model` agree to rounding, which contacts amplify slowly.
 /// Errors: std::invalid_argument on construction; Diverged when MuJoCo warns or a robot leaves the arena: the backend then still
 /// shows the last sound state. Not for calls from several threads at once; several backends in several threads are fine.
 class Mujoco {
@@ -37,18 +37,20 @@ class Mujoco {
 
   /// How the robots are divided into MuJoCo models.
   enum class Stepping {
+    fast,      ///< as islands; a robot in the open by a kernel of its own that computes what mj_step computes
     islands,   ///< robots that cannot touch are stepped apart, in several threads
     one_model  ///< all in one model, stepped by mj_step in one thread: the reference
   };
-  friend constexpr std::array<std::string_view, 2> enum_names(Stepping) { return {"islands", "one_model"}; }
+  friend constexpr std::array<std::string_view, 3> enum_names(Stepping) { return {"fast", "islands", "one_model"}; }
 
   struct Params {
-    Stepping stepping = Stepping::islands;
+    Stepping stepping = Stepping::fast;
     std::size_t threads = 1;
 
     static constexpr auto fields() {
-      return std::tuple{field("stepping", &Params::stepping, "islands (fast) or one_model (the reference)"),
-                        field("threads", &Params::threads, between(1, 1024), "threads for islands; results do not depend on it")};
+      return std::tuple{
+          field("stepping", &Params::stepping, "fast, islands (MuJoCo only) or one_model (the reference)"),
+          field("threads", &Params::threads, between(1, 1024), "threads for fast and islands; results do not depend on it")};
     }
   };
 
@@ -150,7 +152,7 @@ class Mujoco {
   [[nodiscard]] Stepper make_stepper(std::size_t robots, Stepping stepping, std::size_t threads) const {
     if (robots == 0) throw std::invalid_argument{"robots = 0: must be >= 1"};
     if (stepping == Stepping::one_model) return Stepper{std::in_place_type<mujoco::OneModel>, robot_, arena_, physics_, robots};
-    return Stepper{std::in_place_type<mujoco::Islands>, robot_, arena_, physics_, threads};
+    return Stepper{std::in_place_type<mujoco::Islands>, robot_, arena_, physics_, threads, stepping == Stepping::fast};
   }
 
   void check_start(std::size_t robot, const Pose& start) const {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Robots that cannot touch are stepped in separate small models, on several threads, with the motion of one big model.
+// Robots that cannot touch are stepped apart, on several threads, with the motion of one big model.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <trophic/backend/mujoco/clusters.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
+#include <trophic/backend/mujoco/lane_step.hpp>
 #include <trophic/backend/mujoco/thread_pool.hpp>
 #include <utility>
 #include <vector>
@@ -22,8 +24,12 @@ namespace trophic::backend::mujoco {
 /// twice the slack for it. Nothing here depends on the number of threads.
 class Islands {
  public:
-  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads)
-      : robot_{robot}, arena_{arena}, physics_{physics}, pool_{std::make_unique<ThreadPool>(threads)} {}
+  /// `fast`: groups of one robot are stepped by the kernel where it knows all that the model asks for.
+  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast)
+      : robot_{robot}, arena_{arena}, physics_{physics}, pool_{std::make_unique<ThreadPool>(threads)} {
+    if (!fast || arena.height_field) return;
+    if (auto constants = kernel::read_model(model_for({1, true}).model())) lanes_.emplace(std::move(*constants), threads);
+  }
 
   [[nodiscard]] const Layout& layout() { return model_for({1, false}).layout(); }
 
@@ -76,17 +82,36 @@ class Islands {
       const std::span<const double> root = states.positions(i);
       discs_.push_back({root[0], root[1], robot_.bounding_radius_m + slack_m_[i]});
     }
-    const std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
+    std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
+    const std::size_t lane_sets_from = lanes_ ? join_singles(groups) : groups.size();
     std::vector<CompiledModel*> models;
-    for (const std::vector<std::size_t>& group : groups) {
-      const bool walls = std::ranges::any_of(group, [&](std::size_t i) { return near_wall(discs_[i]); });
-      models.push_back(&model_for({group.size(), walls}));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const bool walls = std::ranges::any_of(groups[i], [&](std::size_t robot) { return near_wall(discs_[robot]); });
+      models.push_back(&model_for({i < lane_sets_from ? groups[i].size() : 1, walls}));
     }
     std::vector<GroupResult> results(groups.size());
     pool_->run(groups.size(), [&](std::size_t i, std::size_t thread) {
-      results[i] = step_group(*models[i], thread, groups[i], targets_rad, slack_m_, steps, states, next);
+      results[i] = i < lane_sets_from
+                       ? step_group(*models[i], thread, groups[i], targets_rad, slack_m_, steps, states, next)
+                       : lanes_->advance(*models[i], thread, groups[i], targets_rad, slack_m_, steps, states, next);
     });
     return repair(results, models);
+  }
+
+  /// Replaces the groups of one robot, which come last, by sets of as many as the kernel steps together; returns where they
+  /// begin.
+  static std::size_t join_singles(std::vector<std::vector<std::size_t>>& groups) {
+    const auto singles = std::ranges::find(groups, std::size_t{1}, &std::vector<std::size_t>::size);
+    const auto first = static_cast<std::size_t>(singles - groups.begin());
+    std::size_t used = first;
+    for (std::size_t i = first; i < groups.size(); ++i) {
+      const std::size_t robot = groups[i].front();
+      const bool opens = (i - first) % kernel::lane_count == 0;
+      if (opens) groups[used++].clear();
+      groups[used - 1].push_back(robot);
+    }
+    groups.resize(used);
+    return first;
   }
 
   /// The most urgent result: what can be repaired first, then the earliest divergence.
@@ -120,6 +145,7 @@ class Islands {
   Physics physics_;
   std::unique_ptr<ThreadPool> pool_;
   std::map<ModelKey, std::unique_ptr<CompiledModel>> models_;
+  std::optional<LaneStepper> lanes_;
   std::vector<double> slack_m_;
   std::vector<Disc> discs_;
 };

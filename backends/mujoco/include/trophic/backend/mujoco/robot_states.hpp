@@ -24,6 +24,10 @@ class RobotStates {
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
   void set_values(const std::vector<double>& values) { values_ = values; }
 
+  /// A robot's whole row.
+  [[nodiscard]] std::span<double> numbers(std::size_t robot) { return {row(robot), width_}; }
+  [[nodiscard]] std::span<const double> numbers(std::size_t robot) const { return {row(robot), width_}; }
+
   [[nodiscard]] std::span<double> positions(std::size_t robot) { return {row(robot), layout_.positions}; }
   [[nodiscard]] std::span<const double> positions(std::size_t robot) const { return {row(robot), layout_.positions}; }
   [[nodiscard]] std::span<const double> velocities(std::size_t robot) const {
@@ -59,7 +63,12 @@ class RobotStates {
     std::copy_n(data.qpos + share * nq, nq, to);
     std::copy_n(data.qvel + share * nv, nv, to + nq);
     std::copy_n(data.qacc_warmstart + share * nv, nv, to + nq + nv);
-    return std::all_of(to, to + width_, [](double value) { return std::abs(value) <= mjMAXVAL; });
+    return sound(robot);
+  }
+
+  /// Whether a robot's numbers are finite and not larger than MuJoCo accepts.
+  [[nodiscard]] bool sound(std::size_t robot) const {
+    return std::ranges::all_of(numbers(robot), [](double value) { return std::abs(value) <= mjMAXVAL; });
   }
 
  private:

@@ -9,6 +9,10 @@ namespace trophic::backend::kernel {
 /// A row residual that no acceleration turns negative: the row of a lane without contact never pushes.
 inline constexpr double out_of_reach = 1e30;
 
+/// Corners nearer to a plane than this, m, are in contact or not by rounding alone, as those of a robot that is set down flat
+/// are; MuJoCo's rounding must decide.
+inline constexpr double doubtful_m = 1e-12;
+
 /// Impedance of a row at signed distance r (MuJoCo's solimp): x = |r| / width; y = x^2 / mid up to the midpoint, then
 /// 1 - (1 - x)^2 / (1 - mid), 1 from x = 1; imp = dmin + y (dmax - dmin).
 [[nodiscard]] TROPHIC_LANES_INLINE Real impedance(const ContactLaw& law, const Real& distance_m) {
@@ -46,7 +50,7 @@ TROPHIC_LANES_INLINE void limit_joints(const KernelModel& model, const LaneState
 /// corner. Returns their largest number in any lane.
 template <int Axis>
 TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelLink& link, const LinkWork& pose,
-                                         const Plane& plane, const Real& origin_m, ContactWork* slots) {
+                                         const Plane& plane, const Real& origin_m, ContactWork* slots, Mask& doubtful) {
   std::size_t counts[lane_count] = {};
   std::size_t opened = 0;
   const Real base_m = origin_m + plane.sign * pose.anchor[Axis];
@@ -64,7 +68,7 @@ TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelL
       rise[k] = along * box.half_extents_m[k];
     }
     const Real reach_m = abs(rise[0]) + abs(rise[1]) + abs(rise[2]);
-    if (lane_bits(centre_m < reach_m) == 0) continue;
+    if (lane_bits(centre_m < reach_m + doubtful_m) == 0) continue;
 
     const Vec3 centre = pose.anchor + rotate(pose.rotation, c.data());
     Vec3 half[3];
@@ -79,7 +83,8 @@ TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelL
       const double sz = (corner & 4u) != 0 ? 1.0 : -1.0;
       const Real below_m = sx * rise[0] + sy * rise[1] + sz * rise[2];
       const Real distance_m = centre_m + below_m;
-      unsigned hits = lane_bits((below_m <= 0.0) & (distance_m < 0.0));
+      doubtful |= abs(distance_m) < doubtful_m;
+      const unsigned hits = lane_bits((below_m <= 0.0) & (distance_m < 0.0));
       if (hits == 0) continue;
       Vec3 point;
       for (int i = 0; i < 3; ++i) point[i] = centre[i] + (sx * half[0][i] + sy * half[1][i] + sz * half[2][i]);
@@ -126,7 +131,8 @@ TROPHIC_LANES_INLINE std::size_t collide_all(const KernelModel& model, std::size
   const Real origin_m = plane.sign * state.position[Axis] - plane.offset_m;
   if (lane_bits(origin_m < model.bounding_radius_m) == 0) return used;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const std::size_t count = collide<Axis>(model, model.links[i], work.links[i], plane, origin_m, work.contacts.data() + used);
+    const std::size_t count =
+        collide<Axis>(model, model.links[i], work.links[i], plane, origin_m, work.contacts.data() + used, work.doubtful);
     if (count == 0) continue;
     for (std::size_t c = used; c < used + count; ++c) {
       make_rows<Axis>(model, model.links[i], work.links[i], plane, work.contacts[c]);
@@ -137,9 +143,10 @@ TROPHIC_LANES_INLINE std::size_t collide_all(const KernelModel& model, std::size
   return used;
 }
 
-/// All contacts of all links, grouped by plane and link.
+/// All contacts of all links, grouped by plane and link, and the lanes that are left to MuJoCo.
 TROPHIC_LANES_INLINE void find_contacts(const KernelModel& model, const LaneState& state, Workspace& work) {
   work.group_count = 0;
+  work.doubtful = Mask{};
   std::size_t used = 0;
   for (std::size_t index = 0; index < model.planes.size(); ++index) {
     switch (model.planes[index].axis) {

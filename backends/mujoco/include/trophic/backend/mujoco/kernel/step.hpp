@@ -37,6 +37,7 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
   if (lanes == 0) return 0;
   limit_joints(model, state, work);
   find_contacts(model, state, work);
+  lanes &= ~lane_bits(work.doubtful);
   lanes &= ~lane_bits(minimise(model, state, work));
 
   const LinkWork& root = work.links[0];

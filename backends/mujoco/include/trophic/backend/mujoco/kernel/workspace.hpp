@@ -24,20 +24,22 @@ struct LaneState {
         acceleration(model.hinges.size() + 6),
         target(model.hinges.size()) {}
 
-  /// Copies one robot in; the spans have the sizes of the vectors above.
-  void load(std::size_t lane, std::span<const double> qpos, std::span<const double> qvel, std::span<const double> warm_start,
-            std::span<const double> targets_rad) {
-    copy_in(lane, qpos, position);
-    copy_in(lane, qvel, velocity);
-    copy_in(lane, warm_start, acceleration);
+  /// Copies one robot in: its position, velocity and acceleration, one after the other, and its targets.
+  void load(std::size_t lane, std::span<const double> numbers, std::span<const double> targets_rad) {
+    load(lane, numbers);
     copy_in(lane, targets_rad, target);
+  }
+  void load(std::size_t lane, std::span<const double> numbers) {
+    copy_in(lane, numbers, position);
+    copy_in(lane, numbers.subspan(position.size()), velocity);
+    copy_in(lane, numbers.subspan(position.size() + velocity.size()), acceleration);
   }
 
   /// Copies one robot out.
-  void store(std::size_t lane, std::span<double> qpos, std::span<double> qvel, std::span<double> warm_start) const {
-    copy_out(lane, position, qpos);
-    copy_out(lane, velocity, qvel);
-    copy_out(lane, acceleration, warm_start);
+  void store(std::size_t lane, std::span<double> numbers) const {
+    copy_out(lane, position, numbers);
+    copy_out(lane, velocity, numbers.subspan(position.size()));
+    copy_out(lane, acceleration, numbers.subspan(position.size() + velocity.size()));
   }
 
  private:
@@ -106,6 +108,7 @@ struct Workspace {
   std::vector<ContactWork> contacts;
   std::vector<ContactGroup> groups;
   std::size_t group_count = 0;
+  Mask doubtful{};  ///< lanes in which rounding decides whether a corner touches a plane
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
 
