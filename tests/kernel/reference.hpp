@@ -20,6 +20,12 @@ namespace trophic::test {
 
 namespace kernel = backend::kernel;
 
+/// As the backend models a single robot.
+[[nodiscard]] inline backend::mujoco::Scene reference_scene() {
+  using namespace backend::mujoco;
+  return {.walls = true, .collisions = Collisions::pairs, .servos = Servos::combined};
+}
+
 /// One robot in MuJoCo, and the kernel's constants read from it.
 struct Reference {
   backend::mujoco::CompiledModel compiled;
@@ -29,7 +35,7 @@ struct Reference {
 
   /// `joint_damping` N m s is given to all hinges.
   Reference(const RobotModel& robot, const Arena& arena, const Physics& physics, double joint_damping = 0.0)
-      : compiled{robot, arena, physics, {.walls = true, .collisions = backend::mujoco::Collisions::pairs}, 1, 1},
+      : compiled{robot, arena, physics, reference_scene(), 1, 1},
         model{const_cast<mjModel&>(compiled.model())},
         data{roomy(compiled)} {
     for (int dof = 6; dof < model.nv; ++dof) model.dof_damping[dof] = joint_damping;
