@@ -64,14 +64,16 @@ void read_value(T& target, const toml::node& node, const std::string& path) {
 
 template <class P>
 void read_table(P& params, const toml::table& table, const std::string& prefix) {
-  for (const auto& [key, node] : table) {
-    const std::string path = join_path(prefix, key.str());
+  for (const auto& entry : table) {
+    const std::string_view key = entry.first.str();
+    const toml::node& node = entry.second;
+    const std::string path = join_path(prefix, key);
     bool known = false;
     std::string keys;
     for_each_field(params, [&](const auto& f, auto& value) {
       using T = std::remove_cvref_t<decltype(value)>;
       keys += (keys.empty() ? "" : ", ") + std::string{f.name};
-      if (f.name != key.str()) return;
+      if (f.name != key) return;
       known = true;
       if constexpr (HasFields<T> || (std::is_empty_v<T> && !std::is_enum_v<T>)) {
         if (!node.is_table()) reject(path, node, "a table of numbers");
