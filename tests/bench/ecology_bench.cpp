@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What a tick costs beside its physics: rules, perception, brains, gait control and logging, with and without MuJoCo.
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <trophic/backend/mujoco.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/observe/agent_log.hpp>
+#include <trophic/observe/event_log.hpp>
+#include <trophic/observe/genome_log.hpp>
+#include <trophic/rules/paper.hpp>
+#include <vector>
+
+namespace {
+
+/// Takes servo targets and leaves the robots where they are, so that all the rest of a tick is what is measured.
+class NoPhysics {
+ public:
+  static constexpr std::string_view name = "no_physics";
+  static std::string version() { return "1"; }
+  using Params = trophic::NoParams;
+  using State = int;
+
+  NoPhysics(const trophic::RobotModel& robot, const trophic::Arena&, std::span<const trophic::Pose> starts,
+            const trophic::Physics&, const Params&)
+      : poses_{starts.begin(), starts.end()}, targets_rad_(starts.size() * robot.hinges.size()) {}
+
+  void advance_to(double time_s) { time_s_ = time_s; }
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+    std::ranges::copy(targets_rad, targets_rad_.begin() + static_cast<std::ptrdiff_t>(robot * targets_rad.size()));
+    benchmark::DoNotOptimize(targets_rad_.data());
+  }
+  [[nodiscard]] std::size_t robots() const { return poses_.size(); }
+  [[nodiscard]] double time_s() const { return time_s_; }
+  [[nodiscard]] trophic::Pose pose(std::size_t robot) const { return poses_[robot]; }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t) const { return {}; }
+  [[nodiscard]] State save() const { return 0; }
+  void restore(const State&) {}
+
+ private:
+  std::vector<trophic::Pose> poses_;
+  std::vector<double> targets_rad_;
+  double time_s_ = 0.0;
+};
+static_assert(trophic::JointDriven<NoPhysics>);
+
+/// A folder that is gone afterwards.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_{std::filesystem::temp_directory_path() / ("trophic-bench-" + std::to_string(::getpid()))} {
+    std::filesystem::create_directory(path_);
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Ten ticks of the paper's rules with events, agents and genomes logged; the time reported is that of one.
+template <class Backend>
+void tick(benchmark::State& state, const typename Backend::Params& params) {
+  constexpr int ticks = 10;
+  trophic::World world = trophic::rules::Paper::world();
+  world.robots = static_cast<std::size_t>(state.range(0));
+  trophic::Ecology<trophic::rules::Paper, Backend> ecology({.world = world, .backend = params});
+  const TemporaryFolder folder;
+  trophic::observe::EventLog events{folder.path() / "events.csv"};
+  trophic::observe::AgentLog agents{folder.path() / "agents.csv"};
+  trophic::observe::GenomeLog genomes{folder.path() / "genomes.csv"};
+  for (auto _ : state) ecology.run_until(ecology.time_s() + ticks * world.tick_s, events, agents, genomes);
+  state.counters["tick_ms"] = benchmark::Counter(static_cast<double>(state.iterations()) * ticks * 1e-3,
+                                                 benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void tick_without_physics(benchmark::State& state) {
+  tick<NoPhysics>(state, {});
+}
+void tick_on_mujoco(benchmark::State& state) {
+  tick<trophic::backend::Mujoco>(state, {.threads = static_cast<std::size_t>(state.range(1))});
+}
+
+}  // namespace
+
+BENCHMARK(tick_without_physics)->ArgName("robots")->Arg(30)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(tick_on_mujoco)
+    ->ArgNames({"robots", "threads"})
+    ->Args({30, 1})
+    ->Args({30, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
