@@ -4,12 +4,12 @@
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
-#include <trophic/backend/mujoco/clusters.hpp>
-#include <trophic/backend/mujoco/thread_pool.hpp>
+#include <trophic/backend/clusters.hpp>
+#include <trophic/backend/thread_pool.hpp>
 #include <trophic/rng.hpp>
 #include <vector>
 
-using namespace trophic::backend::mujoco;
+using namespace trophic::backend;
 using Sets = std::vector<std::vector<std::size_t>>;
 
 TEST_CASE("discs that overlap, also through others, are one set") {

@@ -8,10 +8,10 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <trophic/backend/mujoco/clusters.hpp>
+#include <trophic/backend/clusters.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/lane_step.hpp>
-#include <trophic/backend/mujoco/thread_pool.hpp>
+#include <trophic/backend/thread_pool.hpp>
 #include <utility>
 #include <vector>
 

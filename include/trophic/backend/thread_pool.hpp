@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace trophic::backend::mujoco {
+namespace trophic::backend {
 
 /// `threads` workers in all, the calling thread being one of them. Items are handed out in their order, one at a time, so the
 /// longest should come first. Not for calls from several threads at once.
@@ -93,4 +93,4 @@ class ThreadPool {
   std::vector<std::thread> helpers_;
 };
 
-}  // namespace trophic::backend::mujoco
+}  // namespace trophic::backend

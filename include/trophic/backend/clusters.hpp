@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace trophic::backend::mujoco {
+namespace trophic::backend {
 
 /// A disc on the floor that a robot cannot leave within the coming steps.
 struct Disc {
@@ -58,4 +58,4 @@ struct Disc {
   return sets;
 }
 
-}  // namespace trophic::backend::mujoco
+}  // namespace trophic::backend
