@@ -1,4 +1,4 @@
-# Installs headers, models and conformance suites with a CMake package: find_package(trophic COMPONENTS mujoco conformance).
+# Installs headers, models and conformance suites with a CMake package: find_package(trophic COMPONENTS mujoco ode conformance).
 include(CMakePackageConfigHelpers)
 set(trophic_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/trophic)
 
@@ -28,4 +28,5 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.i
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cmake COMPATIBILITY SameMinorVersion
                                  ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/trophic-config-version.cmake
-              ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake DESTINATION ${trophic_cmake_dir})
+              ${PROJECT_SOURCE_DIR}/cmake/FindODE.cmake ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
+        DESTINATION ${trophic_cmake_dir})

@@ -6,7 +6,7 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/rules/paper.hpp>
 
-using Engine = trophic::backend::Mujoco;  // or trophic::backend::Kinematic, from <trophic/backend/kinematic.hpp>
+using Engine = trophic::backend::Mujoco;  // or Ode from <trophic/backend/ode.hpp>, Kinematic from kinematic.hpp
 
 int main() {
   trophic::Ecology<trophic::rules::Paper, Engine> ecology({.seed = 42});

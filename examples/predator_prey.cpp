@@ -24,6 +24,9 @@
 #ifdef TROPHIC_WITH_MUJOCO
 #include <trophic/backend/mujoco.hpp>
 #endif
+#ifdef TROPHIC_WITH_ODE
+#include <trophic/backend/ode.hpp>
+#endif
 
 namespace {
 
@@ -58,11 +61,19 @@ std::optional<std::string> take_choice(toml::table& table, std::string_view key)
 constexpr int usage_error = 2;
 constexpr int run_error = 1;
 
+/// What this build was made with.
+constexpr const char* backends =
+    "kinematic"
 #ifdef TROPHIC_WITH_MUJOCO
-constexpr const char* backends = "mujoco or kinematic";
+    ", mujoco"
+#endif
+#ifdef TROPHIC_WITH_ODE
+    ", ode"
+#endif
+    ;
+#ifdef TROPHIC_WITH_MUJOCO
 constexpr const char* default_backend = "mujoco";
 #else
-constexpr const char* backends = "kinematic (this build has no mujoco)";
 constexpr const char* default_backend = "kinematic";
 #endif
 
@@ -134,7 +145,10 @@ int run_on(const std::string& backend, const Options& options, const toml::table
 #ifdef TROPHIC_WITH_MUJOCO
   if (backend == trophic::backend::Mujoco::name) return run<Rules, trophic::backend::Mujoco>(options, config);
 #endif
-  throw std::invalid_argument{"--backend " + backend + ": must be " + backends};
+#ifdef TROPHIC_WITH_ODE
+  if (backend == trophic::backend::Ode::name) return run<Rules, trophic::backend::Ode>(options, config);
+#endif
+  throw std::invalid_argument{"--backend " + backend + ": must be one of " + backends};
 }
 
 int run_program(const Options& options) {

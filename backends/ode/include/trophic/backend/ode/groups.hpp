@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// One step of all robots: those that cannot touch are stepped in separate worlds, on several threads.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <trophic/arena.hpp>
+#include <trophic/backend/clusters.hpp>
+#include <trophic/backend/concept.hpp>
+#include <trophic/backend/ode/engine.hpp>
+#include <trophic/backend/ode/params.hpp>
+#include <trophic/backend/ode/scene.hpp>
+#include <trophic/backend/ode/state.hpp>
+#include <trophic/backend/thread_pool.hpp>
+#include <trophic/body/robot_model.hpp>
+#include <vector>
+
+namespace trophic::backend::ode {
+
+/// What a backend is built from.
+struct Setup {
+  RobotModel robot;
+  Arena arena;
+  Physics physics;
+  Params params;
+};
+
+/// A robot whose step went wrong.
+struct Failure {
+  std::size_t robot = 0;
+  std::string what;
+};
+
+/// Groups are formed anew at each step from where robots are: connected sets of overlapping bounding spheres, seen from above. So
+/// who is stepped together, and in which order, follows from the state alone, whatever the number of threads and however the time
+/// is cut into calls.
+class Groups {
+ public:
+  explicit Groups(const Setup& setup)
+      : setup_{setup},
+        reach_m_{setup.robot.bounding_radius_m + setup.robot.links[0].centre_of_mass_m.norm() + drift_m},
+        pool_{setup.params.threads},
+        scenes_(setup.params.threads) {}
+
+  /// Steps `state`. The failure of the first robot in trouble, if any; `state` is then of no use.
+  [[nodiscard]] std::optional<Failure> step(State& state) {
+    const std::size_t links = setup_.robot.links.size();
+    discs_.clear();
+    for (std::size_t i = 0; i < state.links.size(); i += links) {
+      const auto& at_m = state.links[i].position_m;
+      discs_.push_back({.x_m = at_m[0], .y_m = at_m[1], .radius_m = reach_m_});
+    }
+    const std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
+    std::vector<std::optional<Failure>> failures(groups.size());
+    pool_.run(groups.size(), [&](std::size_t i, std::size_t thread) { failures[i] = step_group(groups[i], thread, state); });
+    std::optional<Failure> first;
+    for (std::optional<Failure>& failure : failures) {
+      if (failure && (!first || failure->robot < first->robot)) first = std::move(failure);
+    }
+    return first;
+  }
+
+ private:
+  /// More than hinges under load come apart.
+  static constexpr double drift_m = 0.005;
+  /// No timestep follows what is faster than this.
+  static constexpr double most_m_s = 1e3;
+  static constexpr double most_rad_s = 1e4;
+
+  [[nodiscard]] std::optional<Failure> step_group(std::span<const std::size_t> members, std::size_t thread, State& state) {
+    const EngineGuard guard;
+    std::unique_ptr<Scene>& scene = scenes_[thread][members.size()];
+    try {
+      if (!scene) {
+        scene = std::make_unique<Scene>(setup_.robot, setup_.arena, setup_.physics, setup_.params, members.size());
+      }
+      scene->step(members, state);
+    } catch (const EngineError& error) {
+      static_cast<void>(scene.release());  // ODE cannot destroy a world that it was interrupted in
+      return Failure{.robot = members[0], .what = std::string{"ODE: "} + error.what()};
+    }
+    for (const std::size_t robot : members) {
+      const std::size_t links = setup_.robot.links.size();
+      for (std::size_t link = 0; link < links; ++link) {
+        const std::string_view what = trouble(state.links[robot * links + link]);
+        if (!what.empty()) return Failure{robot, "link \"" + setup_.robot.links[link].name + "\" " + std::string{what}};
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string_view trouble(const LinkState& link) const {
+    const auto within = [](const auto& values, double most) {
+      return std::ranges::all_of(values, [most](double value) { return std::abs(value) <= most; });
+    };
+    if (!within(link.rotation, 1.1)) return "has no finite rotation";
+    if (!within(link.velocity_m_s, most_m_s)) return "is faster than 1 km/s";
+    if (!within(link.spin_rad_s, most_rad_s)) return "spins faster than 1e4 rad/s";
+    if (!within(link.position_m, setup_.arena.extent_m + reach_m_)) return "left the arena";
+    return {};
+  }
+
+  const Setup& setup_;
+  double reach_m_;
+  ThreadPool pool_;
+  std::vector<std::map<std::size_t, std::unique_ptr<Scene>>> scenes_;  ///< of each thread, by number of robots
+  std::vector<Disc> discs_;
+};
+
+}  // namespace trophic::backend::ode

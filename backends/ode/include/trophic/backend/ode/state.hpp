@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Everything that an ODE world of ours remembers from one step to the next.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace trophic::backend::ode {
+
+/// A link: position of its centre of mass, rotation (w, x, y, z) of its frame, velocities in world axes.
+struct LinkState {
+  std::array<double, 3> position_m{};
+  std::array<double, 4> rotation{1.0, 0.0, 0.0, 0.0};
+  std::array<double, 3> velocity_m_s{};
+  std::array<double, 3> spin_rad_s{};
+  bool operator==(const LinkState&) const = default;
+};
+
+/// A whole backend, robot by robot. ODE keeps no warm start, contact joints live for one step, forces are zero between steps
+/// and nothing sleeps: there is no other state.
+struct State {
+  std::uint64_t steps = 0;
+  std::vector<LinkState> links;     ///< robots x links
+  std::vector<double> angles_rad;   ///< robots x hinges
+  std::vector<double> targets_rad;  ///< robots x hinges, clipped
+  bool operator==(const State&) const = default;
+};
+
+}  // namespace trophic::backend::ode

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include <conformance/backend_suite.hpp>
+#include <trophic/backend/ode.hpp>
+
+TEST_CASE_TEMPLATE_INVOKE(trophic_backend_suite, trophic::backend::Ode);
