@@ -47,9 +47,9 @@ struct Ancestor {
 
 /// What a body remembers across the births and deaths of those who live in it. Only the released code's rules read it.
 struct BodyMemory {
-  double adversary_distance_m = 0.0;         ///< distance to the adversary when one was last perceived; 0 before the first
-  std::optional<Ancestor> last_seen_victim;  ///< the last individual perceived as closest that this body's species eats
-  std::optional<Ancestor> last_killer;       ///< who last caught somebody in this body
+  double adversary_distance_m = 0.0;              ///< distance to the adversary when one was last perceived; 0 before the first
+  std::optional<Ancestor> last_seen_victim = {};  ///< the last individual perceived as closest that this body's species eats
+  std::optional<Ancestor> last_killer = {};       ///< who last caught somebody in this body
 };
 
 /// One living individual. `Population` in the ecology holds one per body.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <trophic/community/predator_prey.hpp>
+#include <vector>
+
+using namespace trophic;
+using community::PredatorPrey;
+
+TEST_CASE("predator and prey: one eats the other and nobody else") {
+  const FoodWeb web = PredatorPrey{}.web();
+  REQUIRE(web.size() == 2);
+  CHECK(web.name(PredatorPrey::prey) == "prey");
+  CHECK(web.name(PredatorPrey::predator) == "predator");
+  CHECK(web.eats(PredatorPrey::predator, PredatorPrey::prey));
+  CHECK_FALSE(web.eats(PredatorPrey::prey, PredatorPrey::predator));
+  CHECK_FALSE(web.eats(PredatorPrey::predator, PredatorPrey::predator));
+  CHECK(web.links().size() == 1);
+}
+
+TEST_CASE("founders: 16 prey, then 14 predators") {
+  const std::vector<Species> founders = PredatorPrey{}.founders(30);
+  REQUIRE(founders.size() == 30);
+  for (std::size_t body = 0; body < 30; ++body) {
+    CHECK(founders[body] == (body < 16 ? PredatorPrey::prey : PredatorPrey::predator));
+  }
+}
+
+TEST_CASE("founders: other numbers, none and all predators") {
+  const auto predators = [](std::size_t count, std::size_t robots) {
+    return std::ranges::count(PredatorPrey{{.predators = count}}.founders(robots), PredatorPrey::predator);
+  };
+  CHECK(predators(0, 5) == 0);
+  CHECK(predators(5, 5) == 5);
+  CHECK(predators(100, 300) == 100);
+}
+
+TEST_CASE("founders: more predators than bodies is an error that names both numbers") {
+  CHECK_THROWS_WITH_AS(static_cast<void>(PredatorPrey{}.founders(13)),
+                       "rules.community.predators = 14: must be <= 13, the number of robots", std::invalid_argument);
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <optional>
+#include <support/hand_population.hpp>
+#include <trophic/death/hungriest_starves.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+using death::HungriestStarves;
+
+namespace {
+
+const auto nobody_spared = [](BodyIndex) { return false; };
+const auto all_spared = [](BodyIndex) { return true; };
+
+}  // namespace
+
+TEST_CASE("hungriest starves: the predator with most ticks since birth or last catch, prey never") {
+  const HandPopulation robots{{{.species = prey, .fed_tick = 0},
+                               {.species = predator, .fed_tick = 30},
+                               {.species = predator, .fed_tick = 10},
+                               {.species = predator, .fed_tick = 20}}};
+  CHECK(HungriestStarves{}.victim(robots.view(), nobody_spared) == 2);
+  CHECK(HungriestStarves{}.victim(robots.view(), [](BodyIndex body) { return body == 2; }) == 3);
+  CHECK(HungriestStarves{}.victim(robots.view(), [](BodyIndex body) { return body != 1; }) == 1);
+}
+
+TEST_CASE("hungriest starves: at equal hunger the earlier born") {
+  const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
+  CHECK(HungriestStarves{}.victim(robots.view(), nobody_spared) == 1);
+}
+
+TEST_CASE("hungriest starves: nobody if all are spared, unless it is to die all the same") {
+  const HandPopulation robots{{{.species = predator, .fed_tick = 30}, {.species = predator, .fed_tick = 10}}};
+  CHECK(HungriestStarves{}.victim(robots.view(), all_spared) == std::nullopt);
+  CHECK(HungriestStarves{{.even_if_all_spared = true}}.victim(robots.view(), all_spared) == 1);
+  CHECK(HungriestStarves{{.even_if_all_spared = true}}.victim(robots.view(), [](BodyIndex body) { return body == 1; }) == 0);
+}
+
+TEST_CASE("hungriest starves: nobody without predators") {
+  CHECK(HungriestStarves{}.victim(HandPopulation{{{.species = prey}}}.view(), nobody_spared) == std::nullopt);
+  CHECK(HungriestStarves{{.even_if_all_spared = true}}.victim(HandPopulation{{}}.view(), all_spared) == std::nullopt);
+}
+
+TEST_CASE("hungriest starves: in a food chain every species that eats somebody can starve") {
+  const HandPopulation robots{
+      {{.species = plant, .fed_tick = 0}, {.species = grazer, .fed_tick = 3}, {.species = hunter, .fed_tick = 5}}, chain_web()};
+  CHECK(HungriestStarves{}.victim(robots.view(), nobody_spared) == 1);
+  CHECK(HungriestStarves{}.victim(robots.view(), [](BodyIndex body) { return body == 1; }) == 2);
+}
+
+TEST_CASE("hungriest starves: nobody hungrier is left unspared, and the order of bodies does not matter") {
+  CHECK(rc::check([](std::uint64_t seed) {
+    const HandPopulation robots = random_population(seed, 12, chain_web());
+    const auto spared = [&](const HandPopulation& list) {
+      return [&list](BodyIndex body) { return list.individuals[body].tag == 1; };
+    };
+    const auto order = random_order(seed, 12);
+    const HandPopulation moved = robots.reordered(order);
+    const auto victim = HungriestStarves{}.victim(robots.view(), spared(robots));
+    const auto victim_moved = HungriestStarves{}.victim(moved.view(), spared(moved));
+    RC_ASSERT(victim.has_value() == victim_moved.has_value());
+    if (!victim) return;
+    RC_ASSERT(order[*victim_moved] == *victim);
+    for (BodyIndex body = 0; body < 12; ++body) {
+      const Individual& other = robots.individuals[body];
+      if (robots.web.hunts(other.species) && other.tag != 1) RC_ASSERT(other.fed_tick >= robots.individuals[*victim].fed_tick);
+    }
+  }));
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <support/hand_population.hpp>
+#include <trophic/death/no_reprieve.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+
+TEST_CASE("no reprieve: not even beside a prey") {
+  const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.5}}};
+  CHECK_FALSE(death::NoReprieve{}.spared(0, robots.view()));
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <support/hand_population.hpp>
+#include <support/statistics.hpp>
+#include <trophic/death/sacrifice_random_victim.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::test;
+using death::Sacrifice;
+using death::SacrificeRandomVictim;
+
+namespace {
+
+HandPopulation with(std::size_t predators, std::size_t preys) {
+  std::vector<Robot> list(predators, Robot{.species = predator});
+  list.insert(list.end(), preys, Robot{.species = prey});
+  return HandPopulation{list};
+}
+
+std::vector<Sacrifice> sacrifices(const HandPopulation& robots, const SacrificeRandomVictim& rule = {}, std::uint64_t seed = 1) {
+  Rng rng{seed, Stream::sacrifice};
+  return rule.sacrifices(robots.view(), rng);
+}
+
+}  // namespace
+
+TEST_CASE("sacrifice random victim: below 7 predators one prey, at 7 none") {
+  CHECK(sacrifices(with(7, 23)).empty());
+  const auto one = sacrifices(with(6, 24));
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].heir == predator);
+  CHECK(one[0].victim >= 6);
+  CHECK(sacrifices(with(0, 30)).size() == 1);
+  CHECK(sacrifices(with(7, 23), {{.below = 8}}).size() == 1);
+  CHECK(sacrifices(with(8, 22), {{.below = 8}}).empty());
+}
+
+TEST_CASE("sacrifice random victim: nobody without prey") {
+  CHECK(sacrifices(with(3, 0)).empty());
+}
+
+TEST_CASE("sacrifice random victim: uniform over all prey, inactive newborn included") {
+  HandPopulation robots = with(2, 10);
+  robots.individuals[5].active = false;
+  std::vector<std::size_t> chosen(10, 0);
+  for (std::uint64_t seed = 0; seed < 20'000; ++seed) ++chosen.at(sacrifices(robots, {}, seed).at(0).victim - 2);
+  CHECK(chi_square(chosen) < 33.7);  // 9 degrees of freedom: p = 1e-4
+}
+
+TEST_CASE("sacrifice random victim: in a food chain one for each species that is short") {
+  const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = hunter}, {.species = hunter}}, chain_web()};
+  CHECK(sacrifices(robots) == std::vector<Sacrifice>{{.victim = 0, .heir = grazer}, {.victim = 1, .heir = hunter}});
+  CHECK(sacrifices(robots, {{.below = 2}}) == std::vector<Sacrifice>{{.victim = 0, .heir = grazer}});
+  CHECK(sacrifices(robots, {{.below = 1}}).empty());
+}
+
+TEST_CASE("sacrifice random victim: one draw for a sacrifice, none without") {
+  Rng rng{1, Stream::sacrifice};
+  Rng reference = rng;
+  CHECK(SacrificeRandomVictim{}.sacrifices(with(7, 23).view(), rng).empty());
+  CHECK(SacrificeRandomVictim{}.sacrifices(with(6, 24).view(), rng).at(0).victim == 6 + reference.index(24));
+  CHECK(rng.bits() == reference.bits());
+}

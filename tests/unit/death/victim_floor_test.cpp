@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <support/hand_population.hpp>
+#include <trophic/death/victim_floor.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::test;
+using death::VictimFloor;
+
+TEST_CASE("victim floor: nobody dies while only 7 are left, inactive newborn counted") {
+  std::vector<Robot> list(20, Robot{.species = predator});
+  list.insert(list.end(), 7, Robot{.species = prey});
+  CHECK_FALSE(VictimFloor{}.may_die(prey, HandPopulation{list}.view()));
+  CHECK(VictimFloor{{.floor = 6}}.may_die(prey, HandPopulation{list}.view()));
+  list.push_back({.species = prey, .active = false});
+  CHECK(VictimFloor{}.may_die(prey, HandPopulation{list}.view()));
+}
+
+TEST_CASE("victim floor: floor 0 lets the last one die, an empty species has nobody to lose") {
+  CHECK(VictimFloor{{.floor = 0}}.may_die(prey, HandPopulation{{{.species = prey}}}.view()));
+  CHECK_FALSE(VictimFloor{{.floor = 0}}.may_die(prey, HandPopulation{{{.species = predator}}}.view()));
+}
+
+TEST_CASE("victim floor: each species of a food chain has its own count") {
+  const HandPopulation robots{
+      {{.species = plant}, {.species = plant}, {.species = plant}, {.species = grazer}, {.species = hunter}}, chain_web()};
+  CHECK(VictimFloor{{.floor = 2}}.may_die(plant, robots.view()));
+  CHECK_FALSE(VictimFloor{{.floor = 2}}.may_die(grazer, robots.view()));
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <support/hand_population.hpp>
+#include <trophic/perception/distance_over_terrain.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+
+TEST_CASE("distance over terrain: the arena's extent is 1 and all beyond it") {
+  const perception::DistanceOverTerrain rule;
+  HandPopulation robots{{}};
+  const auto input = [&](double distance_m) { return rule.input({.distance_m = distance_m}, robots.view()); };
+  CHECK(input(0.0) == 0.0);
+  CHECK(input(5.0) == 0.25);
+  CHECK(input(20.0) == 1.0);
+  CHECK(input(28.0) == 1.0);
+  robots.arena.extent_m = 50.0;
+  CHECK(input(5.0) == 0.1);
+}

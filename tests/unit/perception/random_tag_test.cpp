@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <trophic/perception/random_tag.hpp>
+
+using namespace trophic;
+
+TEST_CASE("random tag: -1 or +1 with equal probability, whatever the body showed") {
+  const perception::RandomTag rule;
+  constexpr int size = 100'000;
+  for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{1}, std::optional{-1}}) {
+    Rng rng{7, Stream::newborn_tag, static_cast<std::uint64_t>(body_tag.value_or(0) + 1)};
+    int positive = 0;
+    for (int i = 0; i < size; ++i) {
+      const int tag = rule.tag(body_tag, rng);
+      REQUIRE((tag == 1 || tag == -1));
+      if (tag == 1) ++positive;
+    }
+    CHECK(positive == doctest::Approx(size / 2).epsilon(4.0 / 316.0));  // 4 standard errors: sqrt(size) = 316
+  }
+}
+
+TEST_CASE("random tag: one draw") {
+  Rng rng{1, Stream::newborn_tag};
+  Rng reference = rng;
+  const int tag = perception::RandomTag{}.tag(std::nullopt, rng);
+  CHECK(tag == (reference.uniform() < 0.5 ? 1 : -1));
+  CHECK(rng.bits() == reference.bits());
+}

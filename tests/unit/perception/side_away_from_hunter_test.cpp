@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <numbers>
+#include <support/hand_population.hpp>
+#include <trophic/perception/adversary.hpp>
+#include <trophic/perception/side_away_from_hunter.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+
+TEST_CASE("side away from hunter: +1 is predator on the left for prey and prey on the right for predators") {
+  const perception::SideAwayFromHunter rule;
+  // both face +y: the predator is on the prey's left and the prey on the predator's right
+  HandPopulation robots{{{.species = prey, .x_m = 1.0, .heading_rad = std::numbers::pi / 2.0},
+                         {.species = predator, .x_m = -1.0, .heading_rad = std::numbers::pi / 2.0}}};
+  CHECK(rule.input(*perception::adversary(0, robots.view()), robots.view()) == 1.0);
+  CHECK(rule.input(*perception::adversary(1, robots.view()), robots.view()) == 1.0);
+  robots.poses[0].heading_rad = robots.poses[1].heading_rad = -std::numbers::pi / 2.0;
+  CHECK(rule.input(*perception::adversary(0, robots.view()), robots.view()) == -1.0);
+  CHECK(rule.input(*perception::adversary(1, robots.view()), robots.view()) == -1.0);
+}
+
+TEST_CASE("side away from hunter: a middle species turns away from what eats it and towards what it eats") {
+  const perception::SideAwayFromHunter rule;
+  const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = hunter}}, chain_web()};
+  const auto input = [&](BodyIndex adversary) {
+    return rule.input({.self = 1, .adversary = adversary, .distance_m = 1.0, .bearing_rad = 0.5}, robots.view());
+  };
+  CHECK(input(0) == 1.0);
+  CHECK(input(2) == -1.0);
+}

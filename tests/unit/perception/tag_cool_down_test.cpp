@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <support/hand_population.hpp>
+#include <trophic/perception/tag_cool_down.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+
+TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or birth on") {
+  const perception::TagCoolDown rule;
+  HandPopulation robots{{{.tag_since_s = 0.0}, {.tag_since_s = 30.0}}};
+  const auto may = [&](BodyIndex body, std::int64_t tick) {
+    robots.at_tick(tick);
+    return rule.may_switch(robots.individuals[body], robots.view());
+  };
+  CHECK_FALSE(may(0, 0));
+  CHECK_FALSE(may(0, 24));
+  CHECK(may(0, 25));
+  CHECK(may(0, 1000));
+  CHECK_FALSE(may(1, 39));
+  CHECK(may(1, 40));
+}
+
+TEST_CASE("tag cool-down: another pause, none") {
+  HandPopulation robots{{{.tag_since_s = 10.0}}};
+  const auto may = [&](double cool_down_s, std::int64_t tick) {
+    robots.at_tick(tick);
+    return perception::TagCoolDown{{.cool_down_s = cool_down_s}}.may_switch(robots.individuals[0], robots.view());
+  };
+  CHECK_FALSE(may(100.0, 54));
+  CHECK(may(100.0, 55));
+  CHECK(may(0.0, 5));
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <support/statistics.hpp>
+#include <trophic/reproduction/normal_mutation.hpp>
+#include <vector>
+
+using namespace trophic;
+using reproduction::NormalMutation;
+
+TEST_CASE("normal mutation: steps are normal with mean 0 and the given sd, alike for every weight") {
+  constexpr std::size_t offspring = 10'000;
+  const std::vector<double> parent{0.0, 0.9, -3.0, 0.5, 1.0, -1.0, 0.1, 0.2, 0.3, 0.4,
+                                   0.5, 0.6, 0.7,  0.8, 0.9, -0.1, 0.0, 0.0, 0.0, 0.0};
+  for (const double sd : {0.05, 0.3}) {
+    std::vector<double> steps;
+    std::vector<double> steps_of_third;
+    for (std::size_t i = 0; i < offspring; ++i) {
+      Rng rng{11, Stream::mutation, i};
+      std::vector<double> weights = parent;
+      NormalMutation{{.sd = sd}}.mutate(weights, rng);
+      for (std::size_t w = 0; w < parent.size(); ++w) steps.push_back(weights[w] - parent[w]);
+      steps_of_third.push_back(weights[2] - parent[2]);
+    }
+    const double size = 200'000.0;
+    const test::Moments all = test::moments(steps);
+    CHECK(std::abs(all.mean) < 4.0 * sd / std::sqrt(size));
+    CHECK(std::abs(all.sd / sd - 1.0) < 4.0 / std::sqrt(2.0 * size));
+    CHECK(std::abs(all.skewness) < 4.0 * std::sqrt(6.0 / size));
+    CHECK(std::abs(all.kurtosis - 3.0) < 4.0 * std::sqrt(24.0 / size));
+    CHECK(all.largest > 3.5 * sd);
+    const test::Moments third = test::moments(steps_of_third);
+    CHECK(std::abs(third.mean) < 4.0 * sd / 100.0);
+    CHECK(std::abs(third.sd / sd - 1.0) < 4.0 / std::sqrt(2.0 * 10'000.0));
+  }
+}
+
+TEST_CASE("normal mutation: weights are not clipped, sd 0 changes nothing, no weights need no draws") {
+  std::vector<double> weights(1000, 1.0);
+  Rng rng{1, Stream::mutation};
+  NormalMutation{}.mutate(weights, rng);
+  CHECK(test::moments(weights).largest > 1.1);
+  std::vector<double> still{0.5, -2.0};
+  NormalMutation{{.sd = 0.0}}.mutate(still, rng);
+  CHECK(still == std::vector<double>{0.5, -2.0});
+  Rng untouched = rng;
+  NormalMutation{}.mutate({}, rng);
+  CHECK(rng.bits() == untouched.bits());
+}

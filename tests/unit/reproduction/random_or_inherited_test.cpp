@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <trophic/reproduction/random_or_inherited.hpp>
+
+using namespace trophic;
+using reproduction::RandomOrInherited;
+
+TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
+  constexpr int size = 200'000;
+  for (const double random_share : {1.0 / 3.0, 0.34, 0.0, 1.0}) {
+    const RandomOrInherited rule{{.random_share = random_share}};
+    int random = 0;
+    for (int i = 0; i < size; ++i) {
+      Rng rng{16, Stream::genome_source, static_cast<std::uint64_t>(i)};
+      if (!rule.inherits(rng)) ++random;
+    }
+    const double standard_error = std::sqrt(random_share * (1.0 - random_share) / size);
+    CHECK(std::abs(static_cast<double>(random) / size - random_share) <= 4.0 * standard_error);
+  }
+  CHECK(RandomOrInherited{}.params.random_share == 1.0 / 3.0);
+}
+
+TEST_CASE("random or inherited: the label of whoever should have inherited but found no parent") {
+  CHECK(RandomOrInherited{}.without_parent() == Origin::random);
+  CHECK(RandomOrInherited{{.orphans_labelled_inherited = true}}.without_parent() == Origin::inherited);
+}
+
+TEST_CASE("random or inherited: one draw") {
+  Rng rng{1, Stream::genome_source};
+  Rng reference = rng;
+  const bool inherits = RandomOrInherited{}.inherits(rng);
+  CHECK(inherits == (reference.uniform() >= 1.0 / 3.0));
+  CHECK(rng.bits() == reference.bits());
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <cstdint>
+#include <support/statistics.hpp>
+#include <trophic/reproduction/uniform_mutation.hpp>
+#include <vector>
+
+using namespace trophic;
+using reproduction::UniformMutation;
+
+TEST_CASE("uniform mutation: steps are uniform within +-half width") {
+  std::vector<double> weights(200'000, 0.0);
+  Rng rng{12, Stream::mutation};
+  UniformMutation{}.mutate(weights, rng);
+  const test::Moments steps = test::moments(weights);
+  const double sd = 0.1 / std::sqrt(12.0);
+  const double size = 200'000.0;
+  CHECK(std::abs(steps.mean) < 4.0 * sd / std::sqrt(size));
+  CHECK(std::abs(steps.sd / sd - 1.0) < 4.0 * std::sqrt(0.8 / (4.0 * size)));
+  CHECK(std::abs(steps.kurtosis - 1.8) < 0.02);
+  CHECK(steps.smallest >= -0.05);
+  CHECK(steps.largest < 0.05);
+  CHECK(test::chi_square(test::histogram(weights, -0.05, 0.05, 20)) < 50.0);  // 19 degrees of freedom: p = 1e-4
+}
+
+TEST_CASE("uniform mutation: weights at the limit stay there half of the time") {
+  std::vector<double> weights(100'000, 1.0);
+  Rng rng{13, Stream::mutation};
+  UniformMutation{}.mutate(weights, rng);
+  std::size_t at_limit = 0;
+  for (const double weight : weights) {
+    REQUIRE(weight <= 1.0);
+    if (weight == 1.0) ++at_limit;
+  }
+  CHECK(static_cast<double>(at_limit) == doctest::Approx(50'000.0).epsilon(4.0 / 316.0));
+}
+
+TEST_CASE("uniform mutation: no step is longer than half width and no weight leaves the limits") {
+  CHECK(rc::check([](std::uint64_t seed) {
+    Rng rng{seed, Stream::user};
+    const UniformMutation rule{{.half_width = rng.uniform(0.0, 0.5), .limit = rng.uniform(0.1, 2.0)}};
+    std::vector<double> weights(20);
+    for (double& weight : weights) weight = rng.uniform(-rule.params.limit, rule.params.limit);
+    const std::vector<double> before = weights;
+    rule.mutate(weights, rng);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      RC_ASSERT(std::abs(weights[i]) <= rule.params.limit);
+      RC_ASSERT(std::abs(weights[i] - before[i]) <= rule.params.half_width + 1e-15);
+    }
+  }));
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <support/statistics.hpp>
+#include <trophic/reproduction/uniform_weights.hpp>
+#include <vector>
+
+using namespace trophic;
+using reproduction::UniformWeights;
+
+TEST_CASE("uniform weights: uniform in -1 to 1, whatever the genome held before") {
+  std::vector<double> weights(200'000, 17.0);
+  Rng rng{14, Stream::initial_genome};
+  UniformWeights{}.draw(weights, rng);
+  const test::Moments drawn = test::moments(weights);
+  const double sd = 2.0 / std::sqrt(12.0);
+  const double size = 200'000.0;
+  CHECK(std::abs(drawn.mean) < 4.0 * sd / std::sqrt(size));
+  CHECK(std::abs(drawn.sd / sd - 1.0) < 4.0 * std::sqrt(0.8 / (4.0 * size)));
+  CHECK(std::abs(drawn.kurtosis - 1.8) < 0.02);
+  CHECK(drawn.smallest >= -1.0);
+  CHECK(drawn.largest < 1.0);
+  CHECK(test::chi_square(test::histogram(weights, -1.0, 1.0, 20)) < 50.0);  // 19 degrees of freedom: p = 1e-4
+}
+
+TEST_CASE("uniform weights: another limit, none") {
+  std::vector<double> weights(10'000);
+  Rng rng{15, Stream::initial_genome};
+  UniformWeights{{.limit = 0.25}}.draw(weights, rng);
+  CHECK(test::moments(weights).largest == doctest::Approx(0.25).epsilon(0.01));
+  CHECK(test::moments(weights).smallest == doctest::Approx(-0.25).epsilon(0.01));
+  UniformWeights{{.limit = 0.0}}.draw(weights, rng);
+  CHECK(weights == std::vector<double>(10'000, 0.0));
+}
