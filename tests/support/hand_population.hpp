@@ -107,6 +107,12 @@ class HandPopulation {
   double time_s = 0.0;
 };
 
+/// Somebody who is dead by now. The genome is made as that of a HandPopulation's individuals.
+[[nodiscard]] inline Ancestor ancestor(IndividualId id, Species species) {
+  return {
+      .id = id, .species = species, .genome = std::make_shared<Genome>(Genome{.id = id, .weights = {static_cast<double>(id)}})};
+}
+
 /// A population drawn from a seed at tick 100: species, tags, activity, ages, hunger, memory and places within +- half_side_m at
 /// random. Ids run against the order of bodies. No two distances are equal.
 [[nodiscard]] inline HandPopulation random_population(std::uint64_t seed, std::size_t robots, FoodWeb web = predator_prey_web(),
@@ -125,6 +131,8 @@ class HandPopulation {
     robot.age_from_s = 2.0 * static_cast<double>(rng.index(101));
     robot.tag_since_s = 2.0 * static_cast<double>(rng.index(101));
     robot.memory.adversary_distance_m = rng.uniform(0.0, 10.0);
+    if (rng.chance(0.5)) robot.memory.last_seen_victim = ancestor(1 + rng.index(99), rng.index(web.size()));
+    if (rng.chance(0.5)) robot.memory.last_killer = ancestor(1 + rng.index(99), rng.index(web.size()));
     robot.id = 1000 - body;
     drawn.push_back(robot);
   }

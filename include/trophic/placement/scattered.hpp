@@ -23,6 +23,10 @@ struct Scattered {
 
   [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m, Rng& rng) const {
     const double reach_m = arena.half_side_m - radius_m;
+    if (reach_m < 0.0) {
+      throw std::invalid_argument{"robot bounding radius = " + number_text(radius_m) +
+                                  " m: must be <= " + number_text(arena.half_side_m) + ", the arena's half side"};
+    }
     std::vector<GroundPose> placed;
     while (placed.size() < robots) {
       if (!place_one(placed, reach_m, radius_m, rng)) {

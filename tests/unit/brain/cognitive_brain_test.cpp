@@ -82,7 +82,7 @@ TEST_CASE("cognitive brain: the signs of the outputs decide") {
   CHECK(decide(0.1, -1e-9).tag == -1);
 }
 
-TEST_CASE("cognitive brain: an angle output of 0 turns left, or right where it counts as positive; a tag output of 0 shows -1") {
+TEST_CASE("cognitive brain: an angle output of 0 turns left, or right where it counts as positive, a tag output of 0 shows -1") {
   CHECK(CognitiveBrain{}.decide({}, genome({})).target_angle_rad == -0.7);
   CHECK(CognitiveBrain{{.zero_turns_right = true}}.decide({}, genome({})).target_angle_rad == 0.7);
   CHECK(CognitiveBrain{{.zero_turns_right = true}}.decide({}, genome({{output_bias, -1e-9}})).target_angle_rad == -0.7);

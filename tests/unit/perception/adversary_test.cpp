@@ -66,7 +66,7 @@ TEST_CASE("in a food chain the adversary of the middle species may be above or b
   CHECK(adversary(2, robots.view())->adversary == 1);  // the plant is no opponent of the hunter
 }
 
-TEST_CASE("whoever is seen is a visible opponent and nobody visible is closer; the order of bodies does not matter") {
+TEST_CASE("whoever is seen is a visible opponent and nobody visible is closer, the order of bodies does not matter") {
   CHECK(rc::check([](std::uint64_t seed) {
     const HandPopulation robots = random_population(seed, 12, chain_web());
     const auto order = random_order(seed, 12);

@@ -61,6 +61,7 @@ TEST_CASE("scattered: positions and headings are uniform") {
 TEST_CASE("scattered: too many robots or one too large is an error, not a loop without end") {
   Rng rng{1, Stream::placement};
   CHECK_THROWS_AS(static_cast<void>(Scattered{}.place(10, arena(1.0), 0.5, rng)), std::invalid_argument);
-  CHECK_THROWS_AS(static_cast<void>(Scattered{}.place(1, arena(1.0), 1.5, rng)), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(Scattered{}.place(1, arena(1.0), 1.5, rng)),
+                       "robot bounding radius = 1.5 m: must be <= 1, the arena's half side", std::invalid_argument);
   CHECK(Scattered{}.place(0, Arena{}, 0.2, rng).empty());
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What every brain and every steering must do, as one doctest case for each:
+// TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, MyBrain);
+#pragma once
+
+#include <conformance/policy_suite.hpp>
+#include <numbers>
+#include <trophic/control/concept.hpp>
+#include <vector>
+
+TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
+  using namespace trophic;
+  static_assert(control::Brain<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  for (const std::uint64_t seed : conformance::seeds) {
+    Rng rng{seed, Stream::user};
+    std::vector<double> weights(policy.genome_size());
+    for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
+    const perception::BrainInputs inputs{
+        .angle = rng.uniform(-1.0, 1.0), .distance = rng.uniform(-1.0, 1.0), .tag_ratio = rng.uniform(-1.0, 1.0)};
+    const control::Decision decision = policy.decide(inputs, weights);
+    CHECK((decision.tag == 1 || decision.tag == -1));
+    CHECK(std::abs(decision.target_angle_rad) <= std::numbers::pi);
+    const control::Decision again = policy.decide(inputs, weights);
+    CHECK(again.tag == decision.tag);
+    CHECK(again.target_angle_rad == decision.target_angle_rad);
+  }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
+  using namespace trophic;
+  using control::Side;
+  static_assert(control::Steering<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  const std::vector<Side> sides{Side::left, Side::middle, Side::right, Side::left, Side::right};
+  const std::vector<double> targets_rad{0.5, -0.25, 0.75, 0.0, -1.0};
+  for (const double target_angle_rad : {-std::numbers::pi, -0.7, 0.0, 0.7, std::numbers::pi}) {
+    std::vector<double> steered = targets_rad;
+    policy.steer(target_angle_rad, sides, steered);
+    for (const double target_rad : steered) CHECK(std::isfinite(target_rad));
+    std::vector<double> again = targets_rad;
+    policy.steer(target_angle_rad, sides, again);
+    CHECK(again == steered);
+  }
+  policy.steer(0.7, {}, {});
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// What every rule of perception must do, as one doctest case for each kind:
+// TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, MyVisibility);
+#pragma once
+
+#include <conformance/policy_suite.hpp>
+#include <numbers>
+#include <optional>
+#include <trophic/perception/concept.hpp>
+
+TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
+  using namespace trophic;
+  static_assert(perception::Visibility<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
+    for (const Individual& self : robots.individuals) {
+      for (const Individual& other : robots.individuals) CHECK(policy.perceives(self, other) == policy.perceives(self, other));
+    }
+  });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("input that describes the adversary", Policy, trophic_sighting_input_suite) {
+  using namespace trophic;
+  static_assert(perception::SightingInput<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    Rng rng{seed, Stream::user};
+    for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
+      const perception::Sighting sighting{.self = self,
+                                          .adversary = rng.index(robots.individuals.size()),
+                                          .distance_m = rng.uniform(0.0, 30.0),
+                                          .bearing_rad = rng.uniform(-std::numbers::pi, std::numbers::pi)};
+      const double input = policy.input(sighting, robots.view());
+      CHECK(std::abs(input) <= 1.0);
+      CHECK(policy.input(sighting, robots.view()) == input);
+    }
+  });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("input that describes the population", Policy, trophic_population_input_suite) {
+  using namespace trophic;
+  static_assert(perception::PopulationInput<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
+    if (robots.individuals.empty()) return;
+    const double input = policy.input(robots.view());
+    CHECK(std::abs(input) <= 1.0);
+    CHECK(policy.input(robots.view()) == input);
+  });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("rule for who sees nobody", Policy, trophic_blind_rule_suite) {
+  using namespace trophic;
+  static_assert(perception::BlindRule<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  for (const double tag_ratio : {-0.5, -0.1, 0.0, 0.3, 0.5}) {
+    const auto inputs = policy.inputs(tag_ratio);
+    CHECK((inputs == policy.inputs(tag_ratio)));
+    if (!inputs) continue;
+    CHECK(std::abs(inputs->angle) <= 1.0);
+    CHECK(std::abs(inputs->distance) <= 1.0);
+    CHECK(std::abs(inputs->tag_ratio) <= 1.0);
+  }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("tag of a newborn", Policy, trophic_newborn_tag_suite) {
+  using namespace trophic;
+  static_assert(perception::NewbornTag<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{1}, std::optional{-1}}) {
+    for (const std::uint64_t seed : conformance::seeds) {
+      const int tag = conformance::asked_twice(seed, [&](Rng& rng) { return policy.tag(body_tag, rng); });
+      CHECK((tag == 1 || tag == -1));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
+  using namespace trophic;
+  static_assert(perception::TagSwitch<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
+    for (const Individual& self : robots.individuals) {
+      CHECK(policy.may_switch(self, robots.view()) == policy.may_switch(self, robots.view()));
+    }
+  });
+}

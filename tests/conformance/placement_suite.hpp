@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What every placement must do, as one doctest case: TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, MyPlacement);
+#pragma once
+
+#include <conformance/policy_suite.hpp>
+#include <trophic/placement/concept.hpp>
+#include <vector>
+
+TEST_CASE_TEMPLATE_DEFINE("placement", Policy, trophic_placement_suite) {
+  using namespace trophic;
+  static_assert(placement::Placement<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  const Arena arena{};
+  for (const std::size_t robots : {std::size_t{1}, std::size_t{30}}) {
+    for (const std::uint64_t seed : conformance::seeds) {
+      const auto placed = conformance::asked_twice(seed, [&](Rng& rng) {
+        std::vector<double> numbers;
+        for (const GroundPose& pose : policy.place(robots, arena, 0.2, rng)) {
+          numbers.insert(numbers.end(), {pose.x_m, pose.y_m, pose.heading_rad});
+        }
+        return numbers;
+      });
+      REQUIRE(placed.size() == 3 * robots);
+      for (std::size_t robot = 0; robot < robots; ++robot) {
+        CHECK(std::abs(placed[3 * robot]) <= arena.half_side_m);
+        CHECK(std::abs(placed[3 * robot + 1]) <= arena.half_side_m);
+        CHECK(std::isfinite(placed[3 * robot + 2]));
+      }
+    }
+  }
+}

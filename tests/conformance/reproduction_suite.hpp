@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What every rule of reproduction must do, as one doctest case for each kind:
+// TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, MyMutation);
+#pragma once
+
+#include <conformance/policy_suite.hpp>
+#include <memory>
+#include <optional>
+#include <trophic/reproduction/concept.hpp>
+#include <vector>
+
+TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite) {
+  using namespace trophic;
+  static_assert(reproduction::InitialGenome<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  for (const std::uint64_t seed : conformance::seeds) {
+    const auto weights = conformance::asked_twice(seed, [&, fill = 0.0](Rng& rng) mutable {
+      std::vector<double> drawn(20, fill += 7.0);  // what was there before must not matter
+      policy.draw(drawn, rng);
+      return drawn;
+    });
+    for (const double weight : weights) CHECK(std::isfinite(weight));
+  }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("genome source", Policy, trophic_genome_source_suite) {
+  using namespace trophic;
+  static_assert(reproduction::GenomeSource<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  for (const std::uint64_t seed : conformance::seeds) {
+    conformance::asked_twice(seed, [&](Rng& rng) { return policy.inherits(rng); });
+  }
+  CHECK(policy.without_parent() == policy.without_parent());
+}
+
+TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
+  using namespace trophic;
+  static_assert(reproduction::Parent<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    const std::size_t size = robots.individuals.size();
+    for (BodyIndex body = 0; body < size; ++body) {
+      const reproduction::Vacancy caught{.body = body, .cause = Cause::caught, .killer = (body + 1) % size};
+      const reproduction::Vacancy starved{.body = body, .cause = Cause::starved, .killer = {}};
+      for (const auto& vacancy : {caught, starved}) {
+        std::optional<Ancestor> parent;
+        conformance::asked_twice(seed, [&](Rng& rng) {
+          parent = policy.parent(vacancy, robots.view(), rng);
+          return parent ? std::optional{parent->id} : std::nullopt;
+        });
+        if (!parent) continue;
+        CHECK(parent->species < robots.web.size());
+        CHECK(parent->genome != nullptr);
+      }
+    }
+  });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("heredity", Policy, trophic_heredity_suite) {
+  using namespace trophic;
+  static_assert(reproduction::Heredity<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  const std::vector<double> weights{0.5, -1.0, 0.0};
+  const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = weights});
+  const std::shared_ptr<Genome> offspring = policy.inherit(parent);
+  REQUIRE(offspring != nullptr);
+  CHECK(offspring->weights.size() == weights.size());
+  CHECK(parent->weights == weights);
+}
+
+TEST_CASE_TEMPLATE_DEFINE("mutation", Policy, trophic_mutation_suite) {
+  using namespace trophic;
+  static_assert(reproduction::Mutation<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  for (const std::uint64_t seed : conformance::seeds) {
+    const auto weights = conformance::asked_twice(seed, [&](Rng& rng) {
+      std::vector<double> mutated{0.0, 0.5, -0.5, 1.0, -1.0, 0.25};
+      policy.mutate(mutated, rng);
+      return mutated;
+    });
+    for (const double weight : weights) CHECK(std::isfinite(weight));
+    Rng rng{seed, Stream::user};
+    policy.mutate({}, rng);
+  }
+}

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+// The order within a tick and what each step does, on scenes of a few robots that stand still.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <support/hand_population.hpp>
+#include <support/recorder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/death/old_age.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/perception/blind_keeps_outputs.hpp>
+#include <trophic/rules/paper.hpp>
+#include <utility>
+#include <vector>
+
+using namespace trophic;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+/// Robots where the scene puts them.
+struct Places {
+  static constexpr std::string_view name = "places";
+  static inline std::vector<GroundPose> poses;
+  [[nodiscard]] std::vector<GroundPose> place(std::size_t, const Arena&, double, Rng&) const { return poses; }
+};
+
+/// One plant, one grazer and one hunter for every three bodies.
+struct Chain {
+  static constexpr std::string_view name = "chain";
+  [[nodiscard]] FoodWeb web() const { return test::chain_web(); }
+  [[nodiscard]] std::vector<Species> founders(std::size_t robots) const {
+    std::vector<Species> species(robots);
+    for (std::size_t body = 0; body < robots; ++body) species[body] = body % 3;
+    return species;
+  }
+};
+
+template <class Rules>
+using Kinematics = Ecology<Rules, backend::Kinematic>;
+
+/// A scene's numbers: nobody moves, no floors, newborn become active at once unless somebody stands on them.
+template <class Rules>
+typename Kinematics<Rules>::Params scene(std::vector<GroundPose> poses) {
+  Places::poses = std::move(poses);
+  typename Kinematics<Rules>::Params params;
+  params.world.robots = Places::poses.size();
+  params.backend.speed_m_s = 0.0;
+  params.backend.turn_rate_per_rad = 0.0;
+  params.rules.activation.distance_m = 0.1;
+  params.rules.floor.floor = 0;
+  params.rules.rescue.below = 0;
+  return params;
+}
+
+using Scene = with_placement<rules::Paper, Places>;
+using ChainScene = with_community<Scene, Chain>;
+
+template <class Rules>
+Lines events(const typename Kinematics<Rules>::Params& params, double until_s) {
+  Kinematics<Rules> ecology{params};
+  test::Recorder recorder;
+  ecology.run_until(until_s, recorder);
+  return recorder.events;
+}
+
+/// Those lines of `lines` that begin with "TICK ".
+Lines at_tick(std::int64_t tick, const Lines& lines) {
+  Lines found;
+  for (const std::string& line : lines) {
+    if (line.starts_with(std::to_string(tick) + " ")) found.push_back(line.substr(line.find(' ') + 1));
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("ecology: births, then at tick 0 activation before catches, each with its death and birth") {
+  auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
+  params.rules.community.predators = 1;
+  CHECK(events<Scene>(params, 0.0) == Lines{"0 birth body 0 id 0 species 0", "0 birth body 1 id 1 species 1",
+                                            "0 activation body 0 id 0 species 0", "0 catch body 1 id 1 species 1 other 0",
+                                            "0 death body 0 id 0 species 0 caught other 1", "0 birth body 0 id 2 species 1"});
+}
+
+TEST_CASE("ecology: starvation, then rescue, then perception in the same tick") {
+  auto params = scene<Scene>({{.x_m = 9.0, .y_m = 9.0}, {.x_m = -9.0, .y_m = -9.0}, {.x_m = -9.0, .y_m = 9.0}});
+  params.rules.community.predators = 2;
+  params.rules.rescue.below = 2;
+  struct Perception {
+    void on_tick(const View& view) {
+      for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+        const auto seen = perception::adversary(body, view);  // no tag may change before 50 s
+        CHECK(view.robots[body].adversary == (seen ? std::optional{seen->adversary} : std::nullopt));
+      }
+    }
+  } perception;
+  Kinematics<Scene> ecology{params};
+  test::Recorder recorder;
+  ecology.run_until(46.0, recorder, perception);
+  // Delta = 25 - 2 = 23 ticks; the two predators are equally hungry, so the earlier born starves
+  const Lines lines = at_tick(23, recorder.events);
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[0] == "death body 1 id 1 species 1 starved");
+  CHECK(lines[1] == "birth body 1 id 3 species 0");
+  CHECK((lines[2] == "death body 0 id 0 species 0 sacrificed" || lines[2] == "death body 1 id 3 species 0 sacrificed"));
+  CHECK(lines[3].ends_with("id 4 species 1"));
+  for (std::int64_t tick = 1; tick < 23; ++tick) CHECK(at_tick(tick, recorder.events).empty());
+}
+
+TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's body") {
+  auto params = scene<with_mutation<Scene, reproduction::NormalMutation>>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
+  params.rules.community.predators = 1;
+  params.rules.genome_source.random_share = 0.0;
+  params.rules.capture.reach_m = 7.6;
+  Places::poses = {{.x_m = 8.0}, {.x_m = 0.5}, {.x_m = 0.5}};
+  params.rules.activation.distance_m = 0.2;  // body 1 stands on the predator and stays inactive
+  Kinematics<with_mutation<Scene, reproduction::NormalMutation>> ecology{params};
+  ecology.run_until(0.0);
+  const auto robots = ecology.view().robots;
+  CHECK(robots[0].parent == 2);
+  CHECK(robots[0].species == 1);
+  REQUIRE(robots[0].memory.last_killer);
+  CHECK(robots[0].memory.last_killer->id == 2);
+  CHECK(robots[1].id == 1);
+  CHECK_FALSE(robots[1].active);
+  CHECK(robots[2].fed_tick == 0);
+  CHECK_FALSE(robots[2].memory.last_seen_victim);
+}
+
+TEST_CASE("ecology: who has been caught in this tick does not catch any more") {
+  // the hunter is 0.2 m from the grazer, which is 0.7 m from the plant: the closer pair comes first
+  const auto params = scene<ChainScene>({{.x_m = 0.9}, {.x_m = 0.2}, {.x_m = 0.0}});
+  CHECK(at_tick(0, events<ChainScene>(params, 0.0)) ==
+        Lines{"birth body 0 id 0 species 0", "birth body 1 id 1 species 1", "birth body 2 id 2 species 2",
+              "activation body 0 id 0 species 0", "activation body 1 id 1 species 1", "catch body 2 id 2 species 2 other 1",
+              "death body 1 id 1 species 1 caught other 2", "birth body 1 id 3 species 2"});
+  // now the grazer is closer to the plant and eats before it is eaten
+  const auto reverse = scene<ChainScene>({{.x_m = 0.9}, {.x_m = 0.7}, {.x_m = 0.0}});
+  const Lines lines = at_tick(0, events<ChainScene>(reverse, 0.0));
+  REQUIRE(lines.size() == 11);
+  CHECK(lines[5] == "catch body 1 id 1 species 1 other 0");
+  CHECK(lines[8] == "catch body 2 id 2 species 2 other 1");
+}
+
+TEST_CASE("ecology: the floor stops catches within a tick") {
+  for (const std::size_t floor : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+    auto params = scene<Scene>({{.x_m = 0.3}, {.x_m = 0.5}, {.x_m = 0.0}});
+    params.rules.community.predators = 1;
+    params.rules.floor.floor = floor;
+    Kinematics<Scene> ecology{params};
+    ecology.run_until(0.0);
+    CHECK(ecology.view().count(test::prey) == floor);
+    if (floor == 1) CHECK(ecology.view().robots[0].species == test::predator);  // the closer one was caught
+  }
+}
+
+TEST_CASE("ecology: the floor stops sacrifices") {
+  auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}, {.x_m = 0.0}});
+  params.rules.community.predators = 0;
+  params.rules.rescue.below = 3;
+  params.rules.floor.floor = 1;
+  Kinematics<Scene> ecology{params};
+  ecology.run_until(0.0);
+  CHECK(ecology.view().count(test::predator) == 1);  // one a tick
+  ecology.run_until(20.0);
+  CHECK(ecology.view().count(test::predator) == 2);
+}
+
+TEST_CASE("ecology: everybody perceives the same moment, before the first tag changes") {
+  struct AlwaysMinus {
+    static constexpr std::string_view name = "always_minus";
+    [[nodiscard]] std::size_t genome_size() const { return 1; }
+    [[nodiscard]] control::Decision decide(const perception::BrainInputs&, std::span<const double>) const {
+      return {.target_angle_rad = 0.7, .tag = -1};
+    }
+  };
+  using Rules = with_brain<Scene, AlwaysMinus>;
+  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
+  params.rules.community.predators = 1;
+  params.rules.tag_switch.cool_down_s = 0.0;
+  Kinematics<Rules> ecology{params};
+  test::Recorder recorder;
+  ecology.run_until(0.0, recorder);
+  for (const Individual& individual : ecology.view().robots) {
+    CHECK(individual.adversary);
+    CHECK(individual.adversary_distance_m == 3.0);
+    CHECK(individual.memory.adversary_distance_m == 3.0);
+    CHECK(individual.tag == -1);
+  }
+  const Lines lines = at_tick(0, recorder.events);
+  REQUIRE(lines.size() == 5);
+  CHECK(lines[3] == "tag_switch body 0 id 0 species 0");
+  CHECK(lines[4] == "tag_switch body 1 id 1 species 1");
+}
+
+TEST_CASE("ecology: without adversary the brain decides or keeps still, by the rule") {
+  auto params = scene<Scene>({{.x_m = 0.0}});
+  params.rules.community.predators = 0;
+  Kinematics<Scene> asked{params};
+  asked.run_until(0.0);
+  CHECK(std::abs(asked.view().robots[0].target_angle_rad) == 0.7);
+  CHECK_FALSE(asked.view().robots[0].adversary);
+  CHECK(std::isnan(asked.view().robots[0].adversary_distance_m));
+
+  using Keeps = with_blind_rule<Scene, perception::BlindKeepsOutputs>;
+  auto keeps_params = scene<Keeps>({{.x_m = 0.0}});
+  keeps_params.rules.community.predators = 0;
+  Kinematics<Keeps> kept{keeps_params};
+  kept.run_until(200.0);
+  CHECK(kept.view().robots[0].target_angle_rad == 0.0);
+  CHECK(kept.view().robots[0].tag == 1);
+}
+
+TEST_CASE("ecology: death of old age leaves the body to its species") {
+  using Rules = with_senescence<Scene, death::OldAge>;
+  auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
+  params.rules.community.predators = 1;
+  params.rules.senescence.max_age_s = 20.0;
+  params.rules.starvation_schedule.base_ticks = 1000;
+  const Lines lines = events<Rules>(params, 40.0);
+  CHECK(at_tick(10, lines) == Lines{"death body 0 id 0 species 0 senescence", "birth body 0 id 2 species 0",
+                                    "death body 1 id 1 species 1 senescence", "birth body 1 id 3 species 1"});
+  CHECK(at_tick(20, lines).size() == 5);  // and the activation of the prey born at tick 10 came at tick 11
+  CHECK(at_tick(11, lines) == Lines{"activation body 0 id 2 species 0"});
+}
+
+TEST_CASE("ecology: the starved body goes to the offspring of the nearest prey or, with none in range, to a random prey") {
+  for (const double distance_m : {4.0, 6.0}) {
+    auto params = scene<Scene>({{.x_m = distance_m}, {.x_m = 0.0}});
+    params.rules.community.predators = 1;
+    params.rules.genome_source.random_share = 0.0;
+    params.rules.reprieve.range_m = 0.0;
+    Kinematics<Scene> ecology{params};
+    ecology.run_until(48.0);  // Delta = 24 ticks
+    const Individual& born = ecology.view().robots[1];
+    CHECK(born.id == 2);
+    CHECK(born.species == test::prey);
+    CHECK(born.parent == (distance_m == 4.0 ? std::optional<IndividualId>{0} : std::nullopt));
+    CHECK(born.origin == (distance_m == 4.0 ? Origin::inherited : Origin::random));
+  }
+}
+
+TEST_CASE("ecology: who is spared lives, and the next procedure comes an interval later") {
+  auto params = scene<Scene>({{.x_m = 3.0}, {.x_m = 0.0}});
+  params.rules.community.predators = 1;
+  params.rules.tag_switch.cool_down_s = 1e6;
+  CHECK(at_tick(24, events<Scene>(params, 100.0)).empty());  // a prey that it perceives is 3 m away
+}
+
+TEST_CASE("ecology: runs whole ticks, goes on where it was, and does nothing for a time in the past") {
+  auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
+  params.rules.community.predators = 1;
+  Kinematics<Scene> ecology{params};
+  CHECK(ecology.tick() == 0);
+  ecology.run_until(3.0);
+  CHECK(ecology.tick() == 2);
+  CHECK(ecology.time_s() == 4.0);
+  CHECK(ecology.backend().time_s() == doctest::Approx(4.0));
+  ecology.run_until(4.0);
+  ecology.run_until(1.0);
+  CHECK(ecology.tick() == 2);
+  ecology.run_until(10.0);
+  CHECK(ecology.tick() == 5);
+  CHECK(ecology.view().tick == 5);
+  CHECK(ecology.view().time_s == 10.0);
+}
+
+TEST_CASE("ecology: the physics runs clock_scale times faster than the clock") {
+  auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
+  params.rules.community.predators = 1;
+  params.world.clock_scale = 1.5;
+  Kinematics<Scene> ecology{params};
+  ecology.run_until(10.0);
+  CHECK(ecology.tick() == 5);
+  CHECK(ecology.backend().time_s() == doctest::Approx(15.0));
+}
+
+TEST_CASE("ecology: bad numbers are named before anything runs") {
+  const auto message = [](auto change) {
+    auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
+    params.rules.community.predators = 1;
+    change(params);
+    try {
+      Kinematics<Scene>{params};
+    } catch (const std::invalid_argument& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  CHECK(message([](auto&) {}) == "");
+  CHECK(message([](auto& p) { p.rules.community.predators = 3; }) ==
+        "rules.community.predators = 3: must be <= 2, the number of robots");
+  CHECK(message([](auto& p) { p.world.robots = 0; }) == "world.robots = 0: must be >= 1 and <= 10000000");
+  CHECK(message([](auto& p) { p.rules.tag_switch.cool_down_s = -1.0; }) == "rules.tag_switch.cool_down_s = -1: must be >= 0");
+  CHECK(message([](auto& p) { p.rules.capture.reach_m = std::numeric_limits<double>::quiet_NaN(); }) ==
+        "rules.capture.reach_m = nan: must be finite");
+  CHECK(message([](auto& p) { p.world.tick_s = 0.001; }) ==
+        "world.tick_s = 0.001: tick_s * clock_scale * control_hz = 0.06 control steps, must be a whole number >= 1");
+  CHECK(message([](auto& p) { p.backend.timestep_s = 0.0; }).starts_with("backend.timestep_s = 0: must be > 0"));
+}

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <support/hand_population.hpp>
+#include <trophic/population.hpp>
+#include <trophic/reproduction/killer.hpp>
+#include <trophic/reproduction/no_parent.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <vector>
+
+using namespace trophic;
+using test::predator;
+using test::prey;
+
+namespace {
+
+/// A population in bodies that stand in a row, and a view of it at any tick.
+template <class Rules>
+struct Row {
+  explicit Row(const RuleNumbers<Rules>& numbers = {}, std::vector<Species> founders = {prey, prey, predator, predator})
+      : policies{make_policies<Rules>(numbers)}, population{policies, web, 99, founders}, poses(founders.size()) {
+    for (std::size_t i = 0; i < poses.size(); ++i) poses[i].x_m = static_cast<double>(i);
+  }
+  [[nodiscard]] View view(std::int64_t tick) const {
+    return {.time_s = 2.0 * static_cast<double>(tick),
+            .tick = tick,
+            .web = web,
+            .arena = arena,
+            .robots = population.individuals(),
+            .poses = poses,
+            .perceives = perceives};
+  }
+  /// The predator in body 2 catches the prey in body 0.
+  void catch_first(std::int64_t tick) {
+    const auto succession =
+        population.succession({.body = 0, .cause = Cause::caught, .killer = 2}, reproduction::Killer{}, view(tick));
+    population.succeed(0, predator, succession, view(tick));
+  }
+
+  FoodWeb web = test::predator_prey_web();
+  Arena arena{};
+  Perceives perceives = [](const Individual&, const Individual&) { return true; };
+  Policies<Rules> policies;
+  Population<Rules> population;
+  std::vector<GroundPose> poses;
+};
+
+template <class Rules>
+RuleNumbers<Rules> inheriting(double random_share) {
+  RuleNumbers<Rules> numbers;
+  numbers.genome_source.random_share = random_share;
+  return numbers;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+TEST_CASE("population: founders are numbered by body, random, with genomes of their own, the hunted inactive") {
+  const Row<rules::Paper> row;
+  const auto founders = row.population.individuals();
+  REQUIRE(founders.size() == 4);
+  std::set<std::uint64_t> genomes;
+  for (std::size_t body = 0; body < 4; ++body) {
+    const Individual& founder = founders[body];
+    CHECK(founder.id == body);
+    CHECK(founder.parent == std::nullopt);
+    CHECK(founder.origin == Origin::random);
+    CHECK(founder.mutation_distance == 0.0);
+    CHECK(founder.species == (body < 2 ? prey : predator));
+    CHECK(founder.active == (body >= 2));
+    CHECK(founder.tag == 1);
+    CHECK(founder.fed_tick == 0);
+    CHECK(founder.genome->weights.size() == 20);
+    for (const double weight : founder.genome->weights) CHECK(std::abs(weight) <= 1.0);
+    CHECK(genomes.insert(founder.genome->id).second);
+    for (std::size_t other = 0; other < body; ++other) CHECK(founder.genome->weights != founders[other].genome->weights);
+  }
+  CHECK(row.population.next_id() == 4);
+}
+
+TEST_CASE("population: an own copy is mutated and leaves the parent's genome as it is") {
+  Row<rules::Paper> row{inheriting<rules::Paper>(0.0)};
+  const auto parent_genome = row.population[2].genome;
+  const std::vector<double> parent_weights = parent_genome->weights;
+  row.catch_first(7);
+  const Individual& born = row.population[0];
+  CHECK(born.id == 4);
+  CHECK(born.parent == 2);
+  CHECK(born.species == predator);
+  CHECK(born.origin == Origin::inherited);
+  CHECK(born.genome != parent_genome);
+  CHECK(born.genome->id == 4);
+  CHECK(row.population[2].genome == parent_genome);
+  CHECK(parent_genome->weights == parent_weights);
+  CHECK(born.mutation_distance > 0.0);
+  CHECK(born.mutation_distance == doctest::Approx(distance(born.genome->weights, parent_weights)).epsilon(1e-14));
+}
+
+TEST_CASE("population: a shared genome stays one object and each mutation reaches parent and offspring") {
+  Row<rules::Released> row{inheriting<rules::Released>(0.0)};
+  const auto parent_genome = row.population[2].genome;
+  const std::vector<double> before = parent_genome->weights;
+  row.catch_first(7);
+  const Individual& born = row.population[0];
+  CHECK(born.genome == parent_genome);
+  CHECK(born.genome->id == 2);
+  CHECK(parent_genome->weights != before);
+  CHECK(born.mutation_distance == doctest::Approx(distance(parent_genome->weights, before)).epsilon(1e-14));
+  CHECK(born.mutation_distance <= 0.05 * std::sqrt(20.0));
+}
+
+TEST_CASE("population: a random newcomer has a genome of its own and no parent") {
+  Row<rules::Paper> row{inheriting<rules::Paper>(1.0)};
+  row.catch_first(7);
+  const Individual& born = row.population[0];
+  CHECK(born.parent == std::nullopt);
+  CHECK(born.origin == Origin::random);
+  CHECK(born.mutation_distance == 0.0);
+  CHECK(distance(born.genome->weights, row.population[2].genome->weights) > 1.0);
+}
+
+TEST_CASE("population: who should inherit but finds no parent is random, labelled as the rule says") {
+  const auto orphan = [](auto row) {
+    const reproduction::Vacancy vacancy{.body = 2, .cause = Cause::starved, .killer = {}};
+    const auto succession = row.population.succession(vacancy, reproduction::NoParent{}, row.view(3));
+    CHECK(succession.inherits);
+    CHECK_FALSE(succession.parent);
+    row.population.succeed(2, prey, succession, row.view(3));
+    CHECK(row.population[2].parent == std::nullopt);
+    CHECK(row.population[2].genome->id == 4);
+    return row.population[2].origin;
+  };
+  CHECK(orphan(Row<rules::Paper>{inheriting<rules::Paper>(0.0)}) == Origin::random);
+  CHECK(orphan(Row<rules::Released>{inheriting<rules::Released>(0.0)}) == Origin::inherited);
+}
+
+TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag, direction and memory") {
+  Row<rules::Paper> row;
+  row.population[2].tag = -1;
+  row.population[2].tag_since_s = 3.0;
+  row.population[2].target_angle_rad = -0.7;
+  row.population[2].adversary = 1;
+  row.population[2].memory.adversary_distance_m = 2.5;
+  row.population[2].memory.last_killer = test::ancestor(77, predator);
+  row.population.succeed(2, prey, {.inherits = false, .parent = {}}, row.view(21));
+  const Individual& born = row.population[2];
+  CHECK(born.born_s == 42.0);
+  CHECK(born.age_from_s == 42.0);
+  CHECK(born.tag_since_s == 42.0);
+  CHECK(born.fed_tick == 21);
+  CHECK_FALSE(born.active);
+  CHECK(born.tag == -1);
+  CHECK(born.target_angle_rad == -0.7);
+  CHECK_FALSE(born.adversary);
+  CHECK(born.memory.adversary_distance_m == 2.5);
+  REQUIRE(born.memory.last_killer);
+  CHECK(born.memory.last_killer->id == 77);
+}
+
+TEST_CASE("population: succession changes nobody and gives the same answer again") {
+  Row<rules::Paper> row;
+  const reproduction::Vacancy vacancy{.body = 0, .cause = Cause::caught, .killer = 3};
+  const auto first = row.population.succession(vacancy, reproduction::Killer{}, row.view(1));
+  const auto second = row.population.succession(vacancy, reproduction::Killer{}, row.view(1));
+  CHECK(first.inherits == second.inherits);
+  CHECK(row.population.next_id() == 4);
+  CHECK(row.population[0].id == 0);
+}
+
+TEST_CASE("population: two thirds inherit, by the number of the newborn and not by what was drawn before") {
+  Row<rules::Paper> row;
+  int inherited = 0;
+  constexpr int births = 20'000;
+  for (int i = 0; i < births; ++i) {
+    row.catch_first(i);
+    if (row.population[0].origin == Origin::inherited) ++inherited;
+  }
+  CHECK(inherited == doctest::Approx(births * 2.0 / 3.0).epsilon(4.0 * std::sqrt(0.5 / births)));
+  CHECK(row.population.next_id() == 4 + births);
+
+  Row<rules::Paper> fewer{{}, {prey, predator}};
+  Row<rules::Paper> more;
+  CHECK(fewer.population[1].genome->weights == more.population[1].genome->weights);
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Each rule draws from its own stream: what one draws never shifts what another gets.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <support/recorder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/perception/random_tag.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <utility>
+#include <vector>
+
+using namespace trophic;
+
+namespace {
+
+void draw_three(Rng& rng) {
+  for (int i = 0; i < 3; ++i) rng.bits();
+}
+
+/// The policy, which then draws three numbers more than it needs.
+struct WastefulPlacement : placement::UniformSquare {
+  [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m, Rng& rng) const {
+    auto placed = UniformSquare::place(robots, arena, radius_m, rng);
+    draw_three(rng);
+    return placed;
+  }
+};
+struct WastefulTag : perception::RandomTag {
+  [[nodiscard]] int tag(std::optional<int> body_tag, Rng& rng) const {
+    const int drawn = RandomTag::tag(body_tag, rng);
+    draw_three(rng);
+    return drawn;
+  }
+};
+struct WastefulWeights : reproduction::UniformWeights {
+  void draw(std::span<double> weights, Rng& rng) const {
+    UniformWeights::draw(weights, rng);
+    draw_three(rng);
+  }
+};
+struct WastefulSource : reproduction::RandomOrInherited {
+  [[nodiscard]] bool inherits(Rng& rng) const {
+    const bool drawn = RandomOrInherited::inherits(rng);
+    draw_three(rng);
+    return drawn;
+  }
+};
+struct WastefulMutation : reproduction::NormalMutation {
+  void mutate(std::span<double> weights, Rng& rng) const {
+    NormalMutation::mutate(weights, rng);
+    draw_three(rng);
+  }
+};
+struct WastefulCapture : death::CatchClosest {
+  [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng& rng) const {
+    auto drawn = CatchClosest::captures(view, rng);
+    draw_three(rng);
+    return drawn;
+  }
+};
+struct WastefulRescue : death::SacrificeRandomVictim {
+  [[nodiscard]] std::vector<death::Sacrifice> sacrifices(const View& view, Rng& rng) const {
+    auto drawn = SacrificeRandomVictim::sacrifices(view, rng);
+    draw_three(rng);
+    return drawn;
+  }
+};
+struct WastefulParent : reproduction::NearestVictim {
+  [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy& vacancy, const View& view, Rng& rng) const {
+    draw_three(rng);
+    return NearestVictim::parent(vacancy, view, rng);
+  }
+};
+/// Draws three numbers first, so that its own mutations are others.
+struct OtherMutation : reproduction::NormalMutation {
+  void mutate(std::span<double> weights, Rng& rng) const {
+    draw_three(rng);
+    NormalMutation::mutate(weights, rng);
+  }
+};
+
+/// Paper with every rule that draws random numbers doing so at each chance.
+struct Frugal : rules::Paper {
+  using Placement = placement::UniformSquare;
+  using NewbornTag = perception::RandomTag;
+  using Capture = death::CatchClosest;
+};
+struct Wasteful : rules::Paper {
+  using Placement = WastefulPlacement;
+  using NewbornTag = WastefulTag;
+  using InitialGenome = WastefulWeights;
+  using GenomeSource = WastefulSource;
+  using StarvationParent = WastefulParent;
+  using Mutation = WastefulMutation;
+  using Capture = WastefulCapture;
+  using Rescue = WastefulRescue;
+};
+using Other = with_mutation<Frugal, OtherMutation>;
+
+template <class Rules>
+test::Recorder record(double until_s) {
+  typename Ecology<Rules, backend::Kinematic>::Params params{.seed = 21};
+  params.rules.rescue.below = 12;  // many sacrifices
+  params.rules.capture.min_age_s = 4.0;
+  Ecology<Rules, backend::Kinematic> ecology{std::move(params)};
+  test::Recorder recorder;
+  ecology.run_until(until_s, recorder);
+  return recorder;
+}
+
+}  // namespace
+
+TEST_CASE("random streams: rules that draw more than they need leave the run as it is to the last bit") {
+  const test::Recorder frugal = record<Frugal>(2000.0);
+  CHECK(frugal.all == record<Wasteful>(2000.0).all);
+  int sacrificed = 0;
+  int caught = 0;
+  for (const std::string& line : frugal.events) {
+    sacrificed += line.find("sacrificed") != std::string::npos ? 1 : 0;
+    caught += line.find("caught") != std::string::npos ? 1 : 0;
+  }
+  CHECK(sacrificed > 10);
+  CHECK(caught > 10);
+}
+
+TEST_CASE("random streams: other mutations change nothing of what else is drawn up to the first inherited birth") {
+  const test::Recorder frugal = record<Frugal>(2000.0);
+  const test::Recorder other = record<Other>(2000.0);
+  CHECK(frugal.all != other.all);
+  std::size_t first = 0;
+  while (frugal.all[first].find(" inherited ") == std::string::npos) ++first;
+  REQUIRE(first > 30);
+  for (std::size_t line = 0; line < first; ++line) CHECK(frugal.all[line] == other.all[line]);
+  // the birth itself: same tick, body, number, tag, genome and parent, and only the weights that follow differ
+  const auto head = [](const std::string& line) { return line.substr(0, line.find(" ", line.find("parent ") + 7)); };
+  CHECK(head(frugal.all[first]) == head(other.all[first]));
+  CHECK(frugal.all[first] != other.all[first]);
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <trophic/death/no_reprieve.hpp>
+#include <trophic/death/old_age.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <utility>
+#include <vector>
+
+using namespace trophic;
+
+TEST_CASE("rules: the paper's numbers") {
+  const RuleNumbers<rules::Paper> numbers;
+  CHECK(numbers.community.predators == 14);
+  CHECK(numbers.tag_switch.cool_down_s == 50.0);
+  CHECK(numbers.brain.turn_angle_rad == 0.7);
+  CHECK_FALSE(numbers.brain.zero_turns_right);
+  CHECK(numbers.steering.exponent == 2.0);
+  CHECK(numbers.initial_genome.limit == 1.0);
+  CHECK(numbers.genome_source.random_share == 1.0 / 3.0);
+  CHECK_FALSE(numbers.genome_source.orphans_labelled_inherited);
+  CHECK(numbers.starvation_parent.range_m == 4.0);
+  CHECK(numbers.activation.distance_m == 5.0);
+  CHECK_FALSE(numbers.activation.restarts_age);
+  CHECK(numbers.capture.reach_m == 1.0);
+  CHECK(numbers.capture.min_age_s == 0.0);
+  CHECK(numbers.floor.floor == 7);
+  CHECK(numbers.starvation_schedule.base_ticks == 25);
+  CHECK(numbers.starvation_schedule.only_above == 0);
+  CHECK_FALSE(numbers.starvation_schedule.reevaluated);
+  CHECK(numbers.reprieve.range_m == 5.0);
+  CHECK_FALSE(numbers.starvation.even_if_all_spared);
+  CHECK(numbers.rescue.below == 7);
+  const World world = rules::Paper::world();
+  CHECK(world.robots == 30);
+  CHECK(world.duration_s == 6000.0);
+  CHECK(world.tick_s == 2.0);
+  CHECK(world.control_hz == 60.0);
+  CHECK(world.clock_scale == 1.0);
+  CHECK(rules::Paper::physics().timestep_s == 0.0012);
+}
+
+TEST_CASE("rules: the released code's numbers") {
+  const RuleNumbers<rules::Released> numbers;
+  CHECK(numbers.placement.half_extent_m == 9.0);
+  CHECK(numbers.distance_input.full_scale_m == 20.0);
+  CHECK(numbers.tag_switch.cool_down_s == 100.0);
+  CHECK(numbers.brain.zero_turns_right);
+  CHECK(numbers.genome_source.random_share == 0.34);
+  CHECK(numbers.genome_source.orphans_labelled_inherited);
+  CHECK(numbers.mutation.half_width == 0.05);
+  CHECK(numbers.mutation.limit == 1.0);
+  CHECK(numbers.activation.restarts_age);
+  CHECK(numbers.capture.min_age_s == 20.0);
+  CHECK(numbers.floor.floor == 6);
+  CHECK(numbers.starvation_schedule.base_ticks == 25);
+  CHECK(numbers.starvation_schedule.only_above == 7);
+  CHECK(numbers.starvation_schedule.reevaluated);
+  CHECK(numbers.reprieve.range_m == 5.0);
+  CHECK(numbers.starvation.even_if_all_spared);
+  CHECK(numbers.rescue.below == 8);
+  CHECK(rules::Released::world().clock_scale == 1.2);
+  CHECK(rules::Released::physics().timestep_s == 0.012);
+  CHECK(rules::Released::physics().integrator == Integrator::rk4);
+}
+
+TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their numbers") {
+  using Swapped = with_mutation<rules::Released, reproduction::NormalMutation>;
+  static_assert(std::same_as<Swapped::Mutation, reproduction::NormalMutation>);
+  static_assert(std::same_as<Swapped::Capture, rules::Released::Capture>);
+  const RuleNumbers<Swapped> numbers;
+  CHECK(numbers.mutation.sd == 0.05);
+  CHECK(numbers.tag_switch.cool_down_s == 100.0);
+  CHECK(numbers.capture.min_age_s == 20.0);
+  CHECK(Swapped::world().clock_scale == 1.2);
+}
+
+TEST_CASE("rules: a swapped rule starts at the policy's own numbers, not at those of the table it came from") {
+  CHECK(RuleNumbers<with_tag_switch<rules::Released, rules::Released::TagSwitch>>{}.tag_switch.cool_down_s == 50.0);
+  CHECK(RuleNumbers<with_floor<rules::Released, death::VictimFloor>>{}.floor.floor == 7);
+}
+
+TEST_CASE("rules: swaps can be stacked and the table's name tells them") {
+  using Twice = with_senescence<with_reprieve<rules::Paper, death::NoReprieve>, death::OldAge>;
+  static_assert(std::same_as<Twice::Reprieve, death::NoReprieve>);
+  static_assert(std::same_as<Twice::Senescence, death::OldAge>);
+  CHECK(table_name<rules::Paper>() == "paper");
+  CHECK(table_name<Twice>() == "paper with reprieve = no_reprieve with senescence = old_age");
+  using Back = with_reprieve<Twice, death::NearPerceivedVictim>;
+  static_assert(std::same_as<Back::Reprieve, rules::Paper::Reprieve>);
+}
+
+TEST_CASE("rules: numbers given at run time reach the policies") {
+  RuleNumbers<rules::Paper> numbers;
+  numbers.capture.reach_m = 3.5;
+  numbers.community.predators = 2;
+  const auto policies = make_policies<rules::Paper>(numbers);
+  CHECK(policies.capture.params.reach_m == 3.5);
+  CHECK(policies.community.founders(5).size() == 5);
+  CHECK(policies.community.params.predators == 2);
+}
+
+TEST_CASE("rules: every slot once, in the order of the table, with the policy's name") {
+  std::vector<std::pair<std::string, std::string>> slots;
+  for_each_rule<rules::Paper>([&](std::string_view slot, std::string_view policy) { slots.emplace_back(slot, policy); });
+  REQUIRE(slots.size() == 26);
+  CHECK(slots.front() == std::pair<std::string, std::string>{"community", "predator_prey"});
+  CHECK(slots.back() == std::pair<std::string, std::string>{"senescence", "no_senescence"});
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) CHECK(slots[i].first != slots[j].first);
+  }
+}
