@@ -4,8 +4,10 @@
 
 #include <trophic/arena.hpp>
 #include <trophic/arena_load.hpp>
+#include <trophic/backend/clusters.hpp>
 #include <trophic/backend/concept.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/backend/thread_pool.hpp>
 #include <trophic/body/build.hpp>
 #include <trophic/body/ground_pose.hpp>
 #include <trophic/body/load.hpp>
