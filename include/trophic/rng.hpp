@@ -25,6 +25,9 @@ enum class Stream : std::uint64_t {
   captures,
   sacrifice,
   senescence,
+  replicate,
+  bootstrap,
+  null_model,
   user = 1'000'000,  ///< first number free for a user's own rules
 };
 

@@ -41,6 +41,11 @@ class Manifest {
     for (const auto& [name, text] : facts_) content_[name] = text;
     content_["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
     for (Species species = 0; species < view.web.size(); ++species) content_["species"].push_back(view.web.name(species));
+    content_["food_web"] = nlohmann::ordered_json::array();
+    for (const Feeding& link : view.web.links()) {
+      content_["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
+    }
+    content_["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
     for (const auto& [slot, policy] : run.slots) content_["rules"][slot] = policy;
     for (const Setting& setting : run.settings) {
       std::visit([&](const auto& value) { content_["numbers"][pointer(setting.path)] = value; }, setting.value);

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// All metrics of one run, each with the baselines that it has to be set beside.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <trophic/measure/attribution.hpp>
+#include <trophic/measure/attribution_null.hpp>
+#include <trophic/measure/demography.hpp>
+#include <trophic/measure/read_run.hpp>
+#include <trophic/measure/series.hpp>
+#include <trophic/measure/tag_symmetry.hpp>
+#include <trophic/measure/velocity.hpp>
+#include <trophic/measure/wall_sticking.hpp>
+#include <trophic/rng.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::measure {
+
+/// What a measurement means.
+struct MetricName {
+  std::string metric;
+  std::string species;  ///< "prey"; of a metric of two: "prey+predator"
+  std::string group;    ///< all, random, inherited; of deaths a cause
+  std::string unit;     ///< "1" for shares
+  friend auto operator<=>(const MetricName&, const MetricName&) = default;
+};
+
+/// What a value would be if something were left to chance.
+struct Baseline {
+  std::string name;
+  bool of_paper = false;  ///< the one that the paper compares with
+  std::optional<double> value;
+};
+
+/// One number of one run; none where it cannot be computed.
+struct Measurement {
+  MetricName name;
+  std::optional<double> value;
+  std::vector<Baseline> baselines;
+};
+
+/// A curve over the time of one run; `baseline` is empty for what was observed.
+struct Curve {
+  MetricName name;
+  std::string baseline;
+  Series points;
+};
+
+struct RunMetrics {
+  std::vector<Measurement> measurements;
+  std::vector<Curve> curves;
+};
+
+namespace detail {
+
+inline constexpr std::array<Group, 3> groups{Group::all, Group::random, Group::inherited};
+
+inline void measure_events(Events events, const FoodWeb& web, double until_s, RunMetrics& result) {
+  const Baseline two_thirds{"two_thirds", true, attribution_paper_baseline};
+  for (Species species = 0; species < web.size(); ++species) {
+    const std::string& name = web.name(species);
+    const AttributionNull null = attribution_null(events, species);
+    const auto add = [&](const char* metric, std::optional<double> value, std::optional<double> alive) {
+      result.measurements.push_back({{metric, name, "all", "1"}, value, {two_thirds, {"share_alive", false, alive}}});
+    };
+    if (web.is_hunted(species)) add("attribution_caught", attribution_caught(events, species), null.caught);
+    if (web.hunts(species)) {
+      add("attribution_catches", attribution_catches(events, species), null.catches);
+      add("attribution_catchers", attribution_catchers(events, species), null.catchers);
+    }
+  }
+  for (Species species = 0; species < web.size(); ++species) {
+    const auto add = [&](std::string_view group, std::optional<Cause> cause) {
+      const MetricName metric{"deaths", web.name(species), std::string{group}, "1"};
+      const std::optional<double> count =
+          events.empty() ? std::nullopt : std::optional{static_cast<double>(deaths(events, species, cause))};
+      result.measurements.push_back({metric, count, {}});
+      result.curves.push_back({metric, "", events.empty() ? Series{} : deaths_per_window(events, species, cause, until_s)});
+    };
+    add("all", std::nullopt);
+    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+      add(enum_names(Cause{})[cause], static_cast<Cause>(cause));
+    }
+  }
+}
+
+inline void measure_velocity(Agents agents, const FoodWeb& web, RunMetrics& result) {
+  const auto samples = velocity_samples(agents, web);
+  for (Species species = 0; species < web.size(); ++species) {
+    const auto of = [&](Group group, VelocityNull null) { return velocity(samples, species, group, null); };
+    const auto at_random = of(Group::random, VelocityNull::none).mean_of_points();
+    for (const Group group : groups) {
+      const MetricName metric{"velocity", web.name(species), std::string{enum_name(group)}, "m/s"};
+      const WindowMean observed = of(group, VelocityNull::none);
+      const WindowMean shuffled = of(group, VelocityNull::shuffled);
+      const WindowMean turned = of(group, VelocityNull::turned);
+      std::vector<Baseline> baselines{{"zero", true, 0.0}};
+      if (group == Group::inherited) baselines.push_back({"random_origin", false, at_random});
+      baselines.push_back({"shuffled_adversary", false, shuffled.mean_of_points()});
+      baselines.push_back({"turned_adversary", false, turned.mean_of_points()});
+      result.measurements.push_back({metric, observed.mean_of_points(), std::move(baselines)});
+      result.curves.push_back({metric, "", observed.series()});
+      result.curves.push_back({metric, "shuffled_adversary", shuffled.series()});
+      result.curves.push_back({metric, "turned_adversary", turned.series()});
+    }
+  }
+}
+
+inline void measure_walls(Agents agents, const FoodWeb& web, double half_side_m, RunMetrics& result) {
+  std::vector<std::optional<double>> everybody;
+  for (Species species = 0; species < web.size(); ++species) {
+    for (const Group group : groups) {
+      const MetricName metric{"wall_sticking", web.name(species), std::string{enum_name(group)}, "1"};
+      const WindowMean sticking = wall_sticking(agents, species, group, half_side_m);
+      result.measurements.push_back({metric, sticking.mean(), {{"even_spread", false, wall_share_of_floor(half_side_m)}}});
+      result.curves.push_back({metric, "", sticking.series()});
+      if (group == Group::all) everybody.push_back(sticking.mean());
+    }
+  }
+  for (const auto& [hunter, victim] : web.links()) {
+    const MetricName metric{"wall_sticking_gap", web.name(victim) + "-" + web.name(hunter), "all", "1"};
+    std::optional<double> gap;
+    if (everybody[victim] && everybody[hunter]) gap = *everybody[victim] - *everybody[hunter];
+    result.measurements.push_back({metric, gap, {{"zero", true, 0.0}}});
+  }
+}
+
+inline void measure_tags(Agents agents, const FoodWeb& web, RunMetrics& result) {
+  Rng rng{0, Stream::null_model};
+  const double uniform_pairs = uniform_pair_symmetry(rng);
+  for (const auto& [hunter, victim] : web.links()) {
+    const MetricName metric{"tag_symmetry", web.name(victim) + "+" + web.name(hunter), "inherited", "1"};
+    const TagSymmetry symmetry = tag_symmetry(agents, victim, hunter);
+    result.measurements.push_back({metric,
+                                   symmetry.observed.mean(),
+                                   {{"uniform_pairs", true, uniform_pairs}, {"fair_coins", false, symmetry.fair_coins.mean()}}});
+    result.curves.push_back({metric, "", symmetry.observed.series()});
+    result.curves.push_back({metric, "fair_coins", symmetry.fair_coins.series()});
+  }
+}
+
+inline void measure_populations(Agents agents, const FoodWeb& web, RunMetrics& result) {
+  const auto add = [&](MetricName metric, const WindowMean& mean) {
+    result.measurements.push_back({metric, mean.mean(), {}});
+    result.curves.push_back({std::move(metric), "", mean.series()});
+  };
+  for (Species species = 0; species < web.size(); ++species) {
+    for (const Group group : groups) {
+      add({"population", web.name(species), std::string{enum_name(group)}, "1"}, population_size(agents, species, group));
+    }
+    if (web.hunts(species)) add({"hunger", web.name(species), "all", "ticks"}, hunger(agents, species));
+  }
+}
+
+}  // namespace detail
+
+/// All metrics of a run, for any number of species, in an order that depends only on the food web. A metric whose table is
+/// missing or has no row is there without a value.
+[[nodiscard]] inline RunMetrics measure_run(const RunData& run) {
+  RunMetrics result;
+  const Events events = run.events ? Events{*run.events} : Events{};
+  const Agents agents = run.agents ? Agents{*run.agents} : Agents{};
+  const FoodWeb& web = run.facts.web;
+  detail::measure_events(events, web, run.facts.until_s, result);
+  detail::measure_velocity(agents, web, result);
+  detail::measure_walls(agents, web, run.facts.half_side_m, result);
+  detail::measure_tags(agents, web, result);
+  detail::measure_populations(agents, web, result);
+  return result;
+}
+
+}  // namespace trophic::measure

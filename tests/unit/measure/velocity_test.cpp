@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <trophic/measure/velocity.hpp>
+#include <unit/measure/rows.hpp>
+#include <vector>
+
+namespace {
+
+using namespace trophic;
+using namespace trophic::test;
+using measure::AgentRow;
+using measure::Group;
+using measure::velocity_samples;
+
+/// A prey (0) at rest at the origin and a predator (1) on the x axis, at ticks 0 to 6 only.
+std::vector<AgentRow> approach(double from_x_m, double to_x_m) {
+  std::vector<AgentRow> agents;
+  for (std::int64_t tick = 0; tick <= 6; ++tick) {
+    const double x_m = from_x_m + (to_x_m - from_x_m) * static_cast<double>(tick) / 6.0;
+    agents.push_back(robot(tick, 0, prey, 0.0, 0.0));
+    agents.push_back(robot(tick, 1, predator, x_m, 0.0, 0));
+  }
+  return agents;
+}
+
+}  // namespace
+
+TEST_CASE("who gets nearer to where the adversary was has a positive velocity, over 12 s") {
+  const auto samples = velocity_samples(approach(5.0, 4.4), prey_and_predators);
+  REQUIRE(samples.size() == 1);  // tick 0 only: the others have no tick six later; the prey has no adversary
+  CHECK(samples[0].species == predator);
+  CHECK(samples[0].time_s == 0.0);
+  CHECK(samples[0].velocity_m_s == doctest::Approx(0.6 / 12.0));
+  CHECK(samples[0].shuffled_m_s == doctest::Approx(0.6 / 12.0));  // the only opponent is the adversary
+  CHECK(velocity_samples(approach(5.0, 5.3), prey_and_predators)[0].velocity_m_s == doctest::Approx(-0.3 / 12.0));
+}
+
+TEST_CASE("the adversary's own walk does not count") {
+  auto agents = approach(5.0, 4.4);
+  for (AgentRow& row : agents) {
+    if (row.id == 0 && row.tick > 0) row.x_m = -100.0;
+  }
+  CHECK(velocity_samples(agents, prey_and_predators)[0].velocity_m_s == doctest::Approx(0.6 / 12.0));
+}
+
+TEST_CASE("an adversary that dies meanwhile counts with its position at the start") {
+  auto agents = approach(5.0, 4.4);
+  for (AgentRow& row : agents) {
+    if (row.body == 0 && row.tick >= 3) row.id = 77;
+  }
+  const auto samples = velocity_samples(agents, prey_and_predators);
+  REQUIRE(samples.size() == 1);
+  CHECK(samples[0].velocity_m_s == doctest::Approx(0.6 / 12.0));
+}
+
+TEST_CASE("a robot that is reborn meanwhile gives no sample") {
+  auto agents = approach(5.0, 4.4);
+  for (AgentRow& row : agents) {
+    if (row.body == 1 && row.tick >= 5) row.id = 78;
+  }
+  CHECK(velocity_samples(agents, prey_and_predators).empty());
+}
+
+TEST_CASE("no sample without adversary, in an empty run and in one that is too short") {
+  auto alone = approach(5.0, 4.4);
+  for (AgentRow& row : alone) row.adversary.reset();
+  CHECK(velocity_samples(alone, prey_and_predators).empty());
+  CHECK(velocity_samples({}, prey_and_predators).empty());
+  auto brief = approach(5.0, 4.4);
+  brief.resize(brief.size() - 2);
+  const auto samples = velocity_samples(brief, prey_and_predators);
+  CHECK(samples.empty());
+  CHECK_FALSE(measure::velocity(samples, predator, Group::all).mean_of_points());
+  CHECK(measure::velocity(samples, predator, Group::all).series().empty());
+}
+
+TEST_CASE("the shuffled adversary is any opponent, the turned one stands anywhere at the true distance") {
+  std::vector<AgentRow> agents;
+  for (const std::int64_t tick : {0, 6}) {
+    agents.push_back(robot(tick, 0, prey, 3.0, 0.0));
+    agents.push_back(robot(tick, 1, predator, 0.0, tick == 0 ? 0.0 : 0.4, 0));
+    agents.push_back(robot(tick, 2, prey, 0.0, -3.0));
+    agents.push_back(robot(tick, 3, predator, 9.0, 9.0));  // no opponent of its own kind
+  }
+  const auto samples = velocity_samples(agents, prey_and_predators);
+  REQUIRE(samples.size() == 1);
+  const double to_first_m = 3.0 - std::hypot(3.0, 0.4);
+  CHECK(samples[0].velocity_m_s == doctest::Approx(to_first_m / 12.0));
+  CHECK(samples[0].shuffled_m_s == doctest::Approx((to_first_m - 0.4) / 2.0 / 12.0));
+  // A walk of s past something at distance d ends farther away by s^2 / 4 d on average, to leading order.
+  CHECK(samples[0].turned_m_s == doctest::Approx(-0.4 * 0.4 / (4.0 * 3.0) / 12.0).epsilon(0.01));
+}
+
+TEST_CASE("velocity is split by origin and averaged in windows of 200 s: 30 points in 6000 s") {
+  std::vector<measure::VelocitySample> samples;
+  for (double time_s = 0.0; time_s <= 5988.0; time_s += 2.0) {
+    samples.push_back({.time_s = time_s, .species = prey, .origin = Origin::random, .velocity_m_s = 1.0});
+    samples.push_back(
+        {.time_s = time_s, .species = prey, .origin = Origin::inherited, .velocity_m_s = time_s <= 200.0 ? 3.0 : 5.0});
+  }
+  const auto inherited = measure::velocity(samples, prey, Group::inherited);
+  REQUIRE(inherited.series().size() == 30);
+  CHECK(*inherited.series()[0].value == 3.0);
+  CHECK(inherited.series()[0].time_s == 200.0);
+  CHECK(*inherited.series()[1].value == 5.0);
+  CHECK(*inherited.mean_of_points() == doctest::Approx((3.0 + 29.0 * 5.0) / 30.0));
+  CHECK(*measure::velocity(samples, prey, Group::random).mean_of_points() == 1.0);
+  CHECK(*measure::velocity(samples, prey, Group::all).series()[0].value == doctest::Approx(2.0));
+  CHECK_FALSE(measure::velocity(samples, predator, Group::all).mean_of_points());
+}
