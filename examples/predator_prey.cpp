@@ -18,6 +18,7 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/replicates/run.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
@@ -39,6 +40,9 @@ struct Options {
   std::optional<std::size_t> robots;
   std::optional<std::string> robot;
   std::optional<std::size_t> threads;
+  std::optional<std::size_t> replicates;
+  std::optional<std::size_t> jobs;
+  bool resume = false;
   std::string config;
   std::vector<std::string> assignments;
   std::string out;
@@ -101,9 +105,32 @@ auto resolve(const Options& options, const toml::table& config) {
   return params;
 }
 
+/// A set of runs that differ in their seed.
+template <class Rules, class Backend>
+int run_replicates(const Options& options, typename trophic::Ecology<Rules, Backend>::Params params) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const trophic::replicates::Plan plan{.out = options.out,
+                                       .master_seed = params.seed,
+                                       .count = *options.replicates,
+                                       .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
+                                       .resume = options.resume};
+  if constexpr (requires { params.backend.threads; }) params.backend.threads = options.threads.value_or(1);
+  const auto outcome = trophic::replicates::run<Rules, Backend>(
+      params, plan, {{"command_line", options.command_line}, {"host", host_name()}}, std::cout);
+  std::cout << outcome.kept + outcome.complete << " of " << plan.count << " replicates complete in " << options.out << std::endl;
+  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  for (const std::string& sentence : outcome.unfinished) std::cerr << "predator_prey: " << sentence << "\n";
+  if (outcome.all_complete()) return 0;
+  std::cerr << "the same command with --resume runs these and no others\n";
+  return run_error;
+}
+
 template <class Rules, class Backend>
 int run(const Options& options, const toml::table& config) {
   if (options.threads == std::size_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
+  if (!options.replicates && (options.jobs || options.resume)) {
+    throw std::invalid_argument{"--jobs and --resume: need --replicates"};
+  }
   const auto params = resolve<Rules, Backend>(options, config);
   if (options.print_config) {
     std::cout << "rule_table = \"" << trophic::table_name<Rules>() << "\"\nengine = \"" << Backend::name << "\"\n"
@@ -111,6 +138,7 @@ int run(const Options& options, const toml::table& config) {
     if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
     return 0;
   }
+  if (options.replicates && options.save_mjcf.empty()) return run_replicates<Rules, Backend>(options, params);
   trophic::Ecology<Rules, Backend> ecology{params};
   if (!options.save_mjcf.empty()) {
     if constexpr (requires { ecology.backend().save_mjcf(options.save_mjcf); }) {
@@ -119,6 +147,7 @@ int run(const Options& options, const toml::table& config) {
       throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
     }
     if (options.out.empty()) return 0;
+    if (options.replicates) throw std::invalid_argument{"--save-mjcf: not with --replicates and --out"};
   }
   if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
 
@@ -177,7 +206,12 @@ int main(int argc, char** argv) {
   app.add_option("--duration", options.duration_s, "length of the run, seconds of the ecology's clock (6000)");
   app.add_option("--robots", options.robots, "number of bodies (30)");
   app.add_option("--robot", options.robot, "name or path of a robot file (spider)");
-  app.add_option("--threads", options.threads, "threads of the physics; results do not depend on it (all cores)");
+  app.add_option("--threads", options.threads,
+                 "threads of the physics; results do not depend on it (all cores; 1 with --replicates)");
+  app.add_option("--replicates", options.replicates,
+                 "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json");
+  app.add_option("--jobs", options.jobs, "replicates at a time (one per core); results do not depend on it");
+  app.add_flag("--resume", options.resume, "run only the replicates that OUT lacks; incomplete ones are kept under another name");
   app.add_option("--config", options.config, "TOML file with numbers, as --print-config writes it");
   app.add_option("--set", options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config");
   app.add_option("--out", options.out, "new folder for the run's files");

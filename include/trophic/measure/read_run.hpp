@@ -2,6 +2,7 @@
 // A run's folder, read into tables.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

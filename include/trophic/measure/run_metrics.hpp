@@ -2,8 +2,10 @@
 // All metrics of one run, each with the baselines that it has to be set beside.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <trophic/measure/attribution.hpp>
 #include <trophic/measure/attribution_null.hpp>
 #include <trophic/measure/demography.hpp>

@@ -2,15 +2,18 @@
 // Many runs as one result: means, intervals, and what they say against each baseline.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/measure/bootstrap.hpp>
 #include <trophic/measure/published.hpp>
 #include <trophic/measure/run_metrics.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::measure {

@@ -86,7 +86,7 @@ TEST_CASE("agents out of order are refused") {
         }) == path + ":3: tick = \"1\": must be >= that of the row before");
 }
 
-TEST_CASE("a line cut off by a kill is reported, the rest is used; of agents the whole last tick goes") {
+TEST_CASE("a line cut off by a kill is reported, the rest is used, of agents the whole last tick goes") {
   const TemporaryFolder folder;
   static_cast<void>(folder.file("manifest.json", manifest));
   static_cast<void>(folder.file("events.csv", event_header + "0,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n0,0,birth,1,pre"));

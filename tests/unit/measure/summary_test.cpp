@@ -49,7 +49,7 @@ TEST_CASE("differences are paired by run: a shift that every run has is seen thr
   CHECK(row.comparisons[1].difference.interval->lower == doctest::Approx(0.01));
 }
 
-TEST_CASE("runs without a value are left out; one run has no interval and no verdict") {
+TEST_CASE("runs without a value are left out, one run has no interval and no verdict") {
   const std::array runs{run_with(0.6, 0.5), run_with({}, {}), run_with(0.8, {})};
   const auto row = summarize(runs).front();
   CHECK(row.ours.runs == 2);
@@ -92,7 +92,7 @@ TEST_CASE("three species: each link of the food web is measured") {
   CHECK(*value({"tag_symmetry", "sheep+wolf", "inherited", "1"}) == 0.0);
 }
 
-TEST_CASE("sets are compared metric by metric; a metric that one set lacks is left out") {
+TEST_CASE("sets are compared metric by metric, a metric that one set lacks is left out") {
   const std::array a{run_with(0.5, 0.5), run_with(0.52, 0.5), run_with(0.48, 0.5)};
   std::array b{run_with(0.6, 0.5), run_with(0.62, 0.5), run_with(0.58, 0.5)};
   const auto differences = compare_sets(a, b);

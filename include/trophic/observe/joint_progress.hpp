@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// One progress line for several runs at once.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <map>
+#include <mutex>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run.hpp>
+#include <trophic/observe/tally.hpp>
+#include <trophic/view.hpp>
+#include <utility>
+
+namespace trophic::observe {
+
+/// Shows on stderr, where that is a terminal, how far a set of runs is; writes a line to `out` for each that ends. For calls from
+/// several threads at once.
+class JointProgress {
+ public:
+  /// `runs` are to be watched; `clock_s` is how long each of them is.
+  JointProgress(std::size_t runs, double clock_s, std::ostream& out, bool show = ::isatty(STDERR_FILENO) != 0)
+      : runs_{runs}, clock_s_{clock_s}, out_{out}, show_{show} {}
+
+  /// Watches one call of run_until.
+  class Part {
+   public:
+    Part(JointProgress& joint, std::string name) : joint_{&joint}, name_{std::move(name)} {}
+
+    void on_start(const Run& run, const View& view) {
+      clock_scale_ = run.clock_scale;
+      from_s_ = view.time_s;
+      watch_ = {};
+      joint_->advance(name_, 0.0, clock_scale_);
+    }
+    void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
+    void on_tick(const View& view) { joint_->advance(name_, view.time_s - from_s_, clock_scale_); }
+    void on_end(const View& view) {
+      const double clock_s = view.time_s - from_s_;
+      joint_->finish(name_, name_ + "  " + short_text(view.time_s) + " s, " + std::to_string(tally_.deaths()) + " deaths, " +
+                                duration_text(watch_.elapsed_s()) + " (" +
+                                short_text(clock_s * clock_scale_ / watch_.elapsed_s()) + "x real time)");
+    }
+    void on_failure(std::string_view what) { joint_->finish(name_, name_ + "  failed: " + std::string{what}); }
+
+    [[nodiscard]] double elapsed_s() const { return watch_.elapsed_s(); }
+
+   private:
+    JointProgress* joint_;
+    std::string name_;
+    double clock_scale_ = 1.0;
+    double from_s_ = 0.0;
+    Stopwatch watch_;
+    Tally tally_;
+  };
+
+  /// What the run of this name is to be watched by; no longer than this lives.
+  [[nodiscard]] Part watch(std::string name) { return {*this, std::move(name)}; }
+
+ private:
+  void advance(const std::string& name, double clock_s, double clock_scale) {
+    const std::scoped_lock lock{mutex_};
+    clock_scale_ = clock_scale;
+    running_s_[name] = clock_s;
+    if (!show_ || watch_.elapsed_s() - drawn_s_ < 0.1) return;
+    drawn_s_ = watch_.elapsed_s();
+    std::fprintf(stderr, "\r%s\033[K", line().c_str());
+    std::fflush(stderr);
+  }
+
+  void finish(const std::string& name, const std::string& text) {
+    const std::scoped_lock lock{mutex_};
+    done_s_ += running_s_[name];
+    running_s_.erase(name);
+    ++done_;
+    if (show_) std::fputs("\r\033[K", stderr);
+    out_ << text << std::endl;
+  }
+
+  [[nodiscard]] std::string line() const {
+    double clock_s = done_s_;
+    std::string who;
+    for (const auto& [name, time_s] : running_s_) {
+      clock_s += time_s;
+      if (running_s_.size() <= 8) who += (who.empty() ? " (" : ", ") + name + " " + short_text(time_s) + " s";
+    }
+    const double share = clock_s / (clock_s_ * static_cast<double>(runs_));
+    const double wall_s = watch_.elapsed_s();
+    return std::to_string(done_) + " of " + std::to_string(runs_) + " done, " + std::to_string(running_s_.size()) + " running" +
+           who + (who.empty() ? "" : ")") + "  " + short_text(100.0 * share) + " %  " +
+           short_text(clock_s * clock_scale_ / wall_s) + "x real time  " +
+           (share > 0.0 ? duration_text(wall_s / share - wall_s) : "?") + " left";
+  }
+
+  std::size_t runs_;
+  double clock_s_;
+  std::ostream& out_;
+  bool show_;
+  std::mutex mutex_;
+  Stopwatch watch_;
+  double drawn_s_ = 0.0;
+  double clock_scale_ = 1.0;
+  double done_s_ = 0.0;
+  std::size_t done_ = 0;
+  std::map<std::string, double> running_s_;
+};
+
+}  // namespace trophic::observe

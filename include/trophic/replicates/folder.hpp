@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// The folder of a set of replicates: made once, gone on with later, never overwritten.
+#pragma once
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/replicates/plan.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::replicates {
+
+/// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no manifest that can be read.
+[[nodiscard]] inline std::string status_of(const std::filesystem::path& run) {
+  if (!std::filesystem::exists(run)) return "missing";
+  std::ifstream file{run / "manifest.json"};
+  const auto manifest = nlohmann::json::parse(file, nullptr, false);
+  return manifest.is_object() && manifest.contains("status") ? manifest["status"].get<std::string>() : "unreadable";
+}
+
+/// replicates.json and what of the plan is still to be done. Holds a lock on the folder while it lives, so that two programs
+/// cannot work in it at once.
+class Folder {
+ public:
+  /// Makes the folder or, with `plan.resume`, goes on in it. Complete replicates stay; incomplete ones are moved to
+  /// "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan, seed aside. Throws std::invalid_argument
+  /// if the folder exists and the plan does not resume, or if what is there has other rules, numbers, seeds or duration;
+  /// std::runtime_error if another program works in it or the system refuses.
+  Folder(const Plan& plan, const observe::Run& run, const observe::Facts& facts) {
+    plan.check();
+    if (!plan.resume || !std::filesystem::exists(plan.out)) {
+      static_cast<void>(observe::make_new_folder(plan.out));
+      lock(plan.out);
+    } else {
+      lock(plan.out);
+      check_same(plan, run);
+    }
+    std::vector<Replicate> incomplete;
+    for (Replicate& replicate : plan.all()) {
+      const std::string status = status_of(replicate.folder);
+      if (status == "complete") {
+        check_complete(replicate, run);
+        ++kept_;
+        continue;
+      }
+      if (status != "missing") incomplete.push_back(replicate);
+      pending_.push_back(std::move(replicate));
+    }
+    for (const Replicate& replicate : incomplete) set_aside(replicate);
+    write(plan, run, facts);
+  }
+  ~Folder() {
+    if (lock_ >= 0) ::close(lock_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  /// To be run, each into a new folder.
+  [[nodiscard]] const std::vector<Replicate>& pending() const { return pending_; }
+  /// How many were complete already.
+  [[nodiscard]] std::size_t kept() const { return kept_; }
+  /// What was set aside, a sentence each.
+  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+
+ private:
+  void lock(const std::filesystem::path& out) {
+    lock_ = ::open(out.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ < 0) throw std::runtime_error{out.string() + ": is not a folder that can be opened"};
+    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+      ::close(std::exchange(lock_, -1));
+      throw std::runtime_error{out.string() + ": another program is running replicates in it"};
+    }
+  }
+
+  template <class Number>
+  static void same(const std::filesystem::path& file, const std::string& field, const Number& there, const Number& ours) {
+    if (there == ours) return;
+    const auto text = [](const Number& number) { return nlohmann::json(number).dump(); };
+    throw std::invalid_argument{file.string() + ": " + field + " = " + text(there) + ": must be " + text(ours) +
+                                ", as in the experiment to be resumed"};
+  }
+
+  static nlohmann::json read(const std::filesystem::path& path) {
+    std::ifstream file{path};
+    if (!file) throw std::invalid_argument{path.string() + ": cannot be read; only a folder of replicates can be resumed"};
+    auto json = nlohmann::json::parse(file, nullptr, false);
+    if (!json.is_object()) throw std::invalid_argument{path.string() + ": is not a JSON object"};
+    return json;
+  }
+
+  static void check_same(const Plan& plan, const observe::Run& run) {
+    const std::filesystem::path path = plan.out / "replicates.json";
+    const nlohmann::json there = read(path);
+    try {
+      same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
+      same(path, "master_seed", there.at("master_seed").get<std::uint64_t>(), plan.master_seed);
+      same(path, "until_s", there.at("until_s").get<double>(), run.until_s);
+      const auto count = there.at("count").get<std::size_t>();
+      if (plan.count < count) {
+        throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + std::to_string(count) +
+                                    ", what " + path.string() + " has; a resumed set can grow but not shrink"};
+      }
+    } catch (const nlohmann::json::exception& error) {
+      throw std::invalid_argument{path.string() + ": " + error.what()};
+    }
+  }
+
+  static void check_complete(const Replicate& replicate, const observe::Run& run) {
+    const std::filesystem::path path = replicate.folder / "manifest.json";
+    const nlohmann::json there = read(path);
+    try {
+      same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
+      same(path, "seed", there.at("seed").get<std::uint64_t>(), replicate.seed);
+      same(path, "until_s", there.at("clock").at("until_s").get<double>(), run.until_s);
+    } catch (const nlohmann::json::exception& error) {
+      throw std::invalid_argument{path.string() + ": " + error.what()};
+    }
+  }
+
+  void set_aside(const Replicate& replicate) {
+    const std::string status = status_of(replicate.folder);
+    std::filesystem::path aside;
+    std::size_t k = 1;
+    do {
+      aside = replicate.folder.string() + ".incomplete-" + std::to_string(k++);
+    } while (std::filesystem::exists(aside));
+    std::filesystem::rename(replicate.folder, aside);
+    remarks_.push_back(name_of(replicate.index) + " was incomplete (status \"" + status + "\"): kept as " +
+                       aside.filename().string() + ", run anew");
+  }
+
+  static void write(const Plan& plan, const observe::Run& run, const observe::Facts& facts) {
+    nlohmann::ordered_json content;
+    content["rule_table"] = run.rules;
+    content["backend"] = run.backend;
+    content["fingerprint"] = run.fingerprint;
+    content["until_s"] = run.until_s;
+    content["master_seed"] = plan.master_seed;
+    content["count"] = plan.count;
+    for (const Replicate& replicate : plan.all()) {
+      content["replicates"].push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
+    }
+    for (const auto& [name, text] : facts) content[name] = text;
+    const std::filesystem::path path = plan.out / "replicates.json";
+    const std::filesystem::path temporary = path.string() + ".part";
+    std::ofstream file{temporary};
+    file << content.dump(2) << '\n';
+    file.close();
+    if (!file) throw std::runtime_error{"cannot write " + path.string()};
+    std::filesystem::rename(temporary, path);
+  }
+
+  int lock_ = -1;
+  std::vector<Replicate> pending_;
+  std::size_t kept_ = 0;
+  std::vector<std::string> remarks_;
+};
+
+}  // namespace trophic::replicates

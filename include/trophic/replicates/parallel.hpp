@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Independent pieces of work on several threads; one that fails takes no other with it.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace trophic::replicates {
+
+/// How one piece of work went.
+struct Attempt {
+  bool started = false;
+  std::string error;  ///< what it threw; empty if nothing
+};
+
+/// Calls `work(i)` for i = 0 ... items - 1 on `jobs` threads, in this order as threads get free; `go_on()` is asked before each.
+/// `work` and `go_on` are called from several threads at once.
+template <class Work, class GoOn>
+[[nodiscard]] std::vector<Attempt> in_parallel(std::size_t items, std::size_t jobs, Work&& work, GoOn&& go_on) {
+  std::vector<Attempt> attempts(items);
+  std::atomic<std::size_t> next = 0;
+  const auto serve = [&] {
+    while (go_on()) {
+      const std::size_t i = next++;
+      if (i >= items) return;
+      attempts[i].started = true;
+      try {
+        work(i);
+      } catch (const std::exception& error) {
+        attempts[i].error = error.what();
+        if (attempts[i].error.empty()) attempts[i].error = "unknown error";
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 1; i < std::min(jobs, items); ++i) threads.emplace_back(serve);
+    serve();
+  }
+  return attempts;
+}
+
+}  // namespace trophic::replicates

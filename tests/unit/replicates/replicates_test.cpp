@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/replicates/run.hpp>
+#include <trophic/rules/paper.hpp>
+
+namespace {
+
+using namespace trophic;
+using test::message_of;
+using test::TemporaryFolder;
+namespace fs = std::filesystem;
+using Experiment = trophic::Experiment<rules::Paper, backend::Kinematic>;
+
+Experiment brief(double duration_s = 200.0) {
+  Experiment experiment;
+  experiment.world.duration_s = duration_s;
+  return experiment;
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+constexpr std::array tables{"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"};
+
+/// Everything that a replicate's folder says about the run itself.
+std::string results(const fs::path& run) {
+  std::string text;
+  for (const char* table : tables) text += content(run / table);
+  auto manifest = nlohmann::json::parse(content(run / "manifest.json"));
+  manifest.erase("wall_s");
+  return text + manifest.dump();
+}
+
+template <class... Observers>
+replicates::Outcome run(const replicates::Plan& plan, std::ostream& out, const Experiment& experiment = brief(),
+                        Observers&... observers) {
+  return replicates::run<rules::Paper, backend::Kinematic>(experiment, plan, {}, out, observers...);
+}
+
+/// Throws at a time in the run of one seed.
+struct Saboteur {
+  std::uint64_t seed = 0;
+  double at_s = 100.0;
+  thread_local inline static std::uint64_t now = 0;
+  void on_start(const observe::Run& run, const View&) { now = run.seed; }
+  void on_tick(const View& view) {
+    if (now == seed && view.time_s >= at_s) throw std::runtime_error{"sabotage"};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("seeds differ, follow from the master seed alone and fit a double") {
+  std::set<std::uint64_t> seeds;
+  for (std::size_t i = 0; i < 1000; ++i) seeds.insert(replicates::seed_of(1, i));
+  for (std::size_t i = 0; i < 1000; ++i) seeds.insert(replicates::seed_of(2, i));
+  CHECK(seeds.size() == 2000);
+  CHECK(*seeds.rbegin() < (std::uint64_t{1} << 53));
+  const replicates::Plan few{.out = "x", .master_seed = 5, .count = 3};
+  const replicates::Plan many{.out = "x", .master_seed = 5, .count = 30};
+  CHECK(few.all()[2].seed == many.all()[2].seed);
+  CHECK(many.all()[2].folder == fs::path{"x/replicate-02"});
+}
+
+TEST_CASE("results do not depend on the number of jobs, byte for byte") {
+  const TemporaryFolder folder;
+  std::ostringstream out;
+  for (const std::size_t jobs : {1U, 4U}) {
+    const auto outcome = run({.out = folder.path() / std::to_string(jobs), .count = 5, .jobs = jobs}, out);
+    CHECK(outcome.all_complete());
+    CHECK(outcome.complete == 5);
+  }
+  std::set<std::string> different;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const std::string one = results(folder.path() / "1" / replicates::name_of(i));
+    CHECK(one == results(folder.path() / "4" / replicates::name_of(i)));
+    different.insert(one);
+  }
+  CHECK(different.size() == 5);
+  CHECK(content(folder.path() / "1/replicates.json") == content(folder.path() / "4/replicates.json"));
+  const auto list = nlohmann::json::parse(content(folder.path() / "1/replicates.json"));
+  const auto manifest = nlohmann::json::parse(content(folder.path() / "1/replicate-03/manifest.json"));
+  CHECK(list["replicates"][3]["seed"] == manifest["seed"]);
+  CHECK(manifest["master_seed"] == "1");
+}
+
+TEST_CASE("one that fails loses nothing of the others, and --resume runs it and no other") {
+  const TemporaryFolder folder;
+  std::ostringstream out;
+  const replicates::Plan plan{.out = folder.path() / "set", .count = 4, .jobs = 2};
+  Saboteur saboteur{.seed = replicates::seed_of(1, 1)};
+  const auto failed = run(plan, out, brief(), saboteur);
+  CHECK(failed.complete == 3);
+  REQUIRE(failed.unfinished.size() == 1);
+  CHECK(failed.unfinished[0] == "replicate-01: sabotage");
+  CHECK(replicates::status_of(plan.out / "replicate-01") == "failed");
+  CHECK_FALSE(content(plan.out / "replicate-01/agents.csv").empty());
+
+  const auto untouched = fs::last_write_time(plan.out / "replicate-02/agents.csv");
+  replicates::Plan again = plan;
+  again.resume = true;
+  const auto resumed = run(again, out);
+  CHECK(resumed.all_complete());
+  CHECK(resumed.kept == 3);
+  CHECK(resumed.complete == 1);
+  CHECK(fs::last_write_time(plan.out / "replicate-02/agents.csv") == untouched);
+  CHECK(replicates::status_of(plan.out / "replicate-01.incomplete-1") == "failed");
+  CHECK(out.str().find("replicate-01 was incomplete (status \"failed\"): kept as replicate-01.incomplete-1, run anew") !=
+        std::string::npos);
+
+  const replicates::Plan whole{.out = folder.path() / "whole", .count = 4};
+  static_cast<void>(run(whole, out));
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(results(plan.out / replicates::name_of(i)) == results(whole.out / replicates::name_of(i)));
+  }
+}
+
+TEST_CASE("a killed replicate, known by its manifest or the lack of one, is run anew, a set can grow") {
+  const TemporaryFolder folder;
+  std::ostringstream out;
+  replicates::Plan plan{.out = folder.path() / "set", .count = 2, .resume = true};  // resuming nothing starts it
+  CHECK(run(plan, out).complete == 2);
+  fs::remove(plan.out / "replicate-00/manifest.json");
+  fs::remove_all(plan.out / "replicate-01");
+  plan.count = 3;
+  const auto outcome = run(plan, out);
+  CHECK(outcome.kept == 0);
+  CHECK(outcome.complete == 3);
+  CHECK(fs::exists(plan.out / "replicate-00.incomplete-1/agents.csv"));
+  CHECK_FALSE(fs::exists(plan.out / "replicate-01.incomplete-1"));
+  CHECK(nlohmann::json::parse(content(plan.out / "replicates.json"))["count"] == 3);
+}
+
+TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
+  const TemporaryFolder folder;
+  std::ostringstream out;
+  replicates::Plan plan{.out = folder.path() / "set", .count = 2};
+  static_cast<void>(run(plan, out));
+  const auto refusal = [&](const replicates::Plan& p, const Experiment& experiment) {
+    return message_of<std::invalid_argument>([&] { static_cast<void>(run(p, out, experiment)); });
+  };
+  CHECK(refusal(plan, brief()).find("exists already") != std::string::npos);
+  plan.resume = true;
+  Experiment other = brief();
+  other.rules.mutation.sd *= 2.0;
+  CHECK(refusal(plan, other).find("replicates.json: fingerprint = ") != std::string::npos);
+  CHECK(refusal(plan, brief(400.0)).find("until_s = 200.0: must be 400.0") != std::string::npos);
+  replicates::Plan other_seed = plan;
+  other_seed.master_seed = 2;
+  CHECK(refusal(other_seed, brief()).find("master_seed = 1: must be 2") != std::string::npos);
+  replicates::Plan fewer = plan;
+  fewer.count = 1;
+  CHECK(refusal(fewer, brief()).find("replicates = 1: must be >= 2") != std::string::npos);
+  CHECK(refusal({.out = folder.path(), .resume = true}, brief()).find("only a folder of replicates") != std::string::npos);
+  CHECK(refusal({.out = folder.path() / "new", .count = 0}, brief()) == "replicates = 0: must be >= 1");
+  CHECK(refusal({.out = folder.path() / "new", .jobs = 0}, brief()) == "jobs = 0: must be >= 1");
+  CHECK_FALSE(fs::exists(folder.path() / "new"));
+}
+
+TEST_CASE("two programs cannot work in one folder") {
+  const TemporaryFolder folder;
+  const replicates::Plan plan{.out = folder.path() / "set", .count = 1, .resume = true};
+  const observe::Run any = Ecology<rules::Paper, backend::Kinematic>{brief()}.describe(200.0);
+  const replicates::Folder held{plan, any, {}};
+  CHECK(message_of<std::runtime_error>([&] {
+          const replicates::Folder second{plan, any, {}};
+        }) == plan.out.string() + ": another program is running replicates in it");
+}
+
+TEST_CASE("work in parallel: every item once, errors kept, none started after the word to stop") {
+  std::atomic<int> sum = 0;
+  const auto attempts = replicates::in_parallel(
+      100, 4,
+      [&](std::size_t i) {
+        sum += static_cast<int>(i);
+        if (i == 7) throw std::runtime_error{"seven"};
+      },
+      [] { return true; });
+  CHECK(sum == 4950);
+  CHECK(attempts[7].error == "seven");
+  CHECK(attempts[8].error.empty());
+  std::atomic<int> started = 0;
+  const auto stopped = replicates::in_parallel(
+      10, 1, [&](std::size_t) { ++started; }, [&] { return started < 3; });
+  CHECK(started == 3);
+  CHECK(stopped[2].started);
+  CHECK_FALSE(stopped[3].started);
+}
