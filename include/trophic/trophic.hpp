@@ -48,11 +48,14 @@
 #include <trophic/measure/demography.hpp>
 #include <trophic/measure/published.hpp>
 #include <trophic/measure/read_run.hpp>
+#include <trophic/measure/report.hpp>
 #include <trophic/measure/run_metrics.hpp>
+#include <trophic/measure/run_set.hpp>
 #include <trophic/measure/series.hpp>
 #include <trophic/measure/summary.hpp>
 #include <trophic/measure/tables.hpp>
 #include <trophic/measure/tag_symmetry.hpp>
+#include <trophic/measure/text_table.hpp>
 #include <trophic/measure/velocity.hpp>
 #include <trophic/measure/wall_sticking.hpp>
 #include <trophic/models.hpp>

@@ -30,6 +30,26 @@ namespace trophic::replicates {
   return manifest.is_object() && manifest.contains("status") ? manifest["status"].get<std::string>() : "unreadable";
 }
 
+/// While it lives, no other FolderLock on the folder can be made, in this program or another; the system drops it when a program
+/// dies.
+class FolderLock {
+ public:
+  /// Throws std::runtime_error if the folder cannot be opened or is locked.
+  explicit FolderLock(const std::filesystem::path& folder) : file_{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
+    if (file_ < 0) throw std::runtime_error{folder.string() + ": is not a folder that can be opened"};
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      ::close(file_);
+      throw std::runtime_error{folder.string() + ": another program is running replicates in it"};
+    }
+  }
+  ~FolderLock() { ::close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
+
 /// replicates.json and what of the plan is still to be done. Holds a lock on the folder while it lives, so that two programs
 /// cannot work in it at once.
 class Folder {
@@ -42,9 +62,9 @@ class Folder {
     plan.check();
     if (!plan.resume || !std::filesystem::exists(plan.out)) {
       static_cast<void>(observe::make_new_folder(plan.out));
-      lock(plan.out);
+      lock_.emplace(plan.out);
     } else {
-      lock(plan.out);
+      lock_.emplace(plan.out);
       check_same(plan, run);
     }
     std::vector<Replicate> incomplete;
@@ -61,12 +81,6 @@ class Folder {
     for (const Replicate& replicate : incomplete) set_aside(replicate);
     write(plan, run, facts);
   }
-  ~Folder() {
-    if (lock_ >= 0) ::close(lock_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
   /// To be run, each into a new folder.
   [[nodiscard]] const std::vector<Replicate>& pending() const { return pending_; }
   /// How many were complete already.
@@ -75,15 +89,6 @@ class Folder {
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
-  void lock(const std::filesystem::path& out) {
-    lock_ = ::open(out.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ < 0) throw std::runtime_error{out.string() + ": is not a folder that can be opened"};
-    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-      ::close(std::exchange(lock_, -1));
-      throw std::runtime_error{out.string() + ": another program is running replicates in it"};
-    }
-  }
-
   template <class Number>
   static void same(const std::filesystem::path& file, const std::string& field, const Number& there, const Number& ours) {
     if (there == ours) return;
@@ -162,7 +167,7 @@ class Folder {
     std::filesystem::rename(temporary, path);
   }
 
-  int lock_ = -1;
+  std::optional<FolderLock> lock_;
   std::vector<Replicate> pending_;
   std::size_t kept_ = 0;
   std::vector<std::string> remarks_;

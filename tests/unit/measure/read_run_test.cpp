@@ -5,6 +5,7 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/measure/read_run.hpp>
 #include <unit/measure/rows.hpp>
+#include <unit/measure/run_files.hpp>
 
 namespace {
 
@@ -12,14 +13,9 @@ using namespace trophic;
 using test::message_of;
 using test::TemporaryFolder;
 
-const std::string event_header =
-    "time_s,tick,event,id,species,body,tag,active,origin,parent_id,genome_id,cause,killer_id,victim_id,x_m,y_m\n";
-const std::string agent_header =
-    "time_s,tick,body,id,species,origin,active,tag,x_m,y_m,heading_rad,target_angle_rad,adversary_id,adversary_distance_m,"
-    "hunger_ticks\n";
-const std::string manifest = R"({"fingerprint": "00ff", "rule_table": "paper", "backend": "kinematic 1", "status": "complete",
-  "seed": 12, "clock": {"until_s": 6000}, "arena": {"half_side_m": 10.0}, "species": ["prey", "predator"],
-  "food_web": [{"hunter": "predator", "victim": "prey"}]})";
+using test::agent_header;
+using test::event_header;
+const std::string manifest = test::manifest("00ff", 12);
 
 std::string error_of_events(const std::string& text) {
   const TemporaryFolder folder;

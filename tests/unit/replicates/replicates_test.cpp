@@ -22,10 +22,10 @@ using namespace trophic;
 using test::message_of;
 using test::TemporaryFolder;
 namespace fs = std::filesystem;
-using Experiment = trophic::Experiment<rules::Paper, backend::Kinematic>;
+using PaperRun = trophic::Experiment<rules::Paper, backend::Kinematic>;
 
-Experiment brief(double duration_s = 200.0) {
-  Experiment experiment;
+PaperRun brief(double duration_s = 200.0) {
+  PaperRun experiment;
   experiment.world.duration_s = duration_s;
   return experiment;
 }
@@ -47,7 +47,7 @@ std::string results(const fs::path& run) {
 }
 
 template <class... Observers>
-replicates::Outcome run(const replicates::Plan& plan, std::ostream& out, const Experiment& experiment = brief(),
+replicates::Outcome run(const replicates::Plan& plan, std::ostream& out, const PaperRun& experiment = brief(),
                         Observers&... observers) {
   return replicates::run<rules::Paper, backend::Kinematic>(experiment, plan, {}, out, observers...);
 }
@@ -151,12 +151,12 @@ TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
   std::ostringstream out;
   replicates::Plan plan{.out = folder.path() / "set", .count = 2};
   static_cast<void>(run(plan, out));
-  const auto refusal = [&](const replicates::Plan& p, const Experiment& experiment) {
+  const auto refusal = [&](const replicates::Plan& p, const PaperRun& experiment) {
     return message_of<std::invalid_argument>([&] { static_cast<void>(run(p, out, experiment)); });
   };
   CHECK(refusal(plan, brief()).find("exists already") != std::string::npos);
   plan.resume = true;
-  Experiment other = brief();
+  PaperRun other = brief();
   other.rules.mutation.sd *= 2.0;
   CHECK(refusal(plan, other).find("replicates.json: fingerprint = ") != std::string::npos);
   CHECK(refusal(plan, brief(400.0)).find("until_s = 200.0: must be 400.0") != std::string::npos);
