@@ -44,7 +44,7 @@ struct Auditor {
       }
       promised.reset();
     } else {
-      CHECK(event.kind != EventKind::birth == (births >= founders));
+      CHECK(((event.kind == EventKind::birth) == (births < founders)));  // later births follow deaths
     }
     if (event.kind == EventKind::birth) birth(event);
     if (event.kind == EventKind::death) death(event, view);
@@ -83,7 +83,7 @@ struct Auditor {
   void death(const Event& event, const View& view) {
     ++deaths;
     ++by_cause[*event.cause];
-    CHECK((event.cause == Cause::caught) == event.other.has_value());
+    CHECK(((event.cause == Cause::caught) == event.other.has_value()));
     if (event.cause == Cause::starved) starved_at = {view.tick, view.count_hunters()};
     if (event.cause == Cause::sacrificed) ++sacrificed_now;
     promised = Promise{.kind = EventKind::birth, .body = event.body};
@@ -118,7 +118,8 @@ struct Auditor {
 
   [[nodiscard]] std::size_t changed_genomes() const {
     std::size_t changed = 0;
-    for (const auto& [id, genome] : genomes) changed += genome.first->weights != genome.second ? 1 : 0;
+    for (const auto& [id, genome] : genomes)
+      if (genome.first->weights != genome.second) ++changed;
     return changed;
   }
 
@@ -158,7 +159,7 @@ std::vector<std::string> record(typename Kinematics<Rules>::Params params, doubl
 }  // namespace
 
 TEST_CASE("runs: the paper's rules keep their balances and floors for 6000 s") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
     Kinematics<rules::Paper> ecology{{.seed = seed}};
     Auditor audit{30};
@@ -177,7 +178,7 @@ TEST_CASE("runs: the paper's rules keep their balances and floors for 6000 s") {
 }
 
 TEST_CASE("runs: the released rules keep their balances and floors for 6000 s") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
     Kinematics<rules::Released> ecology{{.seed = seed}};
     Auditor audit{30};
@@ -333,7 +334,7 @@ TEST_CASE("runs: a food chain of three species lives by both rule sets") {
   };
   using Paper = with_community<rules::Paper, Pasture>;
   using Released = with_community<rules::Released, Pasture>;
-  for (const std::uint64_t seed : {11, 12}) {
+  for (const auto seed : {std::uint64_t{11}, std::uint64_t{12}}) {
     CAPTURE(seed);
     live(std::make_unique<Kinematics<Paper>>(typename Kinematics<Paper>::Params{.seed = seed}));
     live(std::make_unique<Kinematics<Released>>(typename Kinematics<Released>::Params{.seed = seed}));

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A rule that changes itself would make a run depend on who asked before.
+// expect: the policy given to with_senescence needs bool dies(const Individual&, const View&, Rng&) const
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/rules/paper.hpp>
+
+struct EveryTenth {
+  static constexpr std::string_view name = "every_tenth";
+#ifdef VALID
+  bool dies(const trophic::Individual&, const trophic::View& view, trophic::Rng&) const { return view.tick % 10 == 9; }
+#else
+  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&) { return ++asked % 10 == 0; }
+  int asked = 0;
+#endif
+};
+
+int main() {
+  trophic::Ecology<trophic::with_senescence<trophic::rules::Paper, EveryTenth>, trophic::backend::Kinematic> ecology;
+  ecology.run_until(10.0);
+}
