@@ -30,7 +30,7 @@ class EngineGuard {
   EngineGuard() {
     static const Handlers& handlers = earlier();
     static_cast<void>(handlers);
-    static thread_local const bool ready = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+    static thread_local const bool ready = dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
     if (!ready) throw EngineError{"no memory for this thread's collision buffers"};
     ++depth();
   }
