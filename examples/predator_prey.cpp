@@ -131,6 +131,7 @@ int run(const Options& options, const toml::table& config) {
   if (!options.replicates && (options.jobs || options.resume)) {
     throw std::invalid_argument{"--jobs and --resume: need --replicates"};
   }
+  if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   const auto params = resolve<Rules, Backend>(options, config);
   if (options.print_config) {
     std::cout << "rule_table = \"" << trophic::table_name<Rules>() << "\"\nengine = \"" << Backend::name << "\"\n"
@@ -138,7 +139,7 @@ int run(const Options& options, const toml::table& config) {
     if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
     return 0;
   }
-  if (options.replicates && options.save_mjcf.empty()) return run_replicates<Rules, Backend>(options, params);
+  if (options.replicates) return run_replicates<Rules, Backend>(options, params);
   trophic::Ecology<Rules, Backend> ecology{params};
   if (!options.save_mjcf.empty()) {
     if constexpr (requires { ecology.backend().save_mjcf(options.save_mjcf); }) {
@@ -147,7 +148,6 @@ int run(const Options& options, const toml::table& config) {
       throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
     }
     if (options.out.empty()) return 0;
-    if (options.replicates) throw std::invalid_argument{"--save-mjcf: not with --replicates and --out"};
   }
   if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
 
