@@ -8,9 +8,13 @@
 struct EveryTenth {
   static constexpr std::string_view name = "every_tenth";
 #ifdef VALID
-  bool dies(const trophic::Individual&, const trophic::View& view, trophic::Rng&) const { return view.tick % 10 == 9; }
+  bool dies(const trophic::Individual&, const trophic::View& view, trophic::Rng&) const {
+    return view.tick % 10 == 9;
+  }
 #else
-  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&) { return ++asked % 10 == 0; }
+  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&) {
+    return ++asked % 10 == 0;
+  }
   int asked = 0;
 #endif
 };

@@ -36,7 +36,7 @@ TEST_CASE("view: closest skips itself and whom it is told to, and takes the lowe
   CHECK(view.closest(0, [](const Individual& other) { return other.id == 0; }) == std::nullopt);
 }
 
-TEST_CASE("units: angles wrap into (-pi, pi]") {
+TEST_CASE("units: angles wrap to above -pi and up to pi") {
   CHECK(wrap_angle(0.5) == 0.5);
   CHECK(wrap_angle(std::numbers::pi) == std::numbers::pi);
   CHECK(wrap_angle(-std::numbers::pi) == std::numbers::pi);
