@@ -2,6 +2,7 @@
 // What a table of rules is: one policy per slot, and its numbers. Swap one rule with with_<slot>.
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <trophic/community/concept.hpp>
@@ -122,25 +123,54 @@ template <class Rules>
 
 namespace detail {
 
+/// Stands for the policy of a slot that a table lacks.
+struct NoPolicy {};
+
+/// `slot_<member><Rules>::type`: the policy in a slot.
+#define TROPHIC_SLOT(Slot, member, Concept, sentence) \
+  template <class Rules>                              \
+  struct slot_##member {                              \
+    using type = NoPolicy;                            \
+  };                                                  \
+  template <class Rules>                              \
+  requires requires {                                 \
+    typename Rules::Slot;                             \
+  }                                                   \
+  struct slot_##member<Rules> {                       \
+    using type = typename Rules::Slot;                \
+  };
+TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
+#undef TROPHIC_SLOT
+
+template <class Policy>
+concept Named = requires {
+  { Policy::name } -> std::convertible_to<std::string_view>;
+};
+
+/// Empty for a policy without a name, which `CheckRules` reports.
+template <class Policy>
+[[nodiscard]] constexpr std::string_view policy_name() {
+  if constexpr (Named<Policy>) return Policy::name;
+  return {};
+}
+
 /// Fails to compile, with one sentence, unless Rules has a policy in every slot that fits the slot's contract.
 template <class Rules>
 struct CheckRules {
-#define TROPHIC_CHECK_SLOT(Slot, member, Concept, sentence)                                                  \
-  static_assert(                                                                                             \
-      requires { typename Rules::Slot; }, "the rule table has no slot " #Slot "; write `using " #Slot        \
-                                          " = ...;` or derive it from a complete table with with_" #member); \
-  static_assert(Concept<typename Rules::Slot>, "the policy in Rules::" #Slot " needs " sentence);            \
-  static_assert(Parameters<ParamsOf<typename Rules::Slot>>,                                                  \
-                "the Params of the policy in Rules::" #Slot                                                  \
+#define TROPHIC_CHECK_SLOT(Slot, member, Concept, sentence)                                                       \
+  using Slot = typename slot_##member<Rules>::type;                                                               \
+  static_assert(!std::same_as<Slot, NoPolicy>, "the rule table has no slot " #Slot "; write `using " #Slot        \
+                                               " = ...;` or derive it from a complete table with with_" #member); \
+  static_assert(Concept<Slot> || std::same_as<Slot, NoPolicy>, "the policy in Rules::" #Slot " needs " sentence); \
+  static_assert(Named<Slot> || std::same_as<Slot, NoPolicy>,                                                      \
+                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");    \
+  static_assert(Parameters<ParamsOf<Slot>>,                                                                       \
+                "the Params of the policy in Rules::" #Slot                                                       \
                 " need static constexpr auto fields(), listing every number; see trophic/params.hpp");
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
 #undef TROPHIC_CHECK_SLOT
   static constexpr bool ok = true;
 };
-
-}  // namespace detail
-
-namespace detail {
 
 /// A tuple of all arguments but the first, which lets a list begin with a comma.
 template <class... Items>
@@ -155,12 +185,12 @@ template <class... Items>
 template <class Rules>
 struct RuleNumbers {
   static_assert(detail::CheckRules<Rules>::ok);
-#define TROPHIC_NUMBERS(Slot, member, Concept, sentence) \
-  ParamsOf<typename Rules::Slot> member = [] {           \
-    if constexpr (requires { Rules::member; })           \
-      return Rules::member;                              \
-    else                                                 \
-      return ParamsOf<typename Rules::Slot>{};           \
+#define TROPHIC_NUMBERS(Slot, member, Concept, sentence)              \
+  ParamsOf<typename detail::slot_##member<Rules>::type> member = [] { \
+    if constexpr (requires { Rules::member; })                        \
+      return Rules::member;                                           \
+    else                                                              \
+      return ParamsOf<typename detail::slot_##member<Rules>::type>{}; \
   }();
   TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)
 #undef TROPHIC_NUMBERS
@@ -175,7 +205,7 @@ struct RuleNumbers {
 /// One object of each policy of a rule table, ready to be asked.
 template <class Rules>
 struct Policies {
-#define TROPHIC_POLICY(Slot, member, Concept, sentence) typename Rules::Slot member;
+#define TROPHIC_POLICY(Slot, member, Concept, sentence) typename detail::slot_##member<Rules>::type member;
   TROPHIC_RULE_SLOTS(TROPHIC_POLICY)
 #undef TROPHIC_POLICY
 };
@@ -183,7 +213,8 @@ struct Policies {
 template <class Rules>
 [[nodiscard]] Policies<Rules> make_policies(const RuleNumbers<Rules>& numbers) {
   return {
-#define TROPHIC_MAKE_POLICY(Slot, member, Concept, sentence) .member = make_policy<typename Rules::Slot>(numbers.member),
+#define TROPHIC_MAKE_POLICY(Slot, member, Concept, sentence) \
+  .member = make_policy<typename detail::slot_##member<Rules>::type>(numbers.member),
       TROPHIC_RULE_SLOTS(TROPHIC_MAKE_POLICY)
 #undef TROPHIC_MAKE_POLICY
   };
@@ -192,19 +223,21 @@ template <class Rules>
 /// Calls `visit(slot_name, policy_name)` for each slot.
 template <class Rules, class Visitor>
 void for_each_rule(Visitor&& visit) {
-#define TROPHIC_VISIT(Slot, member, Concept, sentence) visit(std::string_view{#member}, std::string_view{Rules::Slot::name});
+#define TROPHIC_VISIT(Slot, member, Concept, sentence) \
+  visit(std::string_view{#member}, detail::policy_name<typename detail::slot_##member<Rules>::type>());
   TROPHIC_RULE_SLOTS(TROPHIC_VISIT)
 #undef TROPHIC_VISIT
 }
 
 // with_<slot><Table, Policy>: the table with one rule swapped, that rule's numbers at the policy's own defaults.
-#define TROPHIC_WITH(Slot, member, Concept, sentence)                                                                      \
-  template <class Rules, class Policy>                                                                                     \
-  struct with_##member : Rules {                                                                                           \
-    static_assert(Concept<Policy>, "the policy given to with_" #member " needs " sentence);                                \
-    using Slot = Policy;                                                                                                   \
-    inline static const ParamsOf<Policy> member{};                                                                         \
-    static std::string swapped_name() { return table_name<Rules>() + " with " #member " = " + std::string{Policy::name}; } \
+#define TROPHIC_WITH(Slot, member, Concept, sentence)                                                  \
+  template <class Rules, class Policy>                                                                 \
+  struct with_##member : Rules {                                                                       \
+    using Slot = Policy;                                                                               \
+    inline static const ParamsOf<Policy> member{};                                                     \
+    static std::string swapped_name() {                                                                \
+      return table_name<Rules>().append(" with " #member " = ").append(detail::policy_name<Policy>()); \
+    }                                                                                                  \
   };
 TROPHIC_RULE_SLOTS(TROPHIC_WITH)
 #undef TROPHIC_WITH

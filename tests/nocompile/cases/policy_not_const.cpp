@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A rule that changes itself would make a run depend on who asked before.
-// expect: the policy given to with_senescence needs bool dies(const Individual&, const View&, Rng&) const
+// expect: the policy in Rules::Senescence needs bool dies(const Individual&, const View&, Rng&) const
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology.hpp>
 #include <trophic/rules/paper.hpp>

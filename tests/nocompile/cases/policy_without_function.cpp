@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A policy that lacks what its slot asks for.
+// expect: the policy in Rules::GenomeSource needs bool inherits(Rng&) const and Origin without_parent() const
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/rules/paper.hpp>
+
+struct AlwaysInherits {
+  static constexpr std::string_view name = "always_inherits";
+  bool inherits(trophic::Rng&) const { return true; }
+#ifdef VALID
+  trophic::Origin without_parent() const {
+    return trophic::Origin::random;
+  }
+#endif
+};
+
+int main() {
+  trophic::Ecology<trophic::with_genome_source<trophic::rules::Paper, AlwaysInherits>, trophic::backend::Kinematic> ecology;
+  ecology.run_until(10.0);
+}

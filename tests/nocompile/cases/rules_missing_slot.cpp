@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A table that leaves out a rule has no experiment to run.
+// expect: the rule table has no slot Mutation; write `using Mutation = ...;`
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/rules/paper.hpp>
+
+struct Table {
+  static constexpr std::string_view name = "table";
+  using P = trophic::rules::Paper;
+  using Community = P::Community;
+  using Placement = P::Placement;
+  using Visibility = P::Visibility;
+  using AngleInput = P::AngleInput;
+  using DistanceInput = P::DistanceInput;
+  using TagRatioInput = P::TagRatioInput;
+  using BlindRule = P::BlindRule;
+  using NewbornTag = P::NewbornTag;
+  using TagSwitch = P::TagSwitch;
+  using Brain = P::Brain;
+  using Steering = P::Steering;
+  using InitialGenome = P::InitialGenome;
+  using GenomeSource = P::GenomeSource;
+  using CaptureParent = P::CaptureParent;
+  using StarvationParent = P::StarvationParent;
+  using RescueParent = P::RescueParent;
+  using Heredity = P::Heredity;
+#ifdef VALID
+  using Mutation = P::Mutation;
+#endif
+  using Activation = P::Activation;
+  using Capture = P::Capture;
+  using Floor = P::Floor;
+  using StarvationSchedule = P::StarvationSchedule;
+  using Reprieve = P::Reprieve;
+  using Starvation = P::Starvation;
+  using Rescue = P::Rescue;
+  using Senescence = P::Senescence;
+  static trophic::World world() {
+    return {};
+  }
+  static trophic::Physics physics() {
+    return {};
+  }
+};
+
+int main() {
+  trophic::Ecology<Table, trophic::backend::Kinematic> ecology({.seed = 1});
+  ecology.run_until(10.0);
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// A misspelt slot would leave the rule that was to be swapped in place.
+// expect: did you mean
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/reproduction/uniform_mutation.hpp>
+#include <trophic/rules/paper.hpp>
+
+#ifdef VALID
+using Rules = trophic::with_mutation<trophic::rules::Paper, trophic::reproduction::UniformMutation>;
+#else
+using Rules = trophic::with_mutatoin<trophic::rules::Paper, trophic::reproduction::UniformMutation>;
+#endif
+
+int main() {
+  trophic::Ecology<Rules, trophic::backend::Kinematic> ecology({.seed = 1});
+  ecology.run_until(10.0);
+}
