@@ -28,6 +28,9 @@ enum class Stream : std::uint64_t {
   replicate,
   bootstrap,
   null_model,
+  gait_founder,
+  gait_selection,
+  gait_variation,
   user = 1'000'000,  ///< first number free for a user's own rules
 };
 
