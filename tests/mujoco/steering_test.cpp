@@ -83,8 +83,8 @@ std::array<Walk, 3> walk_60_s(const char* robot_name, const Physics& physics) {
 
 void check_steering(const std::array<Walk, 3>& walks) {
   const auto& [left, straight, right] = walks;
-  CHECK(left.turned_rad - straight.turned_rad > 1.5);
-  CHECK(right.turned_rad - straight.turned_rad < -1.5);
+  CHECK(left.turned_rad - straight.turned_rad > 1.2);
+  CHECK(right.turned_rad - straight.turned_rad < -1.2);
   CHECK(std::abs(straight.turn_rate_rad_s) < 0.03);
   for (const Walk& walk : walks) {
     CHECK(walk.speed_m_s > 0.025);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +23,8 @@ enum class CpgIntegration { exact, rk4 };
 }
 
 /// CPG of one gait (Sec. "Robot Controller"): X' = W X with X = [x_0 .. x_{n-1}, y_0 .. y_{n-1}], W[i][n+i] = w_i, W[n+i][i] =
-/// -w_i, and for i < j W[i][j] = c_ij, W[j][i] = -c_ij. Output i is x_i clipped. All states start at sqrt(2)/2. No random draws.
+/// -w_i, and for i < j W[i][j] = c_ij, W[j][i] = -c_ij. Output i is x_i; the servos clip it after steering. All states start at
+/// sqrt(2)/2. No random draws.
 ///
 /// Holds no robot's state: the states of many robots are the columns of one 2n x robots matrix that the caller owns; each
 /// column's result is bitwise the same whatever the other columns are.
@@ -33,18 +33,16 @@ class Cpg {
   struct Params {
     CpgIntegration integration = CpgIntegration::exact;
     double step_s = 1.0 / 60.0;
-    double output_limit_rad = 1.0;
 
     static constexpr auto fields() {
       return std::tuple{field("integration", &Params::integration, "exact or rk4"),
-                        field("step_s", &Params::step_s, above_to(0.0, 1.0), "control period, simulated seconds"),
-                        field("output_limit_rad", &Params::output_limit_rad, above(0.0), "outputs are clipped to +- this")};
+                        field("step_s", &Params::step_s, above_to(0.0, 1.0), "control period, simulated seconds")};
     }
   };
 
   /// Throws std::invalid_argument for a gait or a number that is not valid.
   explicit Cpg(const Gait& gait) : Cpg{gait, Params{}} {}
-  Cpg(const Gait& gait, const Params& params) : params_{params} {
+  Cpg(const Gait& gait, const Params& params) {
     trophic::validate(params, "cpg");
     validate(gait);
     const auto n = gait.internal.size();
@@ -74,11 +72,10 @@ class Cpg {
     }
   }
 
-  /// Joint targets of one robot, rad: its x clipped to +-output_limit_rad. `targets_rad` has one place per hinge.
+  /// Joint targets of one robot, rad: its x. `targets_rad` has one place per hinge.
   void outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const {
     for (std::size_t i = 0; i < targets_rad.size(); ++i) {
-      targets_rad[i] = std::clamp(states(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(robot)),
-                                  -params_.output_limit_rad, params_.output_limit_rad);
+      targets_rad[i] = states(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(robot));
     }
   }
 
@@ -99,7 +96,6 @@ class Cpg {
     return sum;
   }
 
-  Params params_;
   Eigen::MatrixXd weights_;
   Eigen::MatrixXd propagator_;
 };

@@ -16,8 +16,8 @@
 namespace trophic::control {
 
 /// Moves all robots of a backend. Every robot has its own copy of the gait's CPG, which runs on whoever lives in the body
-/// (Sec. "Targeted Steering"). At each control step the CPG takes one step, its outputs are steered and become servo targets, and
-/// the backend advances to the end of the step. Simulated time is counted in whole control steps.
+/// (Sec. "Targeted Steering"). At each control step the CPG takes one step, its outputs are steered and become servo targets
+/// (which the servos clip), and the backend advances to the end of the step. Simulated time is counted in whole control steps.
 template <Steering SteeringRule>
 class Locomotion {
  public:

@@ -35,7 +35,8 @@ namespace trophic::control {
 
 /// Rule: delta = ((pi - |alpha|) / pi)^exponent scales the targets of the hinges on the side to slow down: the right side for a
 /// target angle alpha > 0 (turn right), the left side for alpha < 0 (Sec. "Targeted Steering", Eq. 1: exponent 2; alpha = +-0.7:
-/// delta = 0.604).   Reads: target angle, sides.   Random draws: 0.
+/// delta = 0.604). The servos' limit applies afterwards (the paper is silent; so does the released code).   Reads: target angle,
+/// sides.   Random draws: 0.
 struct TargetedSteering {
   static constexpr std::string_view name = "targeted_steering";
 
