@@ -51,16 +51,6 @@ struct Options {
   std::string command_line;
 };
 
-/// The choice that a configuration file makes under `key`, removed from it; the numbers are left.
-std::optional<std::string> take_choice(toml::table& table, std::string_view key) {
-  const toml::node* node = table.get(key);
-  if (node == nullptr) return std::nullopt;
-  const auto name = node->value_exact<std::string>();
-  if (!name) throw std::invalid_argument{std::string{key} + ": must be a text"};
-  table.erase(key);
-  return name;
-}
-
 /// Exit codes: what could be known from the arguments, and what went wrong later.
 constexpr int usage_error = 2;
 constexpr int run_error = 1;
@@ -183,8 +173,8 @@ int run_on(const std::string& backend, const Options& options, const toml::table
 int run_program(const Options& options) {
   toml::table config;
   if (!options.config.empty()) config = trophic::read_toml(options.config);
-  const auto configured_rules = take_choice(config, "rule_table");
-  const auto configured_backend = take_choice(config, "engine");
+  const auto configured_rules = trophic::take_choice(config, "rule_table");
+  const auto configured_backend = trophic::take_choice(config, "engine");
   const std::string rules = options.rules.value_or(configured_rules.value_or("paper"));
   const std::string backend = options.backend.value_or(configured_backend.value_or(default_backend));
   if (rules == trophic::rules::Paper::name) return run_on<trophic::rules::Paper>(backend, options, config);

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -107,6 +108,17 @@ void read_numbers(P& params, const toml::table& table) {
     if (line == 0) throw std::runtime_error{path + ": " + std::string{error.description()}};
     throw std::invalid_argument{path + ":" + std::to_string(line) + ": " + std::string{error.description()}};
   }
+}
+
+/// The choice that a configuration file makes under `key`, removed from it; the numbers are left. Throws
+/// std::invalid_argument where it is no text.
+[[nodiscard]] inline std::optional<std::string> take_choice(toml::table& table, std::string_view key) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return std::nullopt;
+  const auto name = node->value_exact<std::string>();
+  if (!name) throw std::invalid_argument{std::string{key} + ": must be a text"};
+  table.erase(key);
+  return name;
 }
 
 /// The table that "rules.mutation.sd=0.1" means. A value that is no TOML value is taken as a text: "world.robot=gecko".

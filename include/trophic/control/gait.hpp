@@ -77,6 +77,9 @@ inline void check_fit(const Gait& gait, const RobotModel& robot) {
             .internal = {},
             .coupling = {}};
   if (file.has("provenance")) gait.provenance = file.text("provenance");
+  for (const std::string_view origin : {"cppn", "evolution"}) {
+    if (file.has(origin)) static_cast<void>(file.table(origin));  // read by evolve::load_cppn
+  }
   for (std::size_t i = 0; i < gait.hinges.size(); ++i) {
     if (std::find(gait.hinges.begin(), gait.hinges.begin() + static_cast<std::ptrdiff_t>(i), gait.hinges[i]) !=
         gait.hinges.begin() + static_cast<std::ptrdiff_t>(i)) {

@@ -56,6 +56,13 @@ class Locomotion {
     }
   }
 
+  /// Lets control steps pass without control: the CPG rests, the servos keep their targets.
+  template <Backend B>
+  void wait(B& backend, std::int64_t steps) {
+    taken_ += steps;
+    backend.advance_to(time_s());
+  }
+
   /// Simulated time that the control steps taken so far add up to.
   [[nodiscard]] double time_s() const { return static_cast<double>(taken_) / control_hz_; }
 

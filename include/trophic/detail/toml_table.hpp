@@ -28,11 +28,16 @@ class TomlTable {
     std::ifstream stream{file, std::ios::binary};
     std::ostringstream text;
     if (!stream || !(text << stream.rdbuf())) throw std::runtime_error{file.string() + ": cannot be read"};
+    return parse(text.str(), file.string());
+  }
+
+  /// The same from a text; `file` is what errors call it.
+  [[nodiscard]] static TomlTable parse(std::string_view text, const std::string& file) {
     try {
-      return {file.string(), "", toml::parse(text.str())};
+      return {file, "", toml::parse(text)};
     } catch (const toml::parse_error& error) {
       const auto& place = error.source().begin;
-      throw std::runtime_error{file.string() + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
+      throw std::runtime_error{file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
                                std::string{error.description()}};
     }
   }
@@ -47,6 +52,12 @@ class TomlTable {
     const toml::node& value = required(key);
     if (const auto text = value.value_exact<std::string>()) return *text;
     fail(key, " = " + written(value) + ": must be a text");
+  }
+
+  [[nodiscard]] bool truth(std::string_view key) const {
+    const toml::node& value = required(key);
+    if (const auto truth = value.value_exact<bool>()) return *truth;
+    fail(key, " = " + written(value) + ": must be true or false");
   }
 
   [[nodiscard]] double number(std::string_view key, const Bound& bound) const {

@@ -2,94 +2,73 @@
 // A CPPN genome as TOML, exact to the bit.
 #pragma once
 
-#include <toml++/toml.h>
-
-#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/detail/toml_table.hpp>
 #include <trophic/evolve/genome.hpp>
-#include <type_traits>
+#include <trophic/params.hpp>
 
 namespace trophic::evolve {
 
-/// `nodes = [{id, activation}, ...]`, `links = [{innovation, from, to, weight, enabled}, ...]`.
-[[nodiscard]] inline toml::table genome_to_toml(const Genome& genome) {
-  toml::array nodes;
+/// `nodes = [{id, activation}, ...]` and `links = [{innovation, from, to, weight, enabled}, ...]`, for a table of one's own.
+[[nodiscard]] inline std::string to_toml(const Genome& genome) {
+  std::string text = "nodes = [\n";
   for (const NodeGene& node : genome.nodes) {
-    nodes.push_back(toml::table{{"id", node.id}, {"activation", enum_name(node.activation)}});
+    text += "  {id = " + number_text(node.id) + ", activation = \"" + std::string{enum_name(node.activation)} + "\"},\n";
   }
-  toml::array links;
+  text += "]\nlinks = [\n";
   for (const LinkGene& link : genome.links) {
-    links.push_back(toml::table{{"innovation", link.innovation},
-                                {"from", link.from},
-                                {"to", link.to},
-                                {"weight", link.weight},
-                                {"enabled", link.enabled}});
+    text += "  {innovation = " + number_text(link.innovation) + ", from = " + number_text(link.from) +
+            ", to = " + number_text(link.to) + ", weight = " + trophic::detail::toml_float(link.weight) +
+            ", enabled = " + (link.enabled ? "true" : "false") + "},\n";
   }
-  return toml::table{{"nodes", std::move(nodes)}, {"links", std::move(links)}};
+  return text + "]\n";
 }
 
 namespace detail {
 
-/// One value of a gene. Throws std::runtime_error "SOURCE: cppn.GENE.KEY: ...".
-template <class T>
-T gene_value(const toml::table& gene, std::string_view key, const std::string& place) {
-  const std::string name = place + "." + std::string{key};
-  const toml::node_view<const toml::node> value = gene[key];
-  if (!value) throw std::runtime_error{name + " is missing"};
-  if constexpr (std::same_as<T, std::uint32_t>) {
-    if (const auto number = value.value_exact<std::int64_t>()) {
-      if (*number >= 0 && *number <= std::numeric_limits<T>::max()) return static_cast<T>(*number);
-    }
-    throw std::runtime_error{name + ": must be an integer >= 0 and < 2^32"};
-  } else if constexpr (std::same_as<T, Activation>) {
-    for (const Activation activation : all_activations) {
-      if (value.value<std::string_view>() == enum_name(activation)) return activation;
-    }
-    throw std::runtime_error{name + ": must be sine, gaussian, tanh, step, linear or abs"};
-  } else {
-    if (const auto read = value.value<T>()) return *read;
-    throw std::runtime_error{name + (std::same_as<T, bool> ? ": must be true or false" : ": must be a number")};
-  }
+using trophic::detail::TomlTable;
+
+inline std::uint32_t gene_number(const TomlTable& gene, std::string_view key) {
+  const std::size_t number = gene.whole_number(key, 0);
+  if (number > std::numeric_limits<std::uint32_t>::max()) gene.fail(key, " = " + number_text(number) + ": must be < 2^32");
+  return static_cast<std::uint32_t>(number);
 }
 
-template <class Read>
-void for_each_gene(const toml::table& genome, std::string_view key, const std::string& source, Read&& read) {
-  const toml::array* genes = genome[key].as_array();
-  const std::string name = source + ": cppn." + std::string{key};
-  if (genes == nullptr) throw std::runtime_error{name + ": must be an array of tables"};
-  for (std::size_t i = 0; i < genes->size(); ++i) {
-    const toml::table* gene = (*genes)[i].as_table();
-    const std::string place = name + "[" + std::to_string(i) + "]";
-    if (gene == nullptr) throw std::runtime_error{place + ": must be a table"};
-    read(*gene, place);
+inline Activation activation(const TomlTable& gene) {
+  const std::string name = gene.text("activation");
+  for (const Activation activation : all_activations) {
+    if (name == enum_name(activation)) return activation;
   }
+  gene.fail("activation", " = \"" + name + "\": must be sine, gaussian, tanh, step, linear or abs");
 }
 
 }  // namespace detail
 
-/// The inverse of `genome_to_toml`. Throws std::runtime_error naming `source`, gene, key and rule, for a genome that is not
-/// valid too.
-[[nodiscard]] inline Genome genome_from_toml(const toml::table& table, const std::string& source) {
+/// The genome of a table that `to_toml` wrote; other keys of the table are left to the caller. Throws std::invalid_argument
+/// "FILE: KEY = VALUE: must be ...", for a genome that is not valid too.
+[[nodiscard]] inline Genome read_genome(const trophic::detail::TomlTable& table) {
   Genome genome;
-  detail::for_each_gene(table, "nodes", source, [&](const toml::table& gene, const std::string& place) {
-    genome.nodes.push_back({.id = detail::gene_value<std::uint32_t>(gene, "id", place),
-                            .activation = detail::gene_value<Activation>(gene, "activation", place)});
-  });
-  detail::for_each_gene(table, "links", source, [&](const toml::table& gene, const std::string& place) {
-    genome.links.push_back({.innovation = detail::gene_value<std::uint32_t>(gene, "innovation", place),
-                            .from = detail::gene_value<std::uint32_t>(gene, "from", place),
-                            .to = detail::gene_value<std::uint32_t>(gene, "to", place),
-                            .weight = detail::gene_value<double>(gene, "weight", place),
-                            .enabled = detail::gene_value<bool>(gene, "enabled", place)});
-  });
+  for (const auto& gene : table.tables("nodes")) {
+    genome.nodes.push_back({.id = detail::gene_number(gene, "id"), .activation = detail::activation(gene)});
+    gene.no_other_keys();
+  }
+  for (const auto& gene : table.tables("links")) {
+    genome.links.push_back({.innovation = detail::gene_number(gene, "innovation"),
+                            .from = detail::gene_number(gene, "from"),
+                            .to = detail::gene_number(gene, "to"),
+                            .weight = gene.number("weight", any_number()),
+                            .enabled = gene.truth("enabled")});
+    gene.no_other_keys();
+  }
   try {
     validate(genome);
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error{source + ": " + error.what()};
+    table.fail("links", std::string{": "} + error.what());
   }
   return genome;
 }

@@ -46,6 +46,8 @@ class Innovations {
     return splits_.back().node;
   }
 
+  friend bool operator==(const Innovations&, const Innovations&) = default;
+
   [[nodiscard]] const std::vector<Ends>& links() const { return links_; }
   [[nodiscard]] const std::vector<Split>& splits() const { return splits_; }
 

@@ -99,7 +99,7 @@ TEST_CASE("a gait file is never overwritten") {
 
 TEST_CASE("bad gait files name key and value") {
   CHECK(complaint(two + "speed = 1\n") ==
-        ": speed: unknown key; known here: coupling, hinges, internal, name, provenance, robot");
+        ": speed: unknown key; known here: coupling, cppn, evolution, hinges, internal, name, provenance, robot");
   CHECK(complaint("name = \"g\"\n") == ": robot: missing");
   CHECK(complaint("name = \"g\"\nrobot = \"r\"\nhinges = [\"a\", \"a\"]\ninternal = [1, 2]\n") ==
         ": hinges: \"a\" appears twice");

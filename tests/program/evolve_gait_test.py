@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""evolve_gait_test.py EVOLVE_GAIT MEASURE_GAIT [unittest arguments]: both programs as their users meet them."""
+
+import csv
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+EVOLVE = sys.argv.pop(1)
+MEASURE = sys.argv.pop(1)
+FILES = ["settings.toml", "checkpoint.toml", "gait.toml", "generations.csv", "phylogeny.csv"]
+SMALL = ["--generations", 3, "--set", "plan.population=4", "--set", "plan.parents=4", "--set", "plan.children=4",
+         "--set", "trial.duration_s=6"]
+
+
+class EvolveGait(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def call(self, program, *arguments):
+        return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+
+    def evolve(self, *arguments):
+        result = self.call(EVOLVE, *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def interrupt(self, out, how, after):
+        """Starts a run, waits until that file exists, ends it."""
+        running = subprocess.Popen([EVOLVE, *map(str, SMALL), "--out", out], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        while not (self.folder / out / after).exists() and running.poll() is None:
+            time.sleep(0.005)
+        running.send_signal(how)
+        printed, _ = running.communicate(timeout=60)
+        return running.returncode, printed
+
+    def assert_same_files(self, one, other):
+        for file in FILES:
+            self.assertEqual((self.folder / one / file).read_bytes(), (self.folder / other / file).read_bytes(), file)
+
+    def test_killed_or_stopped_anywhere_and_resumed_gives_the_same_bytes(self):
+        self.evolve(*SMALL, "--threads", 1, "--out", "whole")
+        for after in ("settings.toml", "checkpoint.toml", "gait.toml"):
+            self.interrupt("killed-" + after, signal.SIGKILL, after)
+            self.evolve("--threads", 2, "--resume", "killed-" + after)
+            self.assert_same_files("whole", "killed-" + after)
+        code, printed = self.interrupt("stopped", signal.SIGINT, "gait.toml")
+        self.assertEqual(code, 0)
+        self.assertTrue("go on with --resume stopped" in printed or "generation 3 of 3" in printed, printed)
+        self.evolve("--resume", "stopped")
+        self.assert_same_files("whole", "stopped")
+
+        with open(self.folder / "whole" / "phylogeny.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual([int(row["id"]) for row in rows], list(range(16)))
+        self.assertEqual(sum(row["destruction_time"] == "inf" for row in rows), 4)
+        with open(self.folder / "whole" / "generations.csv", newline="") as table:
+            best = [float(row["best"]) for row in csv.DictReader(table)]
+        self.assertEqual(len(best), 4)
+        self.assertEqual(best, sorted(best))
+
+        walked = self.call(MEASURE, "--gait", "whole/gait.toml", "--duration", "6")
+        self.assertEqual(walked.returncode, 0, walked.stderr)
+        table = list(csv.DictReader(walked.stdout.splitlines()))
+        self.assertEqual([float(row["target_angle_rad"]) for row in table], [0.7, 0.0, -0.7] * 2)
+        self.assertAlmostEqual(float(table[1]["timestep_s"]), 0.0012)
+
+    def test_settings_read_back(self):
+        printed = self.evolve("--table", "released", "--robot", "gecko", "--set", "variation.weight_limit=3", "--print-config")
+        (self.folder / "numbers.toml").write_text(printed.stdout)
+        again = self.evolve("--config", "numbers.toml", "--print-config")
+        self.assertEqual(again.stdout, printed.stdout)
+        self.assertIn('rule_table = "released"', printed.stdout)
+
+    def test_refusals(self):
+        (self.folder / "taken").mkdir()
+        (self.folder / "broken.toml").write_text("name = 'x'\nhinges = [")
+        for code, part, program, arguments in (
+            (2, "exists already", EVOLVE, [*SMALL, "--out", "taken"]),
+            (2, "--out: must name a new folder", EVOLVE, SMALL),
+            (2, "only --threads goes with it", EVOLVE, ["--seed", 3, "--resume", "taken"]),
+            (1, "settings.toml", EVOLVE, ["--resume", "taken"]),
+            (2, "no joints", EVOLVE, ["--backend", "kinematic", "--out", "new"]),
+            (2, "--table late: must be paper or released", EVOLVE, ["--table", "late", "--out", "new"]),
+            (2, "trial.duration_s = -1: must be > 0", EVOLVE, ["--set", "trial.duration_s=-1", "--out", "new"]),
+            (2, "plan.size: unknown key", EVOLVE, ["--set", "plan.size=3", "--out", "new"]),
+            (1, 'no robot "centaur"', EVOLVE, ["--robot", "centaur", "--out", "new"]),
+            (1, "broken.toml:2:", EVOLVE, ["--robot", "./broken.toml", "--out", "new"]),
+            (1, "broken.toml:2:", MEASURE, ["--gait", "./broken.toml"]),
+            (2, "does not fit robot gecko", MEASURE, ["--robot", "gecko", "--gait", "spider_published"]),
+        ):
+            with self.subTest(part=part):
+                result = self.call(program, *arguments)
+                self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+                self.assertIn(part, result.stderr)
+                self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertFalse((self.folder / "new").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <support/temporary_folder.hpp>
+#include <trophic/evolve/selection.hpp>
+
+namespace evolve = trophic::evolve;
+using Indices = std::vector<std::size_t>;
+using trophic::test::message_of;
+
+namespace {
+
+trophic::Rng rng(std::uint64_t event = 0) {
+  return {5, trophic::Stream::gait_selection, 0, event};
+}
+
+}  // namespace
+
+TEST_CASE("round robin against everybody: most wins first, equals by age") {
+  auto random = rng();
+  const std::vector<double> fitness{3.0, 1.0, 2.0, 5.0, 3.0, -std::numeric_limits<double>::infinity()};
+  const evolve::RoundRobin round_robin;
+  CHECK(round_robin.select(fitness, 3, random) == Indices{3, 0, 4});
+  CHECK(round_robin.select(fitness, 6, random) == Indices{3, 0, 4, 2, 1, 5});
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(round_robin.select(fitness, 7, random)); }) ==
+        "round_robin: 7 distinct individuals wanted: must be <= 6");
+}
+
+TEST_CASE("round robin against one opponent: the best always wins, the second best in two of three meetings") {
+  const evolve::RoundRobin round_robin{{.opponents = 1}};
+  const std::vector<double> fitness{1.0, 4.0, 2.0, 3.0};
+  int third_before_second = 0;
+  constexpr int rounds = 3000;
+  for (int i = 0; i < rounds; ++i) {
+    auto random = rng(static_cast<std::uint64_t>(i));
+    const Indices order = round_robin.select(fitness, 4, random);
+    CHECK(order.front() == 1);
+    third_before_second += std::ranges::find(order, 2) < std::ranges::find(order, 3) ? 1 : 0;
+  }
+  // The third passes the second where it wins (1 of 3) and the second loses (1 of 3).
+  CHECK(third_before_second / static_cast<double>(rounds) == doctest::Approx(1.0 / 9.0).epsilon(0.15));
+}
+
+TEST_CASE("tournament of 2 selects each rank with its probability") {
+  const evolve::Tournament tournament{{.size = 2, .distinct = false}};
+  const std::vector<double> fitness{1.0, 4.0, 2.0, 3.0};
+  auto random = rng();
+  const Indices selected = tournament.select(fitness, 40000, random);
+  const auto share = [&](std::size_t who) { return static_cast<double>(std::ranges::count(selected, who)) / 40000.0; };
+  CHECK(share(1) == doctest::Approx(7.0 / 16.0).epsilon(0.03));
+  CHECK(share(3) == doctest::Approx(5.0 / 16.0).epsilon(0.03));
+  CHECK(share(2) == doctest::Approx(3.0 / 16.0).epsilon(0.05));
+  CHECK(share(0) == doctest::Approx(1.0 / 16.0).epsilon(0.08));
+}
+
+TEST_CASE("a distinct tournament selects nobody twice") {
+  const evolve::Tournament tournament;
+  const std::vector<double> fitness{1.0, 4.0, 2.0, 3.0};
+  auto random = rng();
+  Indices all = tournament.select(fitness, 4, random);
+  std::ranges::sort(all);
+  CHECK(all == Indices{0, 1, 2, 3});
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(tournament.select(fitness, 5, random)); }) ==
+        "tournament: 5 distinct individuals wanted: must be <= 4");
+}
