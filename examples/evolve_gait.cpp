@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <trophic/backend/mujoco.hpp>
 #include <trophic/body/load.hpp>
 #include <trophic/config.hpp>
 #include <trophic/evolve/archive.hpp>
@@ -20,6 +19,12 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <vector>
+#ifdef TROPHIC_WITH_MUJOCO
+#include <trophic/backend/mujoco.hpp>
+#endif
+#ifdef TROPHIC_WITH_ODE
+#include <trophic/backend/ode.hpp>
+#endif
 
 namespace {
 
@@ -45,6 +50,19 @@ struct Options {
 /// Exit codes: what could be known from the arguments, and what went wrong later.
 constexpr int usage_error = 2;
 constexpr int run_error = 1;
+
+#if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
+constexpr const char* backends = "mujoco or ode";
+#elif defined(TROPHIC_WITH_MUJOCO)
+constexpr const char* backends = "mujoco (this build has no ode)";
+#else
+constexpr const char* backends = "ode (this build has no mujoco)";
+#endif
+#ifdef TROPHIC_WITH_MUJOCO
+constexpr const char* default_backend = "mujoco";
+#else
+constexpr const char* default_backend = "ode";
+#endif
 
 template <class Table, class Backend>
 std::string settings_text(const evolve::Numbers<Table, Backend>& numbers) {
@@ -113,11 +131,22 @@ int run(const Options& options, const toml::table& config) {
 }
 
 template <class Table>
-int run_table(const std::string& fitness, const Options& options, const toml::table& config) {
-  using Backend = trophic::backend::Mujoco;
-  if (fitness == evolve::DisplacementMinusX::name) return run<Table, Backend>(options, config);
+int run_on(const std::string& backend, const Options& options, const toml::table& config) {
+#ifdef TROPHIC_WITH_MUJOCO
+  if (backend == trophic::backend::Mujoco::name) return run<Table, trophic::backend::Mujoco>(options, config);
+#endif
+#ifdef TROPHIC_WITH_ODE
+  if (backend == trophic::backend::Ode::name) return run<Table, trophic::backend::Ode>(options, config);
+#endif
+  if (backend == "kinematic") throw std::invalid_argument{"--backend kinematic: has no joints, so there is no gait to evolve"};
+  throw std::invalid_argument{"--backend " + backend + ": must be " + backends};
+}
+
+template <class Table>
+int run_table(const std::string& fitness, const std::string& backend, const Options& options, const toml::table& config) {
+  if (fitness == evolve::DisplacementMinusX::name) return run_on<Table>(backend, options, config);
   if (fitness == evolve::SteeredDisplacement::name) {
-    return run<evolve::with_fitness<Table, evolve::SteeredDisplacement>, Backend>(options, config);
+    return run_on<evolve::with_fitness<Table, evolve::SteeredDisplacement>>(backend, options, config);
   }
   throw std::invalid_argument{"--fitness " + fitness + ": must be displacement_minus_x or steered_displacement"};
 }
@@ -137,12 +166,10 @@ int run_program(const Options& options) {
   const auto configured_backend = trophic::take_choice(config, "engine");
   const std::string table = options.table.value_or(configured_table.value_or("paper"));
   const std::string fitness = options.fitness.value_or(configured_fitness.value_or("displacement_minus_x"));
-  const std::string backend = options.backend.value_or(configured_backend.value_or("mujoco"));
+  const std::string backend = options.backend.value_or(configured_backend.value_or(default_backend));
   if (options.threads == 0) throw std::invalid_argument{"--threads 0: must be >= 1"};
-  if (backend == "kinematic") throw std::invalid_argument{"--backend kinematic: has no joints, so there is no gait to evolve"};
-  if (backend != trophic::backend::Mujoco::name) throw std::invalid_argument{"--backend " + backend + ": must be mujoco"};
-  if (table == evolve::Paper::name) return run_table<evolve::Paper>(fitness, options, config);
-  if (table == evolve::Released::name) return run_table<evolve::Released>(fitness, options, config);
+  if (table == evolve::Paper::name) return run_table<evolve::Paper>(fitness, backend, options, config);
+  if (table == evolve::Released::name) return run_table<evolve::Released>(fitness, backend, options, config);
   throw std::invalid_argument{"--table " + table + ": must be paper or released"};
 }
 
@@ -154,7 +181,7 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot, "name or path of a robot file (spider)");
   app.add_option("--table", options.table, "pre-experiment: paper or released (paper)");
   app.add_option("--fitness", options.fitness, "displacement_minus_x or steered_displacement (displacement_minus_x)");
-  app.add_option("--backend", options.backend, "physics: mujoco (mujoco)");
+  app.add_option("--backend", options.backend, std::string{"physics: "} + backends + " (" + default_backend + ")");
   app.add_option("--seed", options.seed, "every random number follows from it (1)");
   app.add_option("--generations", options.generations, "after the founders (20)");
   app.add_option("--threads", options.threads, "evaluations at a time; results do not depend on it (all cores)");

@@ -58,8 +58,9 @@ class PreExperiment {
   [[nodiscard]] const Lineage& lineage() const { return lineage_; }
   [[nodiscard]] bool done() const { return lineage_.generations > numbers_.plan.generations; }
 
-  /// Makes, tries out and selects one generation, the founders if there are none yet. False if `keep_running` ended it early:
-  /// nothing has changed then; it is called from several threads at once. Throws what a backend throws, but for Diverged, which gives a candidate the fitness -infinity.
+  /// Makes, tries out and selects one generation, the founders if there are none yet. `keep_running`, called from several threads
+  /// at once, may end it early: false then, and nothing has changed. Throws what a backend throws, but for Diverged, which gives
+  /// a candidate the fitness -infinity.
   bool next_generation(
       std::size_t threads = 1, const std::function<bool()>& keep_running = [] { return true; }) {
     Lineage next = lineage_;
