@@ -14,8 +14,10 @@ namespace {
 const RobotModel spider = body::load_robot("spider");
 const Arena square = load_arena("walled_square");
 
-std::vector<Mujoco::Params> both_ways() {
-  return {{.stepping = Mujoco::Stepping::islands, .threads = 2}, {.stepping = Mujoco::Stepping::one_model}};
+std::vector<Mujoco::Params> all_ways() {
+  return {{.stepping = Mujoco::Stepping::fast, .threads = 2},
+          {.stepping = Mujoco::Stepping::islands, .threads = 2},
+          {.stepping = Mujoco::Stepping::one_model}};
 }
 
 template <class Make>
@@ -36,7 +38,7 @@ bool contains(const std::string& text, std::string_view part) {
 
 TEST_CASE("too large a timestep ends in Diverged with time and robot, the last sound state still there") {
   const std::vector<Pose> starts = test::lattice(spider, 6, 2.0);
-  for (const Mujoco::Params& params : both_ways()) {
+  for (const Mujoco::Params& params : all_ways()) {
     Mujoco backend{spider, square, starts, {.timestep_s = 0.02}, params};
     double diverged_s = -1.0;
     try {
@@ -54,7 +56,7 @@ TEST_CASE("too large a timestep ends in Diverged with time and robot, the last s
 }
 
 TEST_CASE("a number that is not finite names its robot") {
-  for (const Mujoco::Params& params : both_ways()) {
+  for (const Mujoco::Params& params : all_ways()) {
     Mujoco backend{spider, square, test::lattice(spider, 4, 0.45), {}, params};
     backend.advance_to(0.1);
     const Mujoco::State sound = backend.save();

@@ -106,7 +106,7 @@ class Analyze(unittest.TestCase):
                 self.assertFalse((self.folder / "analysis").exists())
 
     def test_interrupted_replicates_are_resumed(self):
-        command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "40000", "--replicates", "3", "--jobs", "2", "--out", "set"]
+        command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20000", "--replicates", "3", "--jobs", "2", "--out", "set"]
         running = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         log = self.folder / "set/replicate-00/agents.csv"
         for _ in range(3000):
