@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <concepts>
 #include <functional>
 #include <numbers>
@@ -53,8 +55,10 @@ static_assert(Fitness<DisplacementMinusX>);
 /// Rule: the paper's displacement towards the negative x-axis, m, but the robot first has to turn to it, steered as a cognitive
 /// brain steers: it starts facing start_turn_rad to the left of -x and, in a second try, as far to the right; every decision_s
 /// the target angle is +turn_angle_rad where -x lies to the right and -turn_angle_rad where it lies to the left (Sec. "Cognitive
-/// Brain": 2 s, 0.7 rad). The fitness is the smaller of both displacements: a gait that does not turn to both sides, or turns the
-/// wrong way, walks in circles or past its aim and scores about 0 or less.   Tries: 2.   Random draws: 0.
+/// Brain": 2 s, 0.7 rad). A try scores its displacement times the share of the time in which the robot faced -x (bearing within
+/// 90 degrees), the fitness is the smaller of both: a gait that does not turn to both sides or turns the wrong way walks in
+/// circles or past its aim, one that walks backwards never faces it, and both score about 0 or less.   Tries: 2.   Random draws:
+/// 0.
 struct SteeredDisplacement {
   static constexpr std::string_view name = "steered_displacement";
 
@@ -72,11 +76,11 @@ struct SteeredDisplacement {
   Params params;
 
   [[nodiscard]] double fitness(const TryOut& try_out) const {
-    return std::min(displacement_m(try_out, params.start_turn_rad), displacement_m(try_out, -params.start_turn_rad));
+    return std::min(score_m(try_out, params.start_turn_rad), score_m(try_out, -params.start_turn_rad));
   }
 
  private:
-  [[nodiscard]] double displacement_m(const TryOut& try_out, double start_turn_rad) const {
+  [[nodiscard]] double score_m(const TryOut& try_out, double start_turn_rad) const {
     double next_decision_s = 0.0;
     double target_angle_rad = 0.0;
     const Pilot pilot = [=, *this](double time_s, const GroundPose& now) mutable {
@@ -86,7 +90,10 @@ struct SteeredDisplacement {
       }
       return target_angle_rad;
     };
-    return try_out(pilot, start_turn_rad).displacement_minus_x_m();
+    const Track track = try_out(pilot, start_turn_rad);
+    const auto facing = std::ranges::count_if(
+        track.poses, [](const GroundPose& pose) { return std::abs(bearing_of_minus_x_rad(pose)) < std::numbers::pi / 2.0; });
+    return track.displacement_minus_x_m() * static_cast<double>(facing) / static_cast<double>(track.poses.size());
   }
 };
 static_assert(Fitness<SteeredDisplacement>);

@@ -19,14 +19,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A perfect walker: 1 m/s along its heading; the target angle turns it to the right at that rate, rad/s. 10 steps a second.
-Track perfect_walk(const Pilot& pilot, double start_turn_rad, double duration_s, double reaction = 1.0) {
+/// A perfect walker: goes along its heading at that speed; the target angle turns it to the right at that rate, rad/s. 10 steps a
+/// second.
+Track perfect_walk(const Pilot& pilot, double start_turn_rad, double duration_s, double speed_m_s = 1.0) {
   Track track{.control_hz = 10.0, .poses = {{0.0, 0.0, trophic::wrap_angle(pi + start_turn_rad)}}};
   for (int step = 0; step < static_cast<int>(duration_s * 10.0); ++step) {
     GroundPose now = track.poses.back();
-    now.heading_rad = trophic::wrap_angle(now.heading_rad - 0.1 * reaction * pilot(0.1 * step, now));
-    now.x_m += 0.1 * std::cos(now.heading_rad);
-    now.y_m += 0.1 * std::sin(now.heading_rad);
+    now.heading_rad = trophic::wrap_angle(now.heading_rad - 0.1 * pilot(0.1 * step, now));
+    now.x_m += 0.1 * speed_m_s * std::cos(now.heading_rad);
+    now.y_m += 0.1 * speed_m_s * std::sin(now.heading_rad);
     track.poses.push_back(now);
   }
   return track;
@@ -90,20 +91,22 @@ TEST_CASE("steered displacement: the pilot decides every 2 s, by the side that -
 
 TEST_CASE("steered displacement: only a walker that turns to both sides gets far") {
   const evolve::SteeredDisplacement steered;
-  const auto walker = [](double left, double right) {
+  const auto walker = [](double left, double right, double speed_m_s = 1.0) {
     return [=](const Pilot& pilot, double start_turn_rad) {
       const Pilot felt = [&](double time_s, const GroundPose& now) {
         const double angle = pilot(time_s, now);
         return angle * (angle < 0.0 ? left : right);
       };
-      return perfect_walk(felt, start_turn_rad, 50.0);
+      return perfect_walk(felt, start_turn_rad, 50.0, speed_m_s);
     };
   };
   CHECK(steered.fitness(walker(1.0, 1.0)) > 30.0);
   CHECK(steered.fitness(walker(0.3, 0.3)) > 20.0);
   CHECK(steered.fitness(walker(1.0, 0.0)) < 15.0);
   CHECK(std::abs(steered.fitness(walker(0.0, 0.0))) < 1e-9);
-  CHECK(steered.fitness(walker(-1.0, -1.0)) < 0.0);
+  CHECK(steered.fitness(walker(-1.0, -1.0)) <= 0.0);
+  // Backwards, turned the wrong way: it reaches its aim without facing it.
+  CHECK(steered.fitness(walker(-1.0, -1.0, -1.0)) < 1.0);
 }
 
 TEST_CASE("a trial starts as its facing says and asks the pilot at the control rate") {
