@@ -26,12 +26,19 @@ void measure(const std::string& robot_name, const std::string& gait_name, double
   std::cout << "robot,gait,integrator,timestep_s,target_angle_rad,displacement_m,forward_m_s,left_m_s,turn_rate_rad_s\n";
   for (const trophic::Physics& how : physics) {
     for (const double target_angle_rad : {0.7, 0.0, -0.7}) {
-      const evolve::Track track = evolve::try_out<Backend>(robot, gait, trophic::control::TargetedSteering{},
-                                                           {.duration_s = duration_s}, how, {}, evolve::steady(target_angle_rad));
-      const auto [forward_m_s, left_m_s] = track.forward_and_left_m_s();
       std::cout << robot.name << "," << gait.name << "," << enum_name(how.integrator) << "," << how.timestep_s << ","
-                << target_angle_rad << "," << track.displacement_m() << "," << forward_m_s << "," << left_m_s << ","
-                << track.turn_rate_rad_s() << std::endl;
+                << target_angle_rad << ",";
+      try {
+        const evolve::Track track =
+            evolve::try_out<Backend>(robot, gait, trophic::control::TargetedSteering{}, {.duration_s = duration_s}, how, {},
+                                     evolve::steady(target_angle_rad));
+        const auto [forward_m_s, left_m_s] = track.forward_and_left_m_s();
+        std::cout << track.displacement_m() << "," << forward_m_s << "," << left_m_s << "," << track.turn_rate_rad_s()
+                  << std::endl;
+      } catch (const trophic::Diverged& error) {
+        std::cout << ",,," << std::endl;
+        std::cerr << "measure_gait: " << enum_name(how.integrator) << " " << how.timestep_s << " s: " << error.what() << "\n";
+      }
     }
   }
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
@@ -47,7 +54,7 @@ int main(int argc, char** argv) {
       "Lets a robot walk on an endless floor with the target angles 0.7 (right), 0 and -0.7 rad, with the physics of the paper "
       "and "
       "of its released code: displacement from start to end, mean speed along the heading and to its left over 5 s, turning rate "
-      "(counter-clockwise)."};
+      "(counter-clockwise); nothing where the simulation diverges."};
   app.add_option("--robot", robot, "name or path of a robot file (spider)");
   app.add_option("--gait", gait, "name or path of a gait file (the robot's own)");
   app.add_option("--duration", duration_s, "simulated seconds (50)")->check(CLI::Range(5.1, 1e5));

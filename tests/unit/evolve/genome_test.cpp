@@ -101,7 +101,7 @@ TEST_CASE("a new link enables a disabled one again") {
   CHECK(genome.links[4].enabled);
 }
 
-TEST_CASE("mutation with all probabilities 0 changes nothing; weights stay inside their limit") {
+TEST_CASE("mutation with all probabilities 0 changes nothing and weights stay inside their limit") {
   evolve::Innovations innovations;
   trophic::Rng rng{6, trophic::Stream::gait_variation};
   Genome genome = small();

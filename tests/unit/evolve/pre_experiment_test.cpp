@@ -84,7 +84,7 @@ TEST_CASE("generations have the planned sizes, parents lived, and the best never
   CHECK(sizes == std::set<std::size_t>{0, 1, 2});
 }
 
-TEST_CASE("any number of threads gives the same lineage; another seed another one") {
+TEST_CASE("any number of threads gives the same lineage and another seed another one") {
   auto one = experiment();
   auto three = experiment();
   finish(one, 1);
