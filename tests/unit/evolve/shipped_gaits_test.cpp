@@ -11,7 +11,7 @@ namespace control = trophic::control;
 namespace evolve = trophic::evolve;
 
 TEST_CASE("the gaits that were evolved for the shipped robots are their own CPPN at the robot's grid positions") {
-  for (const std::string name : {"spider_paper", "spider_steered", "gecko_paper"}) {
+  for (const std::string name : {"spider_paper", "spider_steered", "gecko_paper", "gecko_steered"}) {
     CAPTURE(name);
     const control::Gait gait = control::load_gait(name);
     CHECK(gait.name == name);
