@@ -107,7 +107,7 @@ TEST_CASE("the number of threads does not change a bit, nor does a restored stat
   const Arena arena;
   Mujoco one{robot, arena, starts, Physics{}, {.threads = 1}};
   const Mujoco::State expected = walk(one, robot.hinges.size(), 2.0);
-  for (const std::size_t threads : {2U, 3U}) {
+  for (const std::size_t threads : {2U, 4U}) {
     Mujoco several{robot, arena, starts, Physics{}, {.threads = threads}};
     CHECK(walk(several, robot.hinges.size(), 2.0) == expected);
   }
@@ -118,4 +118,16 @@ TEST_CASE("the number of threads does not change a bit, nor does a restored stat
   other.advance_to(2.5);
   one.advance_to(2.5);
   CHECK(other.save() == one.save());
+}
+
+TEST_CASE("robots that do not touch walk bitwise as each would alone, however near") {
+  const RobotModel robot = body::load_robot("spider");
+  const std::vector<Pose> starts = square(robot, 9, 3 * 2.02 * robot.bounding_radius_m);
+  const Arena arena;
+  Mujoco near{robot, arena, starts, Physics{}, {}};
+  Mujoco alone{robot, arena, std::span{starts}.first(1), Physics{}, {}};
+  near.advance_to(0.5);
+  alone.advance_to(0.5);
+  CHECK(alone.pose(0).position_m == near.pose(0).position_m);
+  CHECK(alone.pose(0).orientation.coeffs() == near.pose(0).orientation.coeffs());
 }

@@ -70,6 +70,7 @@ class Mujoco {
         steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
         stepper_{make_stepper(starts.size(), params.stepping, params.threads)},
         states_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_), starts.size()},
+        next_{states_},
         layout_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_)},
         targets_rad_(starts.size() * robot.hinges.size()),
         angles_rad_(targets_rad_.size()) {
@@ -168,13 +169,13 @@ class Mujoco {
   }
 
   void advance(std::size_t steps) {
-    mujoco::RobotStates next = states_;
-    mujoco::GroupResult result = std::visit([&](auto& stepper) { return stepper.advance(next, targets_rad_, steps); }, stepper_);
-    if (result.end == mujoco::GroupResult::End::done) check_inside(next, steps, result);
+    mujoco::GroupResult result =
+        std::visit([&](auto& stepper) { return stepper.advance(states_, targets_rad_, steps, next_); }, stepper_);
+    if (result.end == mujoco::GroupResult::End::done) check_inside(next_, steps, result);
     if (result.end != mujoco::GroupResult::End::done) {
       throw Diverged{static_cast<double>(steps_ + result.steps) * physics_.timestep_s, result.robot, result.what};
     }
-    states_ = std::move(next);
+    std::swap(states_, next_);
     steps_ += steps;
     read_angles();
   }
@@ -203,6 +204,7 @@ class Mujoco {
   std::size_t steps_per_block_;
   Stepper stepper_;
   mujoco::RobotStates states_;
+  mujoco::RobotStates next_;  ///< where a block of steps is written, until it is known to be sound
   mujoco::Layout layout_;
   std::uint64_t steps_ = 0;
   std::vector<double> targets_rad_;

@@ -25,6 +25,7 @@ struct GroupResult {
   std::size_t steps = 0;  ///< whole steps before the end
   std::size_t robot = 0;  ///< which robot, except for `done`
   std::string what;
+  CompiledModel* model = nullptr;  ///< which model, for `buffers_full`
 };
 
 /// The first warning in MuJoCo's counters, if any, as a result; `robots` are the group's.
@@ -98,6 +99,7 @@ struct GroupResult {
           .end = GroupResult::End::diverged, .steps = steps, .robot = robots[share], .what = "a number is NaN or too large"};
     }
   }
+  if (result.end == GroupResult::End::buffers_full) result.model = &compiled;
   if (result.end == GroupResult::End::diverged) mj_resetData(&compiled.model(), &data);
   std::ranges::fill(data.warning, mjWarningStat{});
   return result;

@@ -33,18 +33,14 @@ class Islands {
 
   [[nodiscard]] const Layout& layout() { return model_for({1, false}).layout(); }
 
-  /// Takes all steps or none; a result that is not `done` leaves `states` as it was.
-  [[nodiscard]] GroupResult advance(RobotStates& states, std::span<const double> targets_rad, std::size_t steps) {
-    slack_m_.resize(states.robots());
-    for (std::size_t i = 0; i < states.robots(); ++i) slack_m_[i] = first_slack_m(states, i, steps);
-    RobotStates next = states;
+  /// Takes all steps from the states in `from` to those in `to`; a result that is not `done` leaves `to` undefined.
+  [[nodiscard]] GroupResult advance(const RobotStates& from, std::span<const double> targets_rad, std::size_t steps,
+                                    RobotStates& to) {
+    slack_m_.resize(from.robots());
+    for (std::size_t i = 0; i < from.robots(); ++i) slack_m_[i] = first_slack_m(from, i, steps);
     while (true) {
-      const GroupResult failure = attempt(states, targets_rad, steps, next);
-      if (failure.end == GroupResult::End::done) {
-        states = std::move(next);
-        return {};
-      }
-      if (failure.end == GroupResult::End::diverged) return failure;
+      GroupResult result = attempt(from, targets_rad, steps, to);
+      if (result.end == GroupResult::End::done || result.end == GroupResult::End::diverged) return result;
     }
   }
 
@@ -82,43 +78,30 @@ class Islands {
       const std::span<const double> root = states.positions(i);
       discs_.push_back({root[0], root[1], robot_.bounding_radius_m + slack_m_[i]});
     }
-    std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
-    const std::size_t lane_sets_from = lanes_ ? join_singles(groups) : groups.size();
-    std::vector<CompiledModel*> models;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      const bool walls = std::ranges::any_of(groups[i], [&](std::size_t robot) { return near_wall(discs_[robot]); });
-      models.push_back(&model_for({i < lane_sets_from ? groups[i].size() : 1, walls}));
-    }
-    std::vector<GroupResult> results(groups.size());
-    pool_->run(groups.size(), [&](std::size_t i, std::size_t thread) {
-      results[i] = i < lane_sets_from
-                       ? step_group(*models[i], thread, groups[i], targets_rad, slack_m_, steps, states, next)
-                       : lanes_->advance(*models[i], thread, groups[i], targets_rad, slack_m_, steps, states, next);
-    });
-    return repair(results, models);
-  }
+    const std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
+    const auto model_of = [&](const std::vector<std::size_t>& group) -> CompiledModel& {
+      return model_for({group.size(), std::ranges::any_of(group, [&](std::size_t robot) { return near_wall(discs_[robot]); })});
+    };
+    const auto fits = [](const std::vector<std::size_t>& group) { return group.size() <= kernel::lane_count; };
+    const auto first_fitting = lanes_ ? std::ranges::find_if(groups, fits) : groups.end();
+    const std::span large{groups.begin(), first_fitting};
+    models_of_large_.clear();
+    for (const std::vector<std::size_t>& group : large) models_of_large_.push_back(&model_of(group));
+    fill_lanes({first_fitting, groups.end()}, model_of, lane_sets_);
 
-  /// Replaces the groups of one robot, which come last, by sets of as many as the kernel steps together; returns where they
-  /// begin.
-  static std::size_t join_singles(std::vector<std::vector<std::size_t>>& groups) {
-    const auto singles = std::ranges::find(groups, std::size_t{1}, &std::vector<std::size_t>::size);
-    const auto first = static_cast<std::size_t>(singles - groups.begin());
-    std::size_t used = first;
-    for (std::size_t i = first; i < groups.size(); ++i) {
-      const std::size_t robot = groups[i].front();
-      const bool opens = (i - first) % kernel::lane_count == 0;
-      if (opens) groups[used++].clear();
-      groups[used - 1].push_back(robot);
-    }
-    groups.resize(used);
-    return first;
+    results_.assign(large.size() + lane_sets_.size(), {});
+    pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {
+      results_[i] = i < large.size()
+                        ? step_group(*models_of_large_[i], thread, large[i], targets_rad, slack_m_, steps, states, next)
+                        : lanes_->advance(lane_sets_[i - large.size()], thread, targets_rad, slack_m_, steps, states, next);
+    });
+    return repair();
   }
 
   /// The most urgent result: what can be repaired first, then the earliest divergence.
-  [[nodiscard]] GroupResult repair(std::span<const GroupResult> results, std::span<CompiledModel* const> models) {
+  [[nodiscard]] GroupResult repair() {
     GroupResult worst;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      GroupResult result = results[i];
+    for (GroupResult& result : results_) {
       if (result.end == GroupResult::End::left_disc) {
         double& slack_m = slack_m_[result.robot];
         slack_m *= 2.0;
@@ -126,7 +109,7 @@ class Islands {
           result.end = GroupResult::End::diverged;
           result.what = "it crosses the whole arena between two control ticks";
         }
-      } else if (result.end == GroupResult::End::buffers_full && !models[i]->grow()) {
+      } else if (result.end == GroupResult::End::buffers_full && !result.model->grow()) {
         result.end = GroupResult::End::diverged;
       }
       if (result.end == GroupResult::End::done) continue;
@@ -148,6 +131,9 @@ class Islands {
   std::optional<LaneStepper> lanes_;
   std::vector<double> slack_m_;
   std::vector<Disc> discs_;
+  std::vector<CompiledModel*> models_of_large_;
+  std::vector<LaneSet> lane_sets_;
+  std::vector<GroupResult> results_;
 };
 
 }  // namespace trophic::backend::mujoco

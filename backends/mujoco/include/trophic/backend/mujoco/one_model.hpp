@@ -19,14 +19,13 @@ class OneModel {
 
   [[nodiscard]] const Layout& layout() const { return compiled_.layout(); }
 
-  /// Takes all steps or none; a result that is not `done` leaves `states` as it was.
-  [[nodiscard]] GroupResult advance(RobotStates& states, std::span<const double> targets_rad, std::size_t steps) {
-    RobotStates next = states;
+  /// Takes all steps from the states in `from` to those in `to`; a result that is not `done` leaves `to` undefined.
+  [[nodiscard]] GroupResult advance(const RobotStates& from, std::span<const double> targets_rad, std::size_t steps,
+                                    RobotStates& to) {
     GroupResult result;
     do {
-      result = step_group(compiled_, 0, all_, targets_rad, {}, steps, states, next);
+      result = step_group(compiled_, 0, all_, targets_rad, {}, steps, from, to);
     } while (result.end == GroupResult::End::buffers_full && compiled_.grow());
-    if (result.end == GroupResult::End::done) states = std::move(next);
     return result;
   }
 

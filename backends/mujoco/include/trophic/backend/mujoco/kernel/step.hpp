@@ -30,10 +30,10 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
 
 /// Acceleration of the robots in `lanes` at the position and velocity in `state`, written to its acceleration, which is also the
 /// warm start (mj_forward). Returns the lanes that the kernel could compute: no two links near each other, joint angles it can
-/// take sines of, search settled, result below MuJoCo's bound for accelerations.
+/// take sines of, search settled, result below MuJoCo's bound for accelerations; all this for its whole company.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned forward(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes) {
   move_links(model, state, work);
-  lanes &= ~touching_links(model, work, lanes);
+  lanes = complete(work, lanes & ~touching_robots(model, state, work, lanes) & ~touching_links(model, work, lanes));
   if (lanes == 0) return 0;
   limit_joints(model, state, work);
   find_contacts(model, state, work);
@@ -48,8 +48,9 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
   for (std::size_t j = 0; j < model.hinges.size(); ++j) {
     good &= (abs(work.hinges[j].trial) < mjMAXVAL) & (abs(state.position[7 + j]) < largest_angle_rad);
   }
-  take_trial(work, good, state.acceleration);
-  return lane_bits(good);
+  const unsigned computed = complete(work, lane_bits(good));
+  take_trial(work, mask_of(computed), state.acceleration);
+  return computed;
 }
 
 /// position += time velocity in the lanes of `moved`: the quaternion is turned by the angular velocity in the root's axes

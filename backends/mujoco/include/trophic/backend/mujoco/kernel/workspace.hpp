@@ -2,6 +2,7 @@
 // The states of four robots and the scratch memory of their step.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <trophic/backend/mujoco/kernel/model.hpp>
@@ -103,6 +104,8 @@ struct ContactGroup {
 
 /// Scratch memory of one thread.
 struct Workspace {
+  /// Bits of the lanes that a lane's robot may touch, itself among them: these are stepped together or not at all.
+  std::array<unsigned, lane_count> company;
   std::vector<LinkWork> links;
   std::vector<HingeWork> hinges;
   std::vector<ContactWork> contacts;
@@ -118,7 +121,9 @@ struct Workspace {
         contacts(model.planes.size() * model.boxes.size() * 4),
         groups(model.planes.size() * model.links.size()),
         stage{model},
-        sum{model} {}
+        sum{model} {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) company[lane] = 1u << lane;
+  }
 };
 
 }  // namespace trophic::backend::kernel
