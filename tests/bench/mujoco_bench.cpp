@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <mujoco/worlds.hpp>
@@ -126,7 +127,7 @@ class World {
   double bytes_ = 0.0;
 };
 
-/// The world of a benchmark; of the large ones, which are not measured side by side, only one is kept.
+/// The world of a benchmark.
 World& world_of(std::size_t robots, const Way& way) {
   static std::map<std::tuple<std::size_t, std::string>, std::unique_ptr<World>> worlds;
   std::unique_ptr<World>& world = worlds[{robots, way.name}];
@@ -144,9 +145,11 @@ void control_tick(benchmark::State& state, std::size_t robots, const Way& way) {
   state.counters["bytes"] = world.bytes();
 }
 
-/// Prints the usual table, and keeps each benchmark's median.
+/// Prints the usual lines to the error output, and keeps each benchmark's median.
 class Tables : public benchmark::ConsoleReporter {
  public:
+  Tables() : ConsoleReporter{OO_Tabular} { SetOutputStream(&std::cerr); }
+
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
@@ -156,7 +159,7 @@ class Tables : public benchmark::ConsoleReporter {
   }
 
   void print() const {
-    std::printf("\nMicroseconds per step of the whole world, medians; 1/x: x times faster than one model\n%7s", "robots");
+    std::printf("Microseconds per step of the whole world, medians; 1/x: x times faster than one model\n%7s", "robots");
     for (const Way& way : ways) std::printf("%20s", way.name.c_str());
     for (const std::size_t robots : {1U, 30U, 100U, 300U}) {
       const Measured* const whole = find("one_model", robots);

@@ -119,15 +119,3 @@ TEST_CASE("the number of threads does not change a bit, nor does a restored stat
   one.advance_to(2.5);
   CHECK(other.save() == one.save());
 }
-
-TEST_CASE("robots that do not touch walk bitwise as each would alone, however near") {
-  const RobotModel robot = body::load_robot("spider");
-  const std::vector<Pose> starts = square(robot, 9, 3 * 2.02 * robot.bounding_radius_m);
-  const Arena arena;
-  Mujoco near{robot, arena, starts, Physics{}, {}};
-  Mujoco alone{robot, arena, std::span{starts}.first(1), Physics{}, {}};
-  near.advance_to(0.5);
-  alone.advance_to(0.5);
-  CHECK(alone.pose(0).position_m == near.pose(0).position_m);
-  CHECK(alone.pose(0).orientation.coeffs() == near.pose(0).orientation.coeffs());
-}
