@@ -13,7 +13,7 @@ import time
 import unittest
 
 PROGRAM = sys.argv.pop(1)
-HAS_MUJOCO = "mujoco or" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+HAS_MUJOCO = ", mujoco" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
 FILES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"]
 TABLES = FILES[:4]
 
