@@ -64,6 +64,7 @@
 #include <trophic/measure/bootstrap.hpp>
 #include <trophic/measure/csv_reader.hpp>
 #include <trophic/measure/demography.hpp>
+#include <trophic/measure/equivalence.hpp>
 #include <trophic/measure/published.hpp>
 #include <trophic/measure/read_run.hpp>
 #include <trophic/measure/report.hpp>
