@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds of spiders with a gait each, for the MuJoCo backend's tests and benchmarks.
+// Worlds of spiders with a gait each, for tests and benchmarks of engines.
 #pragma once
 
 #include <algorithm>
@@ -73,7 +73,8 @@ inline std::vector<Pose> tight_crowd(const RobotModel& robot, std::size_t robots
 }
 
 /// Advances tick by tick, each robot under its own gait. The gait is a function of time alone.
-inline void walk(backend::Mujoco& backend, double until_s) {
+template <JointDriven B>
+void walk(B& backend, double until_s) {
   while (backend.time_s() < until_s - 1e-9) {
     const double tick = std::floor(backend.time_s() / control_period_s + 1e-6);
     for (std::size_t robot = 0; robot < backend.robots(); ++robot) {
