@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The same experiment on another engine: one line differs.
+// The same experiment on another engine: the line that names the engine is all that changes.
 #include <iostream>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/ode.hpp>
 #include <trophic/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/rules/paper.hpp>
 
-using Engine = trophic::backend::Mujoco;  // or Ode from <trophic/backend/ode.hpp>, Kinematic from kinematic.hpp
+using Engine = trophic::backend::Ode;  // was: trophic::backend::Mujoco
 
 int main() {
   trophic::Ecology<trophic::rules::Paper, Engine> ecology({.seed = 42});

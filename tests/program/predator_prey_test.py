@@ -13,7 +13,9 @@ import time
 import unittest
 
 PROGRAM = sys.argv.pop(1)
-HAS_MUJOCO = ", mujoco" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+HELP = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+HAS_MUJOCO = "(mujoco)" in HELP
+HAS_ODE = ", ode" in HELP
 FILES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"]
 TABLES = FILES[:4]
 
@@ -106,6 +108,32 @@ class Runs(PredatorPrey):
             self.assertEqual(self.call("--duration", 20, "--threads", threads, "--out", out).returncode, 0)
         for file in TABLES:
             self.assertEqual((self.folder / "threads1" / file).read_bytes(), (self.folder / "threads2" / file).read_bytes(), file)
+
+    @unittest.skipUnless(HAS_ODE, "no ODE in this build")
+    def test_ode_takes_every_option(self):
+        few = ["--backend", "ode", "--robots", 4, "--set", "rules.community.predators=2", "--set", "backend.sweeps=4", "--duration", 10]
+        printed = self.call(*few, "--print-config")
+        self.assertIn("sweeps = 4", printed.stdout)
+        (self.folder / "numbers.toml").write_text(printed.stdout)
+        for threads in (1, 2):
+            result = self.call("--config", "numbers.toml", "--threads", threads, "--out", f"ode{threads}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+        for file in TABLES:
+            self.assertEqual((self.folder / "ode1" / file).read_bytes(), (self.folder / "ode2" / file).read_bytes(), file)
+        for more in (["--replicates", 1], ["--replicates", 2, "--jobs", 2, "--resume"]):
+            result = self.call(*few, *more, "--out", "set")
+            self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
+        released = ["--rules", "released", "--backend", "ode", "--duration", 2, "--out", "released"]
+        self.assert_refused(self.call(*released), 2, "physics.integrator = rk4", "semi_implicit_euler")
+        result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--set", "physics.timestep_s=0.0024")
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    @unittest.skipUnless(HAS_ODE, "no ODE in this build")
+    def test_only_mujoco_writes_mjcf(self):
+        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "world.xml", "--out", "run"), 2, "--save-mjcf",
+                            "--backend mujoco")
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_fast_stepping_has_the_same_events_as_mujoco_alone(self):
