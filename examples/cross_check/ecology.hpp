@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// The same rules on two engines: which metrics are equivalent.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/measure/equivalence.hpp>
+#include <trophic/measure/run_set.hpp>
+#include <trophic/measure/summary.hpp>
+#include <trophic/params.hpp>
+#include <vector>
+
+#include "report.hpp"
+
+namespace cross_check {
+
+/// A metric of the paper and the difference between engines that would still leave its conclusion alone: shares (attribution, tag
+/// symmetry) by 0.05 and wall sticking by 0.1, a fraction of what separates the published values from their baselines; velocities
+/// by 0.5 cm/s, a fraction of the published ones; deaths by a fifth of the first set's.
+struct Margin {
+  std::string_view metric;
+  std::string_view group;
+  double margin;
+  bool is_share_of_first = false;
+};
+inline constexpr std::array margins{Margin{"attribution_caught", "all", 0.05},   Margin{"attribution_catches", "all", 0.05},
+                                    Margin{"attribution_catchers", "all", 0.05}, Margin{"velocity", "all", 0.005},
+                                    Margin{"velocity", "inherited", 0.005},      Margin{"velocity", "random", 0.005},
+                                    Margin{"wall_sticking", "all", 0.1},         Margin{"wall_sticking_gap", "all", 0.1},
+                                    Margin{"tag_symmetry", "inherited", 0.05},   Margin{"deaths", "all", 0.2, true}};
+
+[[nodiscard]] inline std::vector<double> values_of(std::span<const trophic::measure::RunMetrics> runs,
+                                                   const trophic::measure::MetricName& name) {
+  std::vector<double> values;
+  for (const auto& run : runs) {
+    const auto found = std::ranges::find(run.measurements, name, &trophic::measure::Measurement::name);
+    if (found != run.measurements.end() && found->value) values.push_back(*found->value);
+  }
+  return values;
+}
+
+/// Two sets of replicates that may be compared.
+struct Ecologies {
+  trophic::measure::RunSet first;
+  trophic::measure::RunSet second;
+};
+
+/// Reads two folders of replicates. Throws std::invalid_argument if their rule tables or durations differ, and as
+/// measure::read_set does.
+[[nodiscard]] inline Ecologies read_ecologies(const std::filesystem::path& first, const std::filesystem::path& second) {
+  Ecologies sets{trophic::measure::read_set(std::span{&first, 1}), trophic::measure::read_set(std::span{&second, 1})};
+  const auto& a = sets.first.facts.front();
+  const auto& b = sets.second.facts.front();
+  if (a.rules != b.rules) {
+    throw std::invalid_argument{second.string() + ": rules " + b.rules + ": must be " + a.rules + " as in " + first.string()};
+  }
+  if (a.until_s != b.until_s) {
+    throw std::invalid_argument{second.string() + ": " + trophic::number_text(b.until_s) + " s: must be " +
+                                trophic::number_text(a.until_s) + " s as in " + first.string()};
+  }
+  return sets;
+}
+
+/// Prints a verdict per metric and adds a line per metric and engine to the CSV.
+inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
+  namespace measure = trophic::measure;
+  const auto& facts = sets.first.facts.front();
+  std::cout << "\n"
+            << "rules " << facts.rules << ": first " << facts.backend << ", " << sets.first.runs.size() << " runs; second "
+            << sets.second.facts.front().backend << ", " << sets.second.runs.size() << " runs; " << facts.until_s << " s each\n"
+            << std::left << std::setw(38) << "metric" << std::setw(26) << "first [95 %]" << std::setw(26) << "second [95 %]"
+            << std::setw(9) << "margin" << std::setw(26) << "difference [90 %]"
+            << "verdict\n";
+  for (const measure::Measurement& measured : sets.first.runs.front().measurements) {
+    const measure::MetricName& name = measured.name;
+    const auto margin =
+        std::ranges::find_if(margins, [&](const Margin& m) { return m.metric == name.metric && m.group == name.group; });
+    if (margin == margins.end()) continue;
+    const std::array values{values_of(sets.first.runs, name), values_of(sets.second.runs, name)};
+    const double first_mean = std::max(1.0, measure::mean_of(values[0]).value_or(1.0));
+    const double allowed = margin->is_share_of_first ? margin->margin * first_mean : margin->margin;
+    const auto test = measure::test_equivalence(values[0], values[1], allowed);
+    const bool is_velocity = name.unit == "m/s";
+    const double unit = is_velocity ? 100.0 : 1.0;
+    const int decimals = margin->is_share_of_first ? 1 : is_velocity ? 2 : 3;
+    std::cout << std::setw(38)
+              << name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")") +
+                     (is_velocity ? ", cm/s" : "");
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto estimate = measure::estimate(values[i], {});
+      std::cout << std::setw(26) << text(estimate.mean, estimate.interval, unit, decimals);
+      const std::string& engine = (i == 0 ? sets.first : sets.second).facts.front().backend;
+      const Subject subject{"ecology", engine, {}, {}, {}, name.metric, name.species, name.group, name.unit};
+      csv.add(subject, estimate, i == 0 ? std::nullopt : std::optional{test});
+    }
+    std::cout << std::setw(9) << text(unit * allowed, decimals) << std::setw(26)
+              << text(test.difference, test.interval, unit, decimals) << trophic::enum_name(test.verdict) << "\n";
+  }
+  for (const auto* set : {&sets.first, &sets.second}) {
+    for (const std::string& remark : set->remarks) std::cout << "remark: " << remark << "\n";
+  }
+}
+
+}  // namespace cross_check

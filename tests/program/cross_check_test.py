@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""cross_check_test.py CROSS_CHECK PREDATOR_PREY FIGURE: walks and ecologies on two engines, from the command to the figure."""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CROSS_CHECK, PREDATOR_PREY, FIGURE = (sys.argv.pop(1) for _ in range(3))
+
+
+class CrossCheck(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.sets = pathlib.Path(cls.temporary.name)
+        for rules, duration in (("paper", 400), ("released", 400), ("paper", 600)):
+            made = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", str(duration),
+                                   "--replicates", "3", "--out", f"{rules}-{duration}"], capture_output=True, text=True, cwd=cls.sets)
+            assert made.returncode == 0, made.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def call(self, *arguments):
+        return subprocess.run([CROSS_CHECK, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+
+    def test_from_walks_and_runs_to_a_figure(self):
+        paper = self.sets / "paper-400"
+        result = self.call("--seconds", 10, "--runs", paper, paper, "--out", "out")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(self.folder / "out/cross_check.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        walks = [r for r in rows if r["part"] == "gait"]
+        self.assertEqual(len(walks), 3 * 10 * 6)
+        speeds = {r["engine"]: float(r["mean"]) for r in walks
+                  if (r["quantity"], r["settings"], r["timestep_s"], r["target_angle_rad"]) == ("speed_m_s", "default", "0.0012", "0.7")}
+        self.assertAlmostEqual(speeds["ode"] / speeds["mujoco"], 1.0, delta=0.1)
+        self.assertNotEqual(speeds["ode"], speeds["mujoco"])
+        metrics = [r for r in rows if r["part"] == "ecology" and r["quantity"] == "velocity" and r["verdict"]]
+        self.assertEqual({float(r["difference"]) for r in metrics}, {0.0})
+        self.assertIn("equivalent", {r["verdict"] for r in metrics})
+        drawn = subprocess.run([sys.executable, FIGURE, self.folder / "out"], capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertGreater((self.folder / "out/cross_check.png").stat().st_size, 10_000)
+
+    def test_refusals(self):
+        (self.folder / "there").mkdir()
+        paper = self.sets / "paper-400"
+        for arguments, parts in [
+            ([], ["--out"]),
+            (["--bogus"], ["--bogus"]),
+            (["--out", "there"], ["there", "exists already"]),
+            (["--out", "new", "--seconds", 11], ["--seconds 11", "even number from 10 to 1000"]),
+            (["--out", "new", "--seconds", 0], ["--seconds 0", "nothing is left"]),
+            (["--out", "new", "--replicates", 1], ["--replicates 1", ">= 2"]),
+            (["--out", "new", "--jobs", 0], ["--jobs 0"]),
+            (["--out", "new", "--replicates", 2, "--duration", -1], ["world.duration_s = -1", "> 0"]),
+            (["--out", "new", "--replicates", 2, "--runs", paper, paper], ["--runs", "--replicates"]),
+            (["--out", "new", "--runs", paper, self.sets / "released-400"], ["released", "must be paper"]),
+            (["--out", "new", "--runs", paper, self.sets / "paper-600"], ["600 s", "must be 400 s"]),
+            (["--out", "new", "--robot", "gecko", "--gait", "spider_published"], ["gait"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                result = self.call(*arguments)
+                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+                for part in parts:
+                    self.assertIn(part, result.stderr)
+                self.assertFalse((self.folder / "new").exists())
+        self.assertEqual(self.call("--out", "new", "--runs", paper, "nosuch").returncode, 1)
+        self.assertEqual(self.call("--out", "new", "--robot", "nosuch").returncode, 1)
+        self.assertFalse((self.folder / "new").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
