@@ -3,7 +3,6 @@
 """analyze_test.py PREDATOR_PREY ANALYZE PLOT: from replicates to figures, as users meet it: files, errors, exit codes."""
 
 import csv
-import importlib.util
 import json
 import pathlib
 import shutil
@@ -13,6 +12,8 @@ import sys
 import tempfile
 import time
 import unittest
+
+import figures_python
 
 PREDATOR_PREY, ANALYZE, PLOT = (sys.argv.pop(1) for _ in range(3))
 FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches"]
@@ -126,20 +127,20 @@ class Analyze(unittest.TestCase):
         self.assertIn("kept as replicate-00.incomplete-1, run anew", resumed.stdout)
         self.assertIn("3 of 3 replicates complete", resumed.stdout)
 
-    @unittest.skipUnless(importlib.util.find_spec("matplotlib") and importlib.util.find_spec("pandas"), "needs matplotlib and pandas")
+    @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
         self.call(ANALYZE, "paper", "--out", "analysis")
-        result = self.call(sys.executable, PLOT, "analysis")
+        result = self.call(figures_python.PYTHON, PLOT, "analysis")
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in FIGURES:
             for ending in ("png", "pdf"):
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
         shutil.rmtree(self.folder / "paper")
-        partly = self.call(sys.executable, PLOT, "analysis", "--out", "partly")
+        partly = self.call(figures_python.PYTHON, PLOT, "analysis", "--out", "partly")
         self.assertEqual(partly.returncode, 0, partly.stderr)
         self.assertIn("phylogeny: left out: ", partly.stderr)
         self.assertIn("5 figures", partly.stdout)
-        self.assertIn("not what analyze writes", self.call(sys.executable, PLOT, "partly").stderr)
+        self.assertIn("not what analyze writes", self.call(figures_python.PYTHON, PLOT, "partly").stderr)
 
 
 if __name__ == "__main__":
