@@ -75,7 +75,7 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
   std::cout << "\n"
             << "rules " << facts.rules << ": first " << facts.backend << ", " << sets.first.runs.size() << " runs; second "
             << sets.second.facts.front().backend << ", " << sets.second.runs.size() << " runs; " << facts.until_s << " s each\n"
-            << std::left << std::setw(38) << "metric" << std::setw(26) << "first [95 %]" << std::setw(26) << "second [95 %]"
+            << std::left << std::setw(40) << "metric" << std::setw(26) << "first [95 %]" << std::setw(26) << "second [95 %]"
             << std::setw(9) << "margin" << std::setw(26) << "difference [90 %]"
             << "verdict\n";
   for (const measure::Measurement& measured : sets.first.runs.front().measurements) {
@@ -90,7 +90,7 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
     const bool is_velocity = name.unit == "m/s";
     const double unit = is_velocity ? 100.0 : 1.0;
     const int decimals = margin->is_share_of_first ? 1 : is_velocity ? 2 : 3;
-    std::cout << std::setw(38)
+    std::cout << std::setw(40)
               << name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")") +
                      (is_velocity ? ", cm/s" : "");
     for (std::size_t i = 0; i < 2; ++i) {
