@@ -4,16 +4,15 @@
 
 import csv
 import json
-import pathlib
 import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 import figures_python
+from in_folder import InFolderWithSets
 
 PREDATOR_PREY, ANALYZE, PLOT = (sys.argv.pop(1) for _ in range(3))
 FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches"]
@@ -23,24 +22,16 @@ def call(*arguments, cwd):
     return subprocess.run([*map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=300)
 
 
-class Analyze(unittest.TestCase):
+class Analyze(InFolderWithSets):
     @classmethod
-    def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.sets = pathlib.Path(cls.temporary.name)
+    def make_sets(cls):
         for rules in ("paper", "released"):
             made = call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 3, "--jobs", 2,
                         "--out", rules, cwd=cls.sets)
             assert made.returncode == 0, made.stderr
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
+        super().setUp()
         shutil.copytree(self.sets / "paper", self.folder / "paper")
 
     def call(self, *arguments):

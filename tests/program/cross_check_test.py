@@ -3,35 +3,23 @@
 """cross_check_test.py CROSS_CHECK PREDATOR_PREY FIGURE: walks and ecologies on two engines, from the command to the figure."""
 
 import csv
-import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import figures_python
+from in_folder import InFolderWithSets
 
 CROSS_CHECK, PREDATOR_PREY, FIGURE = (sys.argv.pop(1) for _ in range(3))
 
 
-class CrossCheck(unittest.TestCase):
+class CrossCheck(InFolderWithSets):
     @classmethod
-    def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.sets = pathlib.Path(cls.temporary.name)
+    def make_sets(cls):
         for rules, duration in (("paper", 400), ("released", 400), ("paper", 600)):
             made = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", str(duration),
                                    "--replicates", "3", "--out", f"{rules}-{duration}"], capture_output=True, text=True, cwd=cls.sets)
             assert made.returncode == 0, made.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
 
     def call(self, *arguments):
         return subprocess.run([CROSS_CHECK, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)

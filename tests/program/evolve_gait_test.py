@@ -3,13 +3,13 @@
 """evolve_gait_test.py EVOLVE_GAIT MEASURE_GAIT [unittest arguments]: both programs as their users meet them."""
 
 import csv
-import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
+
+from in_folder import InFolder
 
 EVOLVE = sys.argv.pop(1)
 MEASURE = sys.argv.pop(1)
@@ -18,12 +18,7 @@ SMALL = ["--generations", 3, "--set", "plan.population=4", "--set", "plan.parent
          "--set", "trial.duration_s=6"]
 
 
-class EvolveGait(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
-
+class EvolveGait(InFolder):
     def call(self, program, *arguments):
         return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
 

@@ -4,13 +4,13 @@
 
 import csv
 import json
-import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
+
+from in_folder import InFolder
 
 PROGRAM = sys.argv.pop(1)
 HELP = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
@@ -20,12 +20,7 @@ FILES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.j
 TABLES = FILES[:4]
 
 
-class PredatorPrey(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
-
+class PredatorPrey(InFolder):
     def call(self, *arguments, shell=None):
         command = [PROGRAM, *map(str, arguments)]
         if shell:
