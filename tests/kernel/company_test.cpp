@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots near each other: the kernel steps them as MuJoCo does, or leaves them all to it where any two touch.
+// Robots near each other and touching each other: the kernel steps them as MuJoCo does in one model.
 #include <doctest/doctest.h>
 
 #include <trophic/backend/mujoco/lane_step.hpp>
@@ -36,7 +36,7 @@ bool robots_in_contact(const mjModel& model, const mjData& data, int links) {
 struct Tally {
   std::size_t stepped = 0;
   std::size_t declined = 0;
-  std::size_t touching = 0;
+  std::size_t touching = 0;  ///< companies stepped in which robots touched
   double acceleration = 0.0;
 };
 
@@ -79,7 +79,7 @@ Tally compare_companies(const std::string& name, const Physics& physics, std::si
     REQUIRE((stepped == 0 || stepped == company));
     mj_step(&compiled.model(), &data);
     const bool touching = robots_in_contact(compiled.model(), data, static_cast<int>(robot.links.size()));
-    tally.touching += touching ? 1 : 0;
+    tally.touching += touching && stepped != 0 ? 1 : 0;
     if (stepped == 0) {
       ++tally.declined;
       RobotState after = states.back();
@@ -89,7 +89,6 @@ Tally compare_companies(const std::string& name, const Physics& physics, std::si
       continue;
     }
     ++tally.stepped;
-    CHECK_FALSE(touching);
     for (std::size_t share = 0; share < robots; ++share) {
       RobotState after = states[share];
       after.get(lanes, 1 + share);
@@ -104,14 +103,13 @@ Tally compare_companies(const std::string& name, const Physics& physics, std::si
 
 }  // namespace
 
-TEST_CASE("robots near each other step as in one model unless they touch") {
+TEST_CASE("robots near each other step as in one model, whether they touch or not") {
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4}) {
     for (const std::size_t robots : {2U, 3U}) {
       const Tally tally = compare_companies("spider", {.integrator = integrator}, robots, 400);
       CHECK(tally.acceleration < 1e-10);
-      CHECK(tally.stepped > 100);
+      CHECK(tally.declined < 20);
       CHECK(tally.touching > 20);
-      CHECK(tally.declined >= tally.touching);
     }
   }
   CHECK(compare_companies("gecko", {}, 2, 200).acceleration < 1e-10);

@@ -19,7 +19,7 @@ struct Comparison {
   std::size_t contacts = 0;
   std::size_t limits = 0;
   std::size_t declined = 0;
-  std::size_t missed = 0;  ///< steps taken by the kernel in which links of the robot touched each other
+  std::size_t touching = 0;  ///< steps in which links of the robot touched each other
   double acceleration = 0.0;
   double velocity = 0.0;
   double position = 0.0;
@@ -29,7 +29,7 @@ struct Comparison {
     bool links_touch = false;
     for (int c = 0; c < data.ncon; ++c) links_touch |= model.geom_bodyid[data.contact[c].geom1] != 0;
     for (int row = 0; row < data.nefc; ++row) limits += data.efc_type[row] == mjCNSTR_LIMIT_JOINT ? 1 : 0;
-    missed += links_touch ? 1 : 0;
+    touching += links_touch ? 1 : 0;
     contacts += static_cast<std::size_t>(data.ncon);
     acceleration = std::max(acceleration, relative_difference(after.warm, data.qacc_warmstart, after.warm.size()));
     velocity = std::max(velocity, relative_difference(after.qvel, data.qvel, after.qvel.size()));
@@ -37,11 +37,11 @@ struct Comparison {
   }
 
   void report(const std::string& name) const {
-    MESSAGE(name << ": " << steps << " steps, " << contacts << " contacts, " << limits << " joint limits, " << declined
+    MESSAGE(name << ": " << steps << " steps, " << contacts << " contacts, " << touching << " steps with links touching, " << limits << " joint limits, " << declined
                  << " left to MuJoCo; acceleration " << acceleration << ", velocity " << velocity << ", position " << position);
   }
 
-  [[nodiscard]] bool agrees() const { return missed == 0 && acceleration < 1e-10 && velocity < 1e-10 && position < 1e-12; }
+  [[nodiscard]] bool agrees() const { return acceleration < 1e-10 && velocity < 1e-10 && position < 1e-12; }
 };
 
 /// Steps `groups` times four random states of a robot.
@@ -134,6 +134,7 @@ TEST_CASE("any tree of skewed hinges and boxes steps as in MuJoCo") {
   comparison.report("skewed trees");
   CHECK(comparison.agrees());
   CHECK(comparison.steps > 1500);
+  CHECK(comparison.touching > 10);
 }
 
 TEST_CASE("property: whatever the robot, the state and the physics, a step that the kernel takes is mj_step's") {

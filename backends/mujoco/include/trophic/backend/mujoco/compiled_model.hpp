@@ -8,11 +8,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <mutex>
-#include <sstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
-#include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/compile.hpp>
 #include <trophic/backend/mujoco/mjcf.hpp>
 #include <vector>
 
@@ -26,37 +25,6 @@ struct Layout {
   std::size_t hinges = 0;
   std::vector<std::size_t> angle_index;  ///< one per hinge, in the order of RobotModel::hinges
 };
-
-/// Compiles MJCF. Throws std::runtime_error with MuJoCo's own words where it refuses.
-[[nodiscard]] inline ModelPtr compile(const pugi::xml_document& document, const Arena& arena, const std::string& height_file) {
-  static std::mutex one_at_a_time;  // MuJoCo's compiler is not said to be safe in several threads
-  const std::lock_guard lock{one_at_a_time};
-  const EngineGuard guard;
-
-  struct DeleteFiles {
-    void operator()(mjVFS* files) const {
-      mj_deleteVFS(files);
-      delete files;
-    }
-  };
-  const std::unique_ptr<mjVFS, DeleteFiles> files{new mjVFS};
-  mj_defaultVFS(files.get());
-  const auto add_file = [&](const std::string& name, const std::string& content) {
-    if (mj_makeEmptyFileVFS(files.get(), name.c_str(), static_cast<int>(content.size())) != 0) {
-      throw std::runtime_error{"MuJoCo: cannot hold " + name + " of " + std::to_string(content.size()) + " bytes"};
-    }
-    std::ranges::copy(content, static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), name.c_str())]));
-  };
-  std::ostringstream text;
-  document.save(text, "", pugi::format_raw);
-  add_file("model.xml", text.str());
-  if (arena.height_field) add_file(height_file, height_file_content(*arena.height_field));
-
-  std::array<char, 1000> error{};
-  ModelPtr model{mj_loadXML("model.xml", files.get(), error.data(), static_cast<int>(error.size()))};
-  if (!model) throw std::runtime_error{std::string{"MuJoCo refuses the model: "} + error.data()};
-  return model;
-}
 
 /// k robots in one scene. Robot j's numbers are the j-th share of qpos, qvel and ctrl.
 class CompiledModel {
@@ -72,7 +40,9 @@ class CompiledModel {
       apart[i].position_m = {3.0 * robot.bounding_radius_m * static_cast<double>(i), 0.0,
                              ground_m + 3.0 * robot.bounding_radius_m};
     }
-    model_ = compile(write_mjcf(robot, arena, physics, scene, apart, height_file), arena, height_file);
+    std::optional<NamedFile> heights;
+    if (arena.height_field) heights = {height_file, height_file_content(*arena.height_field)};
+    model_ = compile(write_mjcf(robot, arena, physics, scene, apart, height_file), heights);
     // Dense rows are faster for one or two robots only.
     model_->opt.jacobian = robots < 3 ? mjJAC_DENSE : mjJAC_SPARSE;
     read_layout(robot);

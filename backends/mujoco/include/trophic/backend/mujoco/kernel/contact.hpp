@@ -146,7 +146,6 @@ TROPHIC_LANES_INLINE std::size_t collide_all(const KernelModel& model, std::size
 /// All contacts of all links, grouped by plane and link, and the lanes that are left to MuJoCo.
 TROPHIC_LANES_INLINE void find_contacts(const KernelModel& model, const LaneState& state, Workspace& work) {
   work.group_count = 0;
-  work.doubtful = Mask{};
   std::size_t used = 0;
   for (std::size_t index = 0; index < model.planes.size(); ++index) {
     switch (model.planes[index].axis) {

@@ -38,6 +38,9 @@ struct KernelBox {
   std::array<double, 9> axes;  ///< column-major: directions of the box's axes in the link's frame
   bool aligned;                ///< axes are the link's own
   double radius_m;             ///< of the sphere around its centre that holds it
+  /// Half extents and axes as MuJoCo's model has them: which points its box-box test reports depends on their order.
+  std::array<double, 3> geom_half_extents_m;
+  std::array<double, 9> geom_axes;
 };
 
 /// A link in the kernel's own frame: origin in the hinge's anchor, third axis along the hinge. The root keeps its frame.
@@ -52,7 +55,8 @@ struct KernelLink {
   std::size_t boxes;
   std::array<double, 3> sphere_centre_m;  ///< of a sphere that holds all boxes
   double sphere_radius_m;
-  double inverse_weight_per_kg;  ///< body_invweight0: mean diagonal of J M^-1 J' at the centre of mass
+  double own_inverse_weight_per_kg;  ///< body_invweight0: mean diagonal of J M^-1 J' at the centre of mass
+  double inverse_weight_per_kg;      ///< the same with that of the ground
 };
 
 /// Joint and servo: torque = gain * clipped target + bias + angle_gain * angle + rate_gain * rate.
@@ -83,7 +87,8 @@ struct KernelModel {
   std::vector<LinkPair> pairs;
   std::vector<Plane> planes;
   double bounding_radius_m = 0.0;  ///< no box point is farther from the root's origin
-  double friction = 0.0;
+  double friction = 0.0;           ///< of a link on a plane
+  double link_friction = 0.0;      ///< of two links
   double timestep_s = 0.0;
   double gravity_m_s2 = 0.0;
   bool runge_kutta = false;
@@ -99,6 +104,7 @@ class ModelReader {
   [[nodiscard]] std::optional<KernelModel> read() {
     if (!plain_options() || !plain_geoms() || !plain_tree() || !plain_servos() || !read_planes()) return std::nullopt;
     kernel_.friction = std::max(friction_, mjMINMU);
+    kernel_.link_friction = std::max(robot_friction_, mjMINMU);
     kernel_.timestep_s = m_.opt.timestep;
     kernel_.gravity_m_s2 = -m_.opt.gravity[2];
     kernel_.runge_kutta = m_.opt.integrator == mjINT_RK4;
@@ -149,7 +155,8 @@ class ModelReader {
       if (m_.pair_dim[p] != 3 || m_.pair_margin[p] != 0.0 || m_.pair_gap[p] != 0.0) return false;
       const bool ground = m_.geom_bodyid[m_.pair_geom1[p]] == 0 || m_.geom_bodyid[m_.pair_geom2[p]] == 0;
       const mjtNum* friction = m_.pair_friction + 5 * p;
-      if (ground && (friction[0] != friction_ || friction[1] != friction_)) return false;
+      const double expected = ground ? friction_ : robot_friction_;
+      if (friction[0] != expected || friction[1] != expected) return false;
       if (!same_law(m_.pair_solref + 2 * p, m_.pair_solimp + 5 * p)) return false;
     }
     return m_.opt.collision != mjCOL_PAIR || m_.npair > 0;
@@ -252,7 +259,8 @@ class ModelReader {
     own.mass_kg = m_.body_mass[body];
     own.inertia_kgm2 = {inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2), inertia(1, 2)};
     store(frame.transpose() * vector(m_.body_ipos + 3 * body), own.centre_of_mass_m);
-    own.inverse_weight_per_kg = m_.body_invweight0[2 * body] + m_.body_invweight0[0];
+    own.own_inverse_weight_per_kg = m_.body_invweight0[2 * body];
+    own.inverse_weight_per_kg = own.own_inverse_weight_per_kg + m_.body_invweight0[0];
     reaches_m_.push_back(0.0);
     if (body > 1) {
       own.parent = static_cast<std::size_t>(m_.body_parentid[body] - 1);
@@ -293,6 +301,8 @@ class ModelReader {
     const Vector centre = vector(m_.geom_pos + 3 * geom);
     Matrix axes = frame.transpose() * rotation(m_.geom_quat + 4 * geom);
     Vector half_m = vector(m_.geom_size + 3 * geom);
+    store(half_m, own.geom_half_extents_m);
+    store(axes, own.geom_axes);
     // A box turned by right angles is the same box with its extents exchanged.
     const Matrix rounded = axes.array().round().matrix();
     own.aligned = (axes - rounded).cwiseAbs().maxCoeff() < 1e-12;

@@ -1,53 +1,61 @@
 // SPDX-License-Identifier: MIT
-// Whether links of a robot, or robots, could touch each other: then the kernel leaves the step to MuJoCo.
+// Which links touch each other, and where.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
 
 namespace trophic::backend::kernel {
 
-/// A box of one robot in world axes.
-struct PlacedBox {
-  double centre_m[3];
-  double half_m[3];
-  double axis[3][3];  ///< axis[k] is the direction of extent k
-};
-
-[[nodiscard]] TROPHIC_LANES_INLINE PlacedBox place_box(const KernelBox& box, const LinkWork& link, std::size_t lane) {
-  PlacedBox placed;
-  const Vec3 centre = link.anchor + rotate(link.rotation, box.centre_m.data());
+/// A box of the robot in a lane, from the origin of the robot's root; placed once a stage.
+[[nodiscard]] TROPHIC_LANES_INLINE const PlacedBox& placed_box(const KernelModel& model, const LinkWork& link, std::size_t box,
+                                                               std::size_t lane, Workspace& work) {
+  const std::size_t slot = lane * model.boxes.size() + box;
+  PlacedBox& placed = work.placed_boxes[slot];
+  if (work.box_placed[slot] != 0) return placed;
+  work.box_placed[slot] = 1;
+  const KernelBox& from = model.boxes[box];
+  const Vec3 centre = link.anchor + rotate(link.rotation, from.centre_m.data());
   for (int i = 0; i < 3; ++i) placed.centre_m[i] = centre[i][lane];
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 axis = rotate(link.rotation, box.axes.data() + 3 * k);
-    placed.half_m[k] = box.half_extents_m[k];
+    const Vec3 axis = rotate(link.rotation, from.geom_axes.data() + 3 * k);
+    placed.half_m[k] = from.geom_half_extents_m[k];
     for (int i = 0; i < 3; ++i) placed.axis[k][i] = axis[i][lane];
   }
   return placed;
 }
 
-/// True if one of the 15 separating axes of two boxes (their face normals and the products of their edges) shows a gap.
-[[nodiscard]] TROPHIC_LANES_INLINE bool separated(const PlacedBox& a, const PlacedBox& b) {
+/// Whether the k-th of the 15 axes that can separate two boxes (their face normals and the products of their edges) does, with
+/// `between_m` from the first's centre to the second's.
+[[nodiscard]] TROPHIC_LANES_INLINE bool gap_along(const PlacedBox& a, const PlacedBox& b, const double (&between_m)[3],
+                                                  unsigned k) {
   constexpr double gap_m = 1e-7;  // far above rounding, far below anything that matters
-  double between[3];
-  for (int i = 0; i < 3; ++i) between[i] = b.centre_m[i] - a.centre_m[i];
-  const auto gap_along = [&](double x, double y, double z) {
-    const double square = x * x + y * y + z * z;
-    if (square < 1e-12) return false;
-    double reach = gap_m * std::sqrt(square);
-    for (int k = 0; k < 3; ++k) {
-      reach += a.half_m[k] * std::abs(a.axis[k][0] * x + a.axis[k][1] * y + a.axis[k][2] * z);
-      reach += b.half_m[k] * std::abs(b.axis[k][0] * x + b.axis[k][1] * y + b.axis[k][2] * z);
-    }
-    return std::abs(between[0] * x + between[1] * y + between[2] * z) > reach;
-  };
-  for (int k = 0; k < 3; ++k) {
-    if (gap_along(a.axis[k][0], a.axis[k][1], a.axis[k][2])) return true;
-    if (gap_along(b.axis[k][0], b.axis[k][1], b.axis[k][2])) return true;
+  double axis[3];
+  if (k < 6) {
+    std::copy_n(k < 3 ? a.axis[k] : b.axis[k - 3], 3, axis);
+  } else {
+    const double* const u = a.axis[(k - 6) / 3];
+    const double* const v = b.axis[(k - 6) % 3];
+    for (int i = 0; i < 3; ++i) axis[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
   }
-  for (const auto& u : a.axis) {
-    for (const auto& v : b.axis) {
-      if (gap_along(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])) return true;
-    }
+  const auto along = [&](const double* vector) {
+    return std::abs(vector[0] * axis[0] + vector[1] * axis[1] + vector[2] * axis[2]);
+  };
+  double reach_m = gap_m;
+  for (int i = 0; i < 3; ++i) reach_m += a.half_m[i] * along(a.axis[i]) + b.half_m[i] * along(b.axis[i]);
+  return along(between_m) > reach_m;
+}
+
+/// Whether any of the 15 axes shows a gap; the one that did is kept in `last` and tried first.
+[[nodiscard]] TROPHIC_LANES_INLINE bool separated(const PlacedBox& a, const PlacedBox& b, const double (&between_m)[3],
+                                                  std::uint8_t& last) {
+  if (gap_along(a, b, between_m, last)) return true;
+  for (unsigned k = 0; k < 15; ++k) {
+    if (!gap_along(a, b, between_m, k)) continue;
+    last = static_cast<std::uint8_t>(k);
+    return true;
   }
   return false;
 }
@@ -60,90 +68,93 @@ struct PlacedBox {
 
 /// A link of the robot in one lane.
 struct LinkOf {
-  const KernelLink& link;
-  const LinkWork& pose;
+  std::size_t link;
   std::size_t lane;
 };
 
-/// Whether boxes of two links could touch: spheres around boxes, then separating axes. `apart_m`: from the origin of a's robot to
-/// that of b's.
-[[nodiscard]] TROPHIC_LANES_INLINE bool boxes_touch(const KernelModel& model, const LinkOf& a, const LinkOf& b,
-                                                    const double (&apart_m)[3]) {
-  for (std::size_t i = a.link.first_box; i < a.link.first_box + a.link.boxes; ++i) {
-    const KernelBox& box_a = model.boxes[i];
-    const Vec3 centre_a = a.pose.anchor + rotate(a.pose.rotation, box_a.centre_m.data());
-    for (std::size_t j = b.link.first_box; j < b.link.first_box + b.link.boxes; ++j) {
-      const KernelBox& box_b = model.boxes[j];
-      const Vec3 centre_b = b.pose.anchor + rotate(b.pose.rotation, box_b.centre_m.data());
+/// Appends the contacts of two boxes, or marks both robots as doubtful.
+[[gnu::noinline]] inline void add_box_contacts(const PlacedBox& box_a, const PlacedBox& box_b, const LinkOf& a, const LinkOf& b,
+                                               const std::array<double, 3>& apart_m, Workspace& work) {
+  const bool sure = work.collider.collide(box_a, box_b, apart_m, [&](const BoxContact& contact) {
+    std::array<double, 3> from_b = contact.point_m;
+    for (std::size_t k = 0; k < 3; ++k) from_b[k] -= apart_m[k];
+    work.link_contacts.push_back({{a.lane, b.lane}, {a.link, b.link}, {contact.point_m, from_b}, contact.frame, contact.depth_m});
+  });
+  if (!sure) work.doubtful[a.lane] = work.doubtful[b.lane] = -1;
+}
+
+/// Appends the contacts of the boxes of two links: spheres around boxes, then separating axes, then MuJoCo's test. `apart_m`:
+/// from the origin of a's robot to that of b's.
+TROPHIC_LANES_INLINE void collide_links(const KernelModel& model, const LinkOf& a, const LinkOf& b,
+                                        const std::array<double, 3>& apart_m, Workspace& work) {
+  const KernelLink& link_a = model.links[a.link];
+  const KernelLink& link_b = model.links[b.link];
+  for (std::size_t i = link_a.first_box; i < link_a.first_box + link_a.boxes; ++i) {
+    const PlacedBox& box_a = placed_box(model, work.links[a.link], i, a.lane, work);
+    for (std::size_t j = link_b.first_box; j < link_b.first_box + link_b.boxes; ++j) {
+      const PlacedBox& box_b = placed_box(model, work.links[b.link], j, b.lane, work);
+      double between_m[3];
       double square_m2 = 0.0;
-      for (int k = 0; k < 3; ++k) {
-        const double between_m = centre_b[k][b.lane] + apart_m[k] - centre_a[k][a.lane];
-        square_m2 += between_m * between_m;
+      for (std::size_t k = 0; k < 3; ++k) {
+        between_m[k] = box_b.centre_m[k] + apart_m[k] - box_a.centre_m[k];
+        square_m2 += between_m[k] * between_m[k];
       }
-      const double reach_m = box_a.radius_m + box_b.radius_m;
+      const double reach_m = model.boxes[i].radius_m + model.boxes[j].radius_m;
       if (square_m2 > reach_m * reach_m) continue;
-      const PlacedBox placed_a = place_box(box_a, a.pose, a.lane);
-      PlacedBox placed_b = place_box(box_b, b.pose, b.lane);
-      for (int k = 0; k < 3; ++k) placed_b.centre_m[k] += apart_m[k];
-      if (!separated(placed_a, placed_b)) return true;
+      const std::size_t row = a.lane * model.boxes.size() + i;
+      std::uint8_t& last_gap = work.last_gap[row * work.placed_boxes.size() + b.lane * model.boxes.size() + j];
+      if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, work);
     }
   }
-  return false;
 }
 
-/// Lanes of `lanes` in which any two links that MuJoCo would collide could touch. Never misses a contact; a false alarm only
-/// costs time.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned touching_links(const KernelModel& model, const Workspace& work, unsigned lanes) {
-  unsigned touching = 0;
+/// Contacts of links of one robot that MuJoCo would collide.
+TROPHIC_LANES_INLINE void collide_own_links(const KernelModel& model, Workspace& work, unsigned lanes) {
   for (const LinkPair& pair : model.pairs) {
-    const KernelLink& first = model.links[pair.first];
-    const KernelLink& second = model.links[pair.second];
-    const LinkWork& first_pose = work.links[pair.first];
-    const LinkWork& second_pose = work.links[pair.second];
+    const double reach_m = model.links[pair.first].sphere_radius_m + model.links[pair.second].sphere_radius_m;
     const unsigned near =
-        overlapping(first_pose.sphere_centre, second_pose.sphere_centre, first.sphere_radius_m + second.sphere_radius_m) & lanes &
-        ~touching;
+        overlapping(work.links[pair.first].sphere_centre, work.links[pair.second].sphere_centre, reach_m) & lanes;
     for (std::size_t lane = 0; near != 0 && lane < lane_count; ++lane) {
-      if ((near & (1u << lane)) == 0) continue;
-      if (boxes_touch(model, {first, first_pose, lane}, {second, second_pose, lane}, {0.0, 0.0, 0.0})) touching |= 1u << lane;
+      if ((near & (1u << lane)) != 0) collide_links(model, {pair.first, lane}, {pair.second, lane}, {}, work);
     }
   }
-  return touching;
 }
 
-/// Whether the robots in two lanes could touch each other: spheres around robots, around links, then boxes.
-[[nodiscard]] TROPHIC_LANES_INLINE bool robots_touch(const KernelModel& model, const LaneState& state, const Workspace& work,
-                                                     std::size_t a, std::size_t b) {
-  double apart_m[3];
+/// Contacts of the robots in two lanes: spheres around robots, around links, then boxes.
+TROPHIC_LANES_INLINE void collide_robots(const KernelModel& model, const LaneState& state, Workspace& work, std::size_t a,
+                                         std::size_t b) {
+  std::array<double, 3> apart_m;
   for (std::size_t k = 0; k < 3; ++k) apart_m[k] = state.position[k][b] - state.position[k][a];
   const double square_m2 = apart_m[0] * apart_m[0] + apart_m[1] * apart_m[1] + apart_m[2] * apart_m[2];
-  if (square_m2 > 4.0 * model.bounding_radius_m * model.bounding_radius_m) return false;
+  if (square_m2 > 4.0 * model.bounding_radius_m * model.bounding_radius_m) return;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const LinkOf first{model.links[i], work.links[i], a};
     for (std::size_t j = 0; j < model.links.size(); ++j) {
-      const LinkOf second{model.links[j], work.links[j], b};
       double between_m2 = 0.0;
       for (int k = 0; k < 3; ++k) {
-        const double between_m = second.pose.sphere_centre[k][b] + apart_m[k] - first.pose.sphere_centre[k][a];
+        const double between_m =
+            work.links[j].sphere_centre[k][b] + apart_m[static_cast<std::size_t>(k)] - work.links[i].sphere_centre[k][a];
         between_m2 += between_m * between_m;
       }
-      const double reach_m = first.link.sphere_radius_m + second.link.sphere_radius_m;
-      if (between_m2 <= reach_m * reach_m && boxes_touch(model, first, second, apart_m)) return true;
+      const double reach_m = model.links[i].sphere_radius_m + model.links[j].sphere_radius_m;
+      if (between_m2 <= reach_m * reach_m) collide_links(model, {i, a}, {j, b}, apart_m, work);
     }
   }
-  return false;
 }
 
-/// Lanes of `lanes` whose robot could touch another of its company.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned touching_robots(const KernelModel& model, const LaneState& state,
-                                                            const Workspace& work, unsigned lanes) {
-  unsigned touching = 0;
+/// All contacts between links of the robots in `lanes`, of one robot or of one company; returns the lanes that have any.
+[[nodiscard]] TROPHIC_LANES_INLINE unsigned find_link_contacts(const KernelModel& model, const LaneState& state, Workspace& work,
+                                                               unsigned lanes) {
+  work.link_contacts.clear();
+  std::ranges::fill(work.box_placed, std::uint8_t{0});
+  collide_own_links(model, work, lanes);
   for (std::size_t b = 1; b < lane_count; ++b) {
     const unsigned others = work.company[b] & lanes & ((1u << b) - 1);
     for (std::size_t a = 0; others != 0 && (lanes & (1u << b)) != 0 && a < b; ++a) {
-      if ((others & (1u << a)) != 0 && robots_touch(model, state, work, a, b)) touching |= (1u << a) | (1u << b);
+      if ((others & (1u << a)) != 0) collide_robots(model, state, work, a, b);
     }
   }
+  unsigned touching = 0;
+  for (const LinkContact& contact : work.link_contacts) touching |= (1u << contact.lane[0]) | (1u << contact.lane[1]);
   return touching;
 }
 

@@ -105,8 +105,9 @@ TROPHIC_LANES_INLINE void search_line(const KernelModel& model, Workspace& work,
 }
 
 /// The acceleration that minimises the cost, as `trial` of links and hinges, from the warm start in `state`. A lane whose rows no
-/// longer change stays at its solution bitwise whatever happens in the others. Returns the lanes that did not settle.
-[[nodiscard]] TROPHIC_LANES_INLINE Mask minimise(const KernelModel& model, const LaneState& state, Workspace& work) {
+/// longer change stays at its solution bitwise whatever happens in the others. Returns those of `lanes` that did not settle.
+[[nodiscard]] TROPHIC_LANES_INLINE unsigned minimise(const KernelModel& model, const LaneState& state, Workspace& work,
+                                                     unsigned lanes) {
   try_warm_start(model, state, work);
   evaluate_trial(model, work);
   Mask changed{};
@@ -114,10 +115,10 @@ TROPHIC_LANES_INLINE void search_line(const KernelModel& model, Workspace& work,
     if (step >= full_steps) accept_trial(model, work);
     solve_active(model, work);
     changed = evaluate_trial(model, work);
-    if (lane_bits(changed) == 0) break;
+    if ((lane_bits(changed) & lanes) == 0) break;
     if (step >= full_steps) search_line(model, work, changed);
   }
-  return changed;
+  return lane_bits(changed) & lanes;
 }
 
 }  // namespace trophic::backend::kernel

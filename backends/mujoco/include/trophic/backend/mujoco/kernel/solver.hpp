@@ -243,15 +243,20 @@ TROPHIC_LANES_INLINE Mask evaluate_trial(const KernelModel& model, Workspace& wo
   return changed;
 }
 
+/// Motions of all links from the trial accelerations of the root and the hinges.
+TROPHIC_LANES_INLINE void spread_trial(const KernelModel& model, Workspace& work) {
+  for (std::size_t i = 1; i < model.links.size(); ++i) {
+    LinkWork& link = work.links[i];
+    link.trial = work.links[model.links[i].parent].trial + link.axis * work.hinges[i - 1].trial;
+  }
+}
+
 /// Sets the trial point to the acceleration in `state` (the warm start).
 TROPHIC_LANES_INLINE void try_warm_start(const KernelModel& model, const LaneState& state, Workspace& work) {
   const LaneArray& warm = state.acceleration;
   work.links[0].trial = {work.links[0].rotation * Vec3{{warm[3], warm[4], warm[5]}}, {{warm[0], warm[1], warm[2]}}};
-  for (std::size_t i = 1; i < model.links.size(); ++i) {
-    LinkWork& link = work.links[i];
-    work.hinges[i - 1].trial = warm[6 + i - 1];
-    link.trial = work.links[model.links[i].parent].trial + link.axis * warm[6 + i - 1];
-  }
+  for (std::size_t j = 0; j < model.hinges.size(); ++j) work.hinges[j].trial = warm[6 + j];
+  spread_trial(model, work);
 }
 
 /// Makes the trial point the current one.

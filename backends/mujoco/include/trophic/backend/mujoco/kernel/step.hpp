@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One step of four robots that touch nothing but planes, as MuJoCo 2.2.2's mj_step computes it.
+// One step of four robots among planes, as MuJoCo 2.2.2's mj_step computes it.
 #pragma once
 
+#include <trophic/backend/mujoco/kernel/coupled.hpp>
+#include <trophic/backend/mujoco/kernel/mass_matrix.hpp>
 #include <trophic/backend/mujoco/kernel/motion.hpp>
 #include <trophic/backend/mujoco/kernel/proximity.hpp>
 #include <trophic/backend/mujoco/kernel/search.hpp>
@@ -29,16 +31,21 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
 }
 
 /// Acceleration of the robots in `lanes` at the position and velocity in `state`, written to its acceleration, which is also the
-/// warm start (mj_forward). Returns the lanes that the kernel could compute: no two links near each other, joint angles it can
-/// take sines of, search settled, result below MuJoCo's bound for accelerations; all this for its whole company.
+/// warm start (mj_forward). Returns the lanes that the kernel could compute: no corner whose contact rounding decides, joint
+/// angles it can take sines of, search settled, result below MuJoCo's bound for accelerations; all this for its whole company.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned forward(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes) {
   move_links(model, state, work);
-  lanes = complete(work, lanes & ~touching_robots(model, state, work, lanes) & ~touching_links(model, work, lanes));
-  if (lanes == 0) return 0;
+  work.doubtful = Mask{};
+  const unsigned coupled = find_link_contacts(model, state, work, lanes);
   limit_joints(model, state, work);
   find_contacts(model, state, work);
-  lanes &= ~lane_bits(work.doubtful);
-  lanes &= ~lane_bits(minimise(model, state, work));
+  lanes = complete(work, lanes & ~lane_bits(work.doubtful));
+  if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, state, work, apart);
+  if (const unsigned together = lanes & coupled; together != 0) {
+    compose_links(model, work);
+    lanes &= ~minimise_coupled(model, state, work, together);
+    if (model.damped) spread_trial(model, work);
+  }
 
   const LinkWork& root = work.links[0];
   Mask good = mask_of(lanes);

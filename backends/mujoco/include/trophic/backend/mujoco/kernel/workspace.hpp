@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <trophic/backend/mujoco/kernel/box_contact.hpp>
 #include <trophic/backend/mujoco/kernel/model.hpp>
 #include <trophic/backend/mujoco/kernel/spatial.hpp>
+#include <trophic/backend/mujoco/kernel/symmetric_system.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
@@ -102,6 +105,63 @@ struct ContactGroup {
   std::size_t count;
 };
 
+/// One contact of two links, of one robot or of two.
+struct LinkContact {
+  std::array<std::size_t, 2> lane;
+  std::array<std::size_t, 2> link;
+  std::array<std::array<double, 3>, 2> point_m;  ///< from the origin of each robot's root
+  std::array<std::array<double, 3>, 3> frame;    ///< normal from the first link to the second, and two tangents
+  double depth_m;                                ///< signed distance, negative
+};
+
+/// A link with all links that hang on it.
+struct CompositeWork {
+  RigidInertia inertia;
+  Spatial bias;
+  Spatial momentum;  ///< per unit of the velocity of the hinge that it hangs on
+};
+
+/// One coordinate's part in the acceleration of a contact, along its normal and tangents.
+struct CoupledEntry {
+  std::size_t index;
+  std::array<double, 3> jacobian;
+};
+
+/// A contact of robots that are solved together: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = J x + offset.
+struct CoupledContact {
+  std::size_t first;  ///< of its entries, whose indices ascend
+  std::size_t entries = 0;
+  double weight;  ///< D of each row
+  double mu;
+  std::array<double, 3> offset{};
+  std::array<bool, 4> active{};
+
+  [[nodiscard]] std::array<double, 4> pushing_weights() const {
+    return {active[0] ? weight : 0.0, active[1] ? weight : 0.0, active[2] ? weight : 0.0, active[3] ? weight : 0.0};
+  }
+};
+
+/// The limit of a joint of robots that are solved together: row offset - side x.
+struct CoupledLimit {
+  double weight = 0.0;  ///< 0 where no limit is near
+  double side = 0.0;
+  double offset = 0.0;
+  bool active = false;
+};
+
+/// The problem of robots whose links touch each other.
+struct CoupledWork {
+  std::vector<CoupledContact> contacts;
+  std::vector<CoupledEntry> entries;
+  std::vector<CoupledLimit> limits;  ///< as the first coordinates of x
+  std::vector<double> x;
+  SymmetricSystem system;
+
+  [[nodiscard]] std::span<const CoupledEntry> of(const CoupledContact& contact) const {
+    return {entries.data() + contact.first, contact.entries};
+  }
+};
+
 /// Scratch memory of one thread.
 struct Workspace {
   /// Bits of the lanes that a lane's robot may touch, itself among them: these are stepped together or not at all.
@@ -111,7 +171,14 @@ struct Workspace {
   std::vector<ContactWork> contacts;
   std::vector<ContactGroup> groups;
   std::size_t group_count = 0;
-  Mask doubtful{};  ///< lanes in which rounding decides whether a corner touches a plane
+  std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
+  std::vector<std::uint8_t> box_placed;  ///< whether they are at home in this stage
+  std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
+  std::vector<LinkContact> link_contacts;
+  std::vector<CompositeWork> composites;
+  CoupledWork coupled;
+  BoxCollider collider;
+  Mask doubtful{};  ///< lanes in which rounding decides what touches
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
 
@@ -120,6 +187,10 @@ struct Workspace {
         hinges(model.hinges.size()),
         contacts(model.planes.size() * model.boxes.size() * 4),
         groups(model.planes.size() * model.links.size()),
+        placed_boxes(lane_count * model.boxes.size()),
+        box_placed(placed_boxes.size()),
+        last_gap(placed_boxes.size() * placed_boxes.size()),
+        composites(model.links.size()),
         stage{model},
         sum{model} {
     for (std::size_t lane = 0; lane < lane_count; ++lane) company[lane] = 1u << lane;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Compiles an MJCF document in memory.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <pugixml.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <trophic/backend/mujoco/engine.hpp>
+
+namespace trophic::backend::mujoco {
+
+/// A file that MJCF refers to.
+struct NamedFile {
+  std::string name;
+  std::string content;
+};
+
+/// Compiles MJCF. Throws std::runtime_error with MuJoCo's own words where it refuses.
+[[nodiscard]] inline ModelPtr compile(const pugi::xml_document& document, const std::optional<NamedFile>& file) {
+  static std::mutex one_at_a_time;  // MuJoCo's compiler is not said to be safe in several threads
+  const std::lock_guard lock{one_at_a_time};
+  const EngineGuard guard;
+
+  struct DeleteFiles {
+    void operator()(mjVFS* files) const {
+      mj_deleteVFS(files);
+      delete files;
+    }
+  };
+  const std::unique_ptr<mjVFS, DeleteFiles> files{new mjVFS};
+  mj_defaultVFS(files.get());
+  const auto add_file = [&](const std::string& name, const std::string& content) {
+    if (mj_makeEmptyFileVFS(files.get(), name.c_str(), static_cast<int>(content.size())) != 0) {
+      throw std::runtime_error{"MuJoCo: cannot hold " + name + " of " + std::to_string(content.size()) + " bytes"};
+    }
+    std::ranges::copy(content, static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), name.c_str())]));
+  };
+  std::ostringstream text;
+  document.save(text, "", pugi::format_raw);
+  add_file("model.xml", text.str());
+  if (file) add_file(file->name, file->content);
+
+  std::array<char, 1000> error{};
+  ModelPtr model{mj_loadXML("model.xml", files.get(), error.data(), static_cast<int>(error.size()))};
+  if (!model) throw std::runtime_error{std::string{"MuJoCo refuses the model: "} + error.data()};
+  return model;
+}
+
+}  // namespace trophic::backend::mujoco

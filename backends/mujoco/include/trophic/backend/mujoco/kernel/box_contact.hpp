@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Contacts of two boxes, by MuJoCo's own box-box test.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <pugixml.hpp>
+#include <span>
+#include <trophic/backend/mujoco/compile.hpp>
+#include <vector>
+
+namespace trophic::backend::kernel {
+
+/// A box in world axes.
+struct PlacedBox {
+  double centre_m[3];
+  double half_m[3];
+  double axis[3][3];  ///< axis[k] is the direction of extent k
+};
+
+/// Where two boxes touch.
+struct BoxContact {
+  std::array<double, 3> point_m;
+  std::array<std::array<double, 3>, 3> frame;  ///< normal from the first box to the second, and MuJoCo's two tangents
+  double depth_m;                              ///< signed distance, negative
+};
+
+/// Two boxes in a MuJoCo scene of their own, placed anew for each question. One per thread.
+class BoxCollider {
+ public:
+  BoxCollider() {
+    pugi::xml_document document;
+    auto world = document.append_child("mujoco").append_child("worldbody");
+    for (int box = 0; box < 2; ++box) {
+      auto geom = world.append_child("geom");
+      geom.append_attribute("type") = "box";
+      geom.append_attribute("size") = "1 1 1";
+    }
+    model_ = mujoco::compile(document, std::nullopt);
+    model_->nconmax = model_->njmax = 1;
+    model_->nstack = 1000;
+    data_.reset(mj_makeData(model_.get()));
+    found_.resize(mjMAXCONPAIR);
+  }
+
+  /// Calls `take` with each contact that mj_collision would make of the two boxes, the second moved by `apart_m`, at margin 0.
+  /// False if rounding decides which points those are: where edges are parallel to edges or faces, and where two points are the
+  /// same but for rounding.
+  template <class Take>
+  [[nodiscard]] bool collide(const PlacedBox& first, const PlacedBox& second, const std::array<double, 3>& apart_m,
+                             const Take& take) {
+    if (aligned(first, second)) return false;
+    place(0, first, {});
+    place(1, second, apart_m);
+    const int count = mjCOLLISIONFUNC[mjGEOM_BOX][mjGEOM_BOX](model_.get(), data_.get(), found_.data(), 0, 1, 0.0);
+    const auto end = found_.begin() + count;
+    std::array<std::array<double, 3>, 3> frame{};
+    for (auto contact = found_.begin(); contact != end; ++contact) {
+      const auto same_point = [&](const mjContact& other) { return mju_dist3(contact->pos, other.pos) < rounding_m; };
+      if (std::any_of(contact + 1, end, same_point)) return false;
+      // One face or one pair of edges gives all points, so that most normals are the one before.
+      if (contact == found_.begin() || !std::equal(contact->frame, contact->frame + 3, contact[-1].frame)) {
+        frame = frame_along(contact->frame);
+      }
+      if (contact->dist < 0.0) take(BoxContact{{contact->pos[0], contact->pos[1], contact->pos[2]}, frame, contact->dist});
+    }
+    return true;
+  }
+
+ private:
+  static constexpr double rounding_m = 1e-10;
+
+  /// Whether an edge of one box is parallel, but for rounding, to an edge or to a face of the other.
+  [[nodiscard]] static bool aligned(const PlacedBox& first, const PlacedBox& second) {
+    constexpr double rounding = 1e-12;
+    return std::ranges::any_of(first.axis, [&](const auto& u) {
+      return std::ranges::any_of(second.axis, [&](const auto& v) {
+        const double cosine = std::abs(mju_dot3(u, v));
+        return cosine < rounding || cosine > 1.0 - rounding;
+      });
+    });
+  }
+
+  void place(std::size_t box, const PlacedBox& at, const std::array<double, 3>& moved_m) {
+    std::copy_n(at.half_m, 3, model_->geom_size + 3 * box);
+    mju_add3(data_->geom_xpos + 3 * box, at.centre_m, moved_m.data());
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 3; ++i) data_->geom_xmat[9 * box + 3 * i + k] = at.axis[k][i];
+    }
+  }
+
+  /// MuJoCo's choice of tangents: the first is the part across the normal of y, of z where the normal is within 60 degrees of
+  /// +-y; the second completes the frame.
+  [[nodiscard]] static std::array<std::array<double, 3>, 3> frame_along(const mjtNum* direction) {
+    std::array<std::array<double, 3>, 3> frame{};
+    auto& [normal, first, second] = frame;
+    std::copy_n(direction, 3, normal.begin());
+    mju_normalize3(normal.data());
+    const std::size_t axis = std::abs(normal[1]) < 0.5 ? 1 : 2;
+    for (std::size_t i = 0; i < 3; ++i) first[i] = (i == axis ? 1.0 : 0.0) - normal[axis] * normal[i];
+    mju_normalize3(first.data());
+    mju_cross(second.data(), normal.data(), first.data());
+    return frame;
+  }
+
+  mujoco::ModelPtr model_;
+  mujoco::DataPtr data_;
+  std::vector<mjContact> found_;
+};
+
+}  // namespace trophic::backend::kernel
