@@ -16,7 +16,7 @@ namespace trophic::backend::kernel {
 // where J_c maps x to the acceleration of one side of contact c seen from the other along its normal and tangents, and W_c is the
 // sum of D e e' over its pushing rows e = (1, +-mu, 0), (1, 0, +-mu).
 
-/// Writes the problem of the robots in `lanes` as dense rows and solves it.
+/// The search of some robots: their problem is written down once, then solved for one set of pushing rows after the other.
 class CoupledSearch {
  public:
   CoupledSearch(const KernelModel& model, Workspace& work, unsigned lanes)
@@ -38,12 +38,12 @@ class CoupledSearch {
     }
   }
 
-  /// Newton steps from the warm start until the pushing rows no longer change; the minimum becomes the trial point of `lanes`.
-  /// False where they go on changing.
+  /// Full Newton steps from the warm start until the pushing rows no longer change; the minimum becomes the trial point of the
+  /// robots. False where they go on changing: MuJoCo's line search must do it.
   [[nodiscard]] bool minimise(const LaneState& state) {
     read_warm_start(state);
     evaluate();
-    for (int step = 0; step < largest_steps; ++step) {
+    for (int step = 0; step < most_steps; ++step) {
       solve_active();
       if (!evaluate()) {
         write_trial();
@@ -54,7 +54,7 @@ class CoupledSearch {
   }
 
  private:
-  static constexpr int largest_steps = 12;
+  static constexpr int most_steps = 12;
 
   template <class Visit>
   void for_each_lane(const Visit& visit) const {
@@ -309,7 +309,7 @@ class CoupledSearch {
   std::size_t first_root_ = 0;
 };
 
-/// For each lane of `coupled`, the lanes that contacts between links tie its robot to, itself among them.
+/// For each lane, the lanes that contacts between links tie its robot to, itself among them.
 [[nodiscard]] inline std::array<unsigned, lane_count> tied_lanes(const Workspace& work) {
   std::array<unsigned, lane_count> tied{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) tied[lane] = 1u << lane;
