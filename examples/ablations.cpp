@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -22,6 +21,8 @@
 #include <trophic/backend/mujoco.hpp>
 #endif
 
+#include "command.hpp"
+
 namespace {
 
 using trophic::rules::Paper;
@@ -30,10 +31,6 @@ using SharedGenome = trophic::with_heredity<Paper, trophic::reproduction::Shared
 using FrozenWhenBlind = trophic::with_blind_rule<Paper, trophic::perception::BlindKeepsOutputs>;
 using StaleReprieve = trophic::with_reprieve<Paper, trophic::death::NearRememberedAdversary>;
 using LastSeenParent = trophic::with_starvation_parent<Paper, trophic::reproduction::LastSeenVictim>;
-
-/// Exit codes: what could be known from the arguments, and what went wrong later.
-constexpr int usage_error = 2;
-constexpr int run_error = 1;
 
 struct Options {
   std::string backend = "kinematic";
@@ -76,12 +73,11 @@ bool run_on_backend(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace trophic::examples;
   Options options;
-  std::string command_line;
-  for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string{argv[i]};
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
-  options.facts = {{"command_line", command_line}, {"host", host.data()}};
+  options.facts = {{"command_line", command_line(argc, argv)}, {"host", host.data()}};
 
   CLI::App app{
       "The paper's rules, and with one rule each as in its released code: shared_genome (offspring and parent share one genome), "
@@ -96,19 +92,8 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"paper", "shared_genome", "frozen_when_blind", "stale_reprieve", "last_seen_parent"}));
   app.add_flag("--resume", options.plan.resume, "run only what OUT lacks");
   app.add_option("--out", options.plan.out, "folder for the tables' folders")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : usage_error;
-  }
-  try {
+  return run_command(app, argc, argv, "ablations", [&] {
     options.plan.check();
     return run_on_backend(options) ? 0 : run_error;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "ablations: " << error.what() << "\n";
-    return usage_error;
-  } catch (const std::exception& error) {
-    std::cerr << "ablations: " << error.what() << "\n";
-    return run_error;
-  }
+  });
 }

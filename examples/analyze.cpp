@@ -2,7 +2,6 @@
 // From runs to results: metrics with intervals beside the paper's values and null models. `analyze --help` lists the options.
 #include <CLI/CLI.hpp>
 #include <array>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -17,13 +16,11 @@
 #include <trophic/version.hpp>
 #include <vector>
 
+#include "command.hpp"
+
 namespace {
 
 namespace measure = trophic::measure;
-
-/// Exit codes: what could be known from the arguments, and what went wrong later.
-constexpr int usage_error = 2;
-constexpr int run_error = 1;
 
 struct Options {
   std::vector<std::filesystem::path> runs;
@@ -86,6 +83,7 @@ void compare(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace trophic::examples;
   Options options;
   CLI::App app{
       "Measures runs of predator_prey: the paper's metrics with bootstrap intervals over runs, beside its published values and "
@@ -95,23 +93,12 @@ int main(int argc, char** argv) {
   app.add_option("--out", options.out, "new folder for metrics.csv and summary.json (analysis)");
   app.add_option("--resamples", options.bootstrap.resamples, "bootstrap resamples (10000)");
   app.add_option("--seed", options.bootstrap.seed, "of the bootstrap (1)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : usage_error;
-  }
-  try {
+  return run_command(app, argc, argv, "analyze", [&] {
     trophic::validate(options.bootstrap, "bootstrap");
     if (options.runs.empty() == options.compare.empty()) {
       throw std::invalid_argument{"either folders of runs, or --compare and two of them"};
     }
     options.compare.empty() ? analyze(options) : compare(options);
     return 0;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "analyze: " << error.what() << "\n";
-    return usage_error;
-  } catch (const std::exception& error) {
-    std::cerr << "analyze: " << error.what() << "\n";
-    return run_error;
-  }
+  });
 }

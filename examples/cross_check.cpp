@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -28,14 +27,13 @@
 #include "cross_check/gait_report.hpp"
 #include "cross_check/report.hpp"
 
+#include "command.hpp"
+
 namespace {
 
 using cross_check::Condition;
 using trophic::backend::Mujoco;
 using trophic::backend::Ode;
-
-constexpr int usage_error = 2;
-constexpr int run_error = 1;
 
 struct Options {
   std::filesystem::path out;
@@ -149,8 +147,9 @@ void run_program(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace trophic::examples;
   Options options;
-  for (int i = 0; i < argc; ++i) options.command_line += (i == 0 ? "" : " ") + std::string{argv[i]};
+  options.command_line = command_line(argc, argv);
   CLI::App app{
       "Compares MuJoCo and ODE: speed, turning, servo power and torque of one gait by timestep and settings, and the metrics of "
       "the "
@@ -165,19 +164,8 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "walks or runs at a time (one per core); results do not depend on it");
   app.add_option("--runs", options.runs, "instead of --replicates: two folders that predator_prey --replicates made")
       ->expected(2);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : usage_error;
-  }
-  try {
+  return run_command(app, argc, argv, "cross_check", [&] {
     run_program(options);
     return 0;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "cross_check: " << error.what() << "\n";
-    return usage_error;
-  } catch (const std::exception& error) {
-    std::cerr << "cross_check: " << error.what() << "\n";
-    return run_error;
-  }
+  });
 }

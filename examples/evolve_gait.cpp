@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -26,6 +25,8 @@
 #include <trophic/backend/ode.hpp>
 #endif
 
+#include "command.hpp"
+
 namespace {
 
 namespace evolve = trophic::evolve;
@@ -46,10 +47,6 @@ struct Options {
   std::string resume;
   bool print_config = false;
 };
-
-/// Exit codes: what could be known from the arguments, and what went wrong later.
-constexpr int usage_error = 2;
-constexpr int run_error = 1;
 
 #if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
 constexpr const char* backends = "mujoco or ode";
@@ -176,6 +173,7 @@ int run_program(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace trophic::examples;
   Options options;
   CLI::App app{"Evolves the CPPN that makes a robot's gait, by the paper's pre-experiment or that of its released code."};
   app.add_option("--robot", options.robot, "name or path of a robot file (spider)");
@@ -190,18 +188,5 @@ int main(int argc, char** argv) {
   app.add_option("--out", options.out, "new folder for the files; a checkpoint is written there after every generation");
   app.add_option("--resume", options.resume, "folder of a run that was stopped or killed: goes on where it was");
   app.add_flag("--print-config", options.print_config, "print every number as TOML and stop");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : usage_error;
-  }
-  try {
-    return run_program(options);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "evolve_gait: " << error.what() << "\n";
-    return usage_error;
-  } catch (const std::exception& error) {
-    std::cerr << "evolve_gait: " << error.what() << "\n";
-    return run_error;
-  }
+  return run_command(app, argc, argv, "evolve_gait", [&] { return run_program(options); });
 }

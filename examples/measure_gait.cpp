@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How a gait walks and steers: a CSV table on standard output. `measure_gait --help` lists the options.
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -11,6 +10,8 @@
 #include <trophic/evolve/trial.hpp>
 #include <trophic/params.hpp>
 #include <vector>
+
+#include "command.hpp"
 
 namespace {
 
@@ -47,6 +48,7 @@ void measure(const std::string& robot_name, const std::string& gait_name, double
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace trophic::examples;
   std::string robot = "spider";
   std::string gait;
   double duration_s = 50.0;
@@ -58,18 +60,8 @@ int main(int argc, char** argv) {
   app.add_option("--robot", robot, "name or path of a robot file (spider)");
   app.add_option("--gait", gait, "name or path of a gait file (the robot's own)");
   app.add_option("--duration", duration_s, "simulated seconds (50)")->check(CLI::Range(5.1, 1e5));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return run_command(app, argc, argv, "measure_gait", [&] {
     measure(robot, gait, duration_s);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "measure_gait: " << error.what() << "\n";
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "measure_gait: " << error.what() << "\n";
-    return 1;
-  }
+    return 0;
+  });
 }

@@ -29,6 +29,8 @@
 #include <trophic/backend/ode.hpp>
 #endif
 
+#include "command.hpp"
+
 namespace {
 
 /// Everything that the command line says. What it leaves out comes from the configuration file, then from the rule table.
@@ -50,10 +52,6 @@ struct Options {
   bool print_config = false;
   std::string command_line;
 };
-
-/// Exit codes: what could be known from the arguments, and what went wrong later.
-constexpr int usage_error = 2;
-constexpr int run_error = 1;
 
 /// What this build was made with.
 constexpr const char* backends =
@@ -112,7 +110,7 @@ int run_replicates(const Options& options, typename trophic::Ecology<Rules, Back
   for (const std::string& sentence : outcome.unfinished) std::cerr << "predator_prey: " << sentence << "\n";
   if (outcome.all_complete()) return 0;
   std::cerr << "the same command with --resume runs these and no others\n";
-  return run_error;
+  return trophic::examples::run_error;
 }
 
 template <class Rules, class Backend>
@@ -148,7 +146,7 @@ int run(const Options& options, const toml::table& config) {
     ecology.run_until(params.world.duration_s, folder, progress, stop);
   } catch (const std::exception& error) {
     std::cerr << "predator_prey: " << error.what() << "\nwhat was written before is in " << folder.path().string() << "\n";
-    return run_error;
+    return trophic::examples::run_error;
   }
   folder.manifest().add({{"wall_s", trophic::observe::short_text(progress.elapsed_s())}});
   if (stop.caught() != 0) std::cout << "stopped by signal " << stop.caught() << " after the tick at hand\n";
@@ -185,8 +183,9 @@ int run_program(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace trophic::examples;
   Options options;
-  for (int i = 0; i < argc; ++i) options.command_line += (i == 0 ? "" : " ") + std::string{argv[i]};
+  options.command_line = command_line(argc, argv);
 
   CLI::App app{
       "Predators and prey with evolving controllers in modular robots, by the paper's rules or those of its released code."};
@@ -208,18 +207,5 @@ int main(int argc, char** argv) {
   app.add_option("--save-mjcf", options.save_mjcf,
                  "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run");
   app.add_flag("--print-config", options.print_config, "print every number as TOML and stop");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : usage_error;
-  }
-  try {
-    return run_program(options);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "predator_prey: " << error.what() << "\n";
-    return usage_error;
-  } catch (const std::exception& error) {
-    std::cerr << "predator_prey: " << error.what() << "\n";
-    return run_error;
-  }
+  return run_command(app, argc, argv, "predator_prey", [&] { return run_program(options); });
 }
