@@ -37,8 +37,9 @@ struct Comparison {
   }
 
   void report(const std::string& name) const {
-    MESSAGE(name << ": " << steps << " steps, " << contacts << " contacts, " << touching << " steps with links touching, " << limits << " joint limits, " << declined
-                 << " left to MuJoCo; acceleration " << acceleration << ", velocity " << velocity << ", position " << position);
+    MESSAGE(name << ": " << steps << " steps, " << contacts << " contacts, " << touching << " steps with links touching, "
+                 << limits << " joint limits, " << declined << " left to MuJoCo; acceleration " << acceleration << ", velocity "
+                 << velocity << ", position " << position);
   }
 
   [[nodiscard]] bool agrees() const { return acceleration < 1e-10 && velocity < 1e-10 && position < 1e-12; }

@@ -100,7 +100,7 @@ TROPHIC_LANES_INLINE void collide_links(const KernelModel& model, const LinkOf& 
         square_m2 += between_m[k] * between_m[k];
       }
       const double reach_m = model.boxes[i].radius_m + model.boxes[j].radius_m;
-      if (square_m2 > reach_m * reach_m) continue;
+      if (!(square_m2 <= reach_m * reach_m)) continue;  // nor where a number is NaN
       const std::size_t row = a.lane * model.boxes.size() + i;
       std::uint8_t& last_gap = work.last_gap[row * work.placed_boxes.size() + b.lane * model.boxes.size() + j];
       if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, work);
@@ -126,7 +126,7 @@ TROPHIC_LANES_INLINE void collide_robots(const KernelModel& model, const LaneSta
   std::array<double, 3> apart_m;
   for (std::size_t k = 0; k < 3; ++k) apart_m[k] = state.position[k][b] - state.position[k][a];
   const double square_m2 = apart_m[0] * apart_m[0] + apart_m[1] * apart_m[1] + apart_m[2] * apart_m[2];
-  if (square_m2 > 4.0 * model.bounding_radius_m * model.bounding_radius_m) return;
+  if (!(square_m2 <= 4.0 * model.bounding_radius_m * model.bounding_radius_m)) return;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     for (std::size_t j = 0; j < model.links.size(); ++j) {
       double between_m2 = 0.0;
