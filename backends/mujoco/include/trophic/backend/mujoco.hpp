@@ -37,7 +37,7 @@ class Mujoco {
 
   /// How the robots are divided into MuJoCo models.
   enum class Stepping {
-    fast,      ///< as islands; a robot in the open by a kernel of its own that computes what mj_step computes
+    fast,      ///< as islands; groups of up to four robots by a kernel that computes what mj_step computes
     islands,   ///< robots that cannot touch are stepped apart, in several threads
     one_model  ///< all in one model, stepped by mj_step in one thread: the reference
   };

@@ -24,7 +24,7 @@ namespace trophic::backend::mujoco {
 /// twice the slack for it. Nothing here depends on the number of threads.
 class Islands {
  public:
-  /// `fast`: groups of one robot are stepped by the kernel where it knows all that the model asks for.
+  /// `fast`: groups of up to four robots are stepped by the kernel where it knows all that the model asks for.
   Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast)
       : robot_{robot}, arena_{arena}, physics_{physics}, pool_{std::make_unique<ThreadPool>(threads)} {
     if (!fast || arena.height_field) return;

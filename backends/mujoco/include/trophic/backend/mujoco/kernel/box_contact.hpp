@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <pugixml.hpp>
-#include <span>
 #include <trophic/backend/mujoco/compile.hpp>
 #include <vector>
 

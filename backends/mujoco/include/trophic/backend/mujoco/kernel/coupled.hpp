@@ -2,7 +2,6 @@
 // Third stage of a step for robots whose links touch each other: MuJoCo's constraint problem of all of them together.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <trophic/backend/mujoco/kernel/contact.hpp>

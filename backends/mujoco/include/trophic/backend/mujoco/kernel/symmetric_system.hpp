@@ -18,8 +18,6 @@ class SymmetricSystem {
     lower_.assign(n * n, 0.0);
   }
 
-  [[nodiscard]] std::size_t size() const { return n_; }
-
   /// A(i, j) = A(j, i).
   [[nodiscard]] double& operator()(std::size_t i, std::size_t j) { return i < j ? lower_[i * n_ + j] : lower_[j * n_ + i]; }
 

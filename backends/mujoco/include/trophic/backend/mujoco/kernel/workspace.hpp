@@ -172,7 +172,7 @@ struct Workspace {
   std::vector<ContactGroup> groups;
   std::size_t group_count = 0;
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
-  std::vector<std::uint8_t> box_placed;  ///< whether they are at home in this stage
+  std::vector<std::uint8_t> box_placed;  ///< whether they have been placed in this stage
   std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
   std::vector<LinkContact> link_contacts;
   std::vector<CompositeWork> composites;
