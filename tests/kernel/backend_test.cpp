@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <trophic/arena_load.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/body/load.hpp>
 #include <trophic/rng.hpp>
@@ -101,21 +102,30 @@ TEST_CASE("geckos, whose legs touch often, walk as in one model") {
   CHECK(disagreement("gecko", 4, 6.0, 10.0) < 1e-9);
 }
 
-TEST_CASE("the number of threads does not change a bit, nor does a restored state") {
-  const RobotModel robot = body::load_robot("spider");
+namespace {
+
+/// Walks 14 robots with several numbers of threads, and from a saved state.
+void check_threads_and_restore(const std::string& name, const Arena& arena, const Physics& physics) {
+  const RobotModel robot = body::load_robot(name);
   const std::vector<Pose> starts = square(robot, 14, 2.5);
-  const Arena arena;
-  Mujoco one{robot, arena, starts, Physics{}, {.threads = 1}};
+  Mujoco one{robot, arena, starts, physics, {.threads = 1}};
   const Mujoco::State expected = walk(one, robot.hinges.size(), 2.0);
   for (const std::size_t threads : {2U, 4U}) {
-    Mujoco several{robot, arena, starts, Physics{}, {.threads = threads}};
+    Mujoco several{robot, arena, starts, physics, {.threads = threads}};
     CHECK(walk(several, robot.hinges.size(), 2.0) == expected);
   }
-  Mujoco other{robot, arena, starts, Physics{}, {.threads = 2}};
+  Mujoco other{robot, arena, starts, physics, {.threads = 2}};
   other.restore(expected);
   set_targets(other, robot.hinges.size(), 2.0);
   set_targets(one, robot.hinges.size(), 2.0);
   other.advance_to(2.5);
   one.advance_to(2.5);
   CHECK(other.save() == one.save());
+}
+
+}  // namespace
+
+TEST_CASE("the number of threads does not change a bit, nor does a restored state") {
+  check_threads_and_restore("spider", {}, {});
+  check_threads_and_restore("spider_released", load_arena("height_field"), {.timestep_s = 0.012, .integrator = Integrator::rk4});
 }

@@ -101,7 +101,23 @@ struct RobotState {
   return state;
 }
 
-/// Any pose, most of them near the ground, some at a wall; angles up to beyond the limits; fast and slow.
+/// Height of the ground at a point: 0, or the bilinear height of a field, which its triangles are never far from.
+[[nodiscard]] inline double ground_m(const Arena& arena, double x_m, double y_m) {
+  if (!arena.height_field) return 0.0;
+  const HeightField& field = *arena.height_field;
+  const double spacing_m = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
+  const double x = (x_m + field.half_extent_m) / spacing_m;
+  const double y = (y_m + field.half_extent_m) / spacing_m;
+  const auto ix = static_cast<std::size_t>(x);
+  const auto iy = static_cast<std::size_t>(y);
+  const auto at = [&](std::size_t i, std::size_t j) { return field.height_m.at(j * field.nodes + i); };
+  const double u = x - static_cast<double>(ix);
+  const double v = y - static_cast<double>(iy);
+  return (1 - v) * ((1 - u) * at(ix, iy) + u * at(ix + 1, iy)) + v * ((1 - u) * at(ix, iy + 1) + u * at(ix + 1, iy + 1));
+}
+
+/// Any pose, most of them near the ground, some at a wall or where the ground begins to rise; angles up to beyond the limits;
+/// fast and slow.
 [[nodiscard]] inline RobotState random_state(const RobotModel& robot, const Arena& arena, Reference& reference, Rng& rng) {
   const mjModel& model = reference.model;
   mjData& scratch = reference.data;
@@ -134,7 +150,7 @@ struct RobotState {
     for (int k = 0; k < 3; ++k) reach_m += model.geom_size[3 * g + k] * std::abs(scratch.geom_xmat[9 * g + 6 + k]);
     lowest_m = std::min(lowest_m, scratch.geom_xpos[3 * g + 2] - reach_m);
   }
-  state.qpos[2] += rng.uniform(-0.004, 0.001) - lowest_m;
+  state.qpos[2] += rng.uniform(-0.004, 0.001) - lowest_m + ground_m(arena, state.qpos[0], state.qpos[1]);
   return state;
 }
 

@@ -27,7 +27,7 @@ class Islands {
   /// `fast`: groups of up to four robots are stepped by the kernel where it knows all that the model asks for.
   Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast)
       : robot_{robot}, arena_{arena}, physics_{physics}, pool_{std::make_unique<ThreadPool>(threads)} {
-    if (!fast || arena.height_field) return;
+    if (!fast) return;
     if (auto constants = kernel::read_model(model_for({1, true}).model())) lanes_.emplace(std::move(*constants), threads);
   }
 

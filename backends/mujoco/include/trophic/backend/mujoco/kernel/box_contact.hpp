@@ -20,12 +20,26 @@ struct PlacedBox {
   double axis[3][3];  ///< axis[k] is the direction of extent k
 };
 
-/// Where two boxes touch.
+/// Where a box touches another or the ground.
 struct BoxContact {
   std::array<double, 3> point_m;
-  std::array<std::array<double, 3>, 3> frame;  ///< normal from the first box to the second, and MuJoCo's two tangents
+  std::array<std::array<double, 3>, 3> frame;  ///< normal towards the second box, and MuJoCo's two tangents
   double depth_m;                              ///< signed distance, negative
 };
+
+/// Normal along `direction` and MuJoCo's choice of tangents: the first is the part across the normal of y, of z where the normal
+/// is within 60 degrees of +-y; the second completes the frame.
+[[nodiscard]] inline std::array<std::array<double, 3>, 3> contact_frame(const mjtNum* direction) {
+  std::array<std::array<double, 3>, 3> frame{};
+  auto& [normal, first, second] = frame;
+  std::copy_n(direction, 3, normal.begin());
+  mju_normalize3(normal.data());
+  const std::size_t axis = std::abs(normal[1]) < 0.5 ? 1 : 2;
+  for (std::size_t i = 0; i < 3; ++i) first[i] = (i == axis ? 1.0 : 0.0) - normal[axis] * normal[i];
+  mju_normalize3(first.data());
+  mju_cross(second.data(), normal.data(), first.data());
+  return frame;
+}
 
 /// Two boxes in a MuJoCo scene of their own, placed anew for each question. One per thread.
 class BoxCollider {
@@ -62,7 +76,7 @@ class BoxCollider {
       if (std::any_of(contact + 1, end, same_point)) return false;
       // One face or one pair of edges gives all points, so that most normals are the one before.
       if (contact == found_.begin() || !std::equal(contact->frame, contact->frame + 3, contact[-1].frame)) {
-        frame = frame_along(contact->frame);
+        frame = contact_frame(contact->frame);
       }
       if (contact->dist < 0.0) take(BoxContact{{contact->pos[0], contact->pos[1], contact->pos[2]}, frame, contact->dist});
     }
@@ -89,20 +103,6 @@ class BoxCollider {
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t i = 0; i < 3; ++i) data_->geom_xmat[9 * box + 3 * i + k] = at.axis[k][i];
     }
-  }
-
-  /// MuJoCo's choice of tangents: the first is the part across the normal of y, of z where the normal is within 60 degrees of
-  /// +-y; the second completes the frame.
-  [[nodiscard]] static std::array<std::array<double, 3>, 3> frame_along(const mjtNum* direction) {
-    std::array<std::array<double, 3>, 3> frame{};
-    auto& [normal, first, second] = frame;
-    std::copy_n(direction, 3, normal.begin());
-    mju_normalize3(normal.data());
-    const std::size_t axis = std::abs(normal[1]) < 0.5 ? 1 : 2;
-    for (std::size_t i = 0; i < 3; ++i) first[i] = (i == axis ? 1.0 : 0.0) - normal[axis] * normal[i];
-    mju_normalize3(first.data());
-    mju_cross(second.data(), normal.data(), first.data());
-    return frame;
   }
 
   mujoco::ModelPtr model_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Third stage of a step for robots whose links touch each other: MuJoCo's constraint problem of all of them together.
+// Third stage of a step for robots whose links touch each other or a height field: MuJoCo's constraint problem of all of them.
 #pragma once
 
 #include <array>
@@ -34,6 +34,9 @@ class CoupledSearch {
     });
     for (const LinkContact& contact : work.link_contacts) {
       if ((lanes & (1u << contact.lane[0])) != 0) add_link_contact(contact);
+    }
+    for (const FieldContact& contact : work.field_contacts) {
+      if ((lanes & (1u << contact.lane)) != 0) add_field_contact(contact);
     }
   }
 
@@ -136,19 +139,35 @@ class CoupledSearch {
     }
   }
 
-  /// As make_rows in contact.hpp, of the second link's motion seen from the first.
+  /// As make_rows in contact.hpp, for a relative velocity at the contact and its inverse weight.
+  [[nodiscard]] CoupledContact rows_of(double depth_m, const Frame& frame, const std::array<double, 3>& velocity, double mu,
+                                       double inverse_weight_per_kg) const {
+    const double imp = impedance(model_.law, broadcast(depth_m))[0];
+    CoupledContact contact{.first = own_.entries.size(),
+                           .weight = imp / ((1.0 - imp) * 2.0 * mu * mu * (1.0 + mu * mu) * inverse_weight_per_kg),
+                           .mu = mu};
+    for (std::size_t k = 0; k < 3; ++k) contact.offset[k] = model_.law.damping_per_s * dot(frame[k], velocity);
+    contact.offset[0] += model_.law.stiffness_per_s2 * imp * depth_m;
+    return contact;
+  }
+
+  void add_field_contact(const FieldContact& from) {
+    const auto& [point_m, frame, depth_m] = from.contact;
+    const std::array<double, 3> velocity = at_point(work_.links[from.link].velocity, from.lane, point_m);
+    CoupledContact contact = rows_of(depth_m, frame, velocity, model_.friction, model_.links[from.link].inverse_weight_per_kg);
+    add_hinges(contact, from.lane, from.link, 1.0, point_m, frame);
+    add_root(contact, from.lane, 1.0, point_m, frame);
+    own_.contacts.push_back(contact);
+  }
+
+  /// Of the second link's motion seen from the first.
   void add_link_contact(const LinkContact& from) {
-    const double imp = impedance(model_.law, broadcast(from.depth_m))[0];
-    const double mu = model_.link_friction;
-    const double mobility =
+    const double inverse_weight_per_kg =
         model_.links[from.link[0]].own_inverse_weight_per_kg + model_.links[from.link[1]].own_inverse_weight_per_kg;
-    CoupledContact contact{
-        .first = own_.entries.size(), .weight = imp / ((1.0 - imp) * 2.0 * mu * mu * (1.0 + mu * mu) * mobility), .mu = mu};
     const std::array<double, 3> before = at_point(work_.links[from.link[0]].velocity, from.lane[0], from.point_m[0]);
     std::array<double, 3> velocity = at_point(work_.links[from.link[1]].velocity, from.lane[1], from.point_m[1]);
     for (std::size_t i = 0; i < 3; ++i) velocity[i] -= before[i];
-    for (std::size_t k = 0; k < 3; ++k) contact.offset[k] = model_.law.damping_per_s * dot(from.frame[k], velocity);
-    contact.offset[0] += model_.law.stiffness_per_s2 * imp * from.depth_m;
+    CoupledContact contact = rows_of(from.depth_m, from.frame, velocity, model_.link_friction, inverse_weight_per_kg);
     if (from.lane[0] != from.lane[1]) {
       add_hinges(contact, from.lane[0], from.link[0], -1.0, from.point_m[0], from.frame);
       add_hinges(contact, from.lane[1], from.link[1], 1.0, from.point_m[1], from.frame);

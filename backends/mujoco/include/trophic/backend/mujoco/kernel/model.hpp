@@ -32,13 +32,20 @@ struct Plane {
   double offset_m;
 };
 
+/// The ground as a height field: MuJoCo's model of one robot on it, whose test finds its contacts.
+struct Field {
+  const mjModel* model;
+  int geom;
+};
+
 struct KernelBox {
   std::array<double, 3> centre_m;
   std::array<double, 3> half_extents_m;
   std::array<double, 9> axes;  ///< column-major: directions of the box's axes in the link's frame
   bool aligned;                ///< axes are the link's own
   double radius_m;             ///< of the sphere around its centre that holds it
-  /// Half extents and axes as MuJoCo's model has them: which points its box-box test reports depends on their order.
+  int geom;                    ///< number of the box in MuJoCo's model
+  /// Half extents and axes as MuJoCo's model has them: which points its tests report depends on their order.
   std::array<double, 3> geom_half_extents_m;
   std::array<double, 9> geom_axes;
 };
@@ -86,8 +93,9 @@ struct KernelModel {
   std::vector<KernelBox> boxes;
   std::vector<LinkPair> pairs;
   std::vector<Plane> planes;
+  std::optional<Field> field;
   double bounding_radius_m = 0.0;  ///< no box point is farther from the root's origin
-  double friction = 0.0;           ///< of a link on a plane
+  double friction = 0.0;           ///< of a link on the ground
   double link_friction = 0.0;      ///< of two links
   double timestep_s = 0.0;
   double gravity_m_s2 = 0.0;
@@ -102,7 +110,7 @@ class ModelReader {
   explicit ModelReader(const mjModel& model) : m_{model} {}
 
   [[nodiscard]] std::optional<KernelModel> read() {
-    if (!plain_options() || !plain_geoms() || !plain_tree() || !plain_servos() || !read_planes()) return std::nullopt;
+    if (!plain_options() || !plain_geoms() || !plain_tree() || !plain_servos() || !read_ground()) return std::nullopt;
     kernel_.friction = std::max(friction_, mjMINMU);
     kernel_.link_friction = std::max(robot_friction_, mjMINMU);
     kernel_.timestep_s = m_.opt.timestep;
@@ -137,11 +145,13 @@ class ModelReader {
     return solver && still_air && flags && extras && (o.integrator == mjINT_EULER || o.integrator == mjINT_RK4);
   }
 
-  /// Planes of the world and boxes of the robot; all alike in what contacts are made of, and so are explicit pairs.
+  /// Planes or a height field of the world, boxes of the robot; all alike in what contacts are made of, and so are explicit
+  /// pairs.
   [[nodiscard]] bool plain_geoms() {
     for (int g = 0; g < m_.ngeom; ++g) {
       const bool own = m_.geom_bodyid[g] != 0;
-      if (m_.geom_type[g] != (own ? mjGEOM_BOX : mjGEOM_PLANE)) return false;
+      const bool ground = m_.geom_type[g] == mjGEOM_PLANE || m_.geom_type[g] == mjGEOM_HFIELD;
+      if (own ? m_.geom_type[g] != mjGEOM_BOX : !ground) return false;
       if (m_.geom_condim[g] != 3 || m_.geom_priority[g] != 0 || m_.geom_margin[g] != 0.0 || m_.geom_gap[g] != 0.0) return false;
       if (m_.geom_contype[g] != 1 || m_.geom_conaffinity[g] != 1 || !same_law(m_.geom_solref + 2 * g, m_.geom_solimp + 5 * g)) {
         return false;
@@ -224,9 +234,16 @@ class ModelReader {
     law.stiffness_per_s2 = 1.0 / (rate * rate * solref_[1] * solref_[1]);
   }
 
-  [[nodiscard]] bool read_planes() {
+  /// Planes across the axes of the world and one height field at most.
+  [[nodiscard]] bool read_ground() {
     for (int g = 0; g < m_.ngeom; ++g) {
       if (m_.geom_bodyid[g] != 0) continue;
+      if (m_.geom_type[g] == mjGEOM_HFIELD) {
+        const mjtNum* const turn = m_.geom_quat + 4 * g;
+        if (kernel_.field || turn[0] != 1.0) return false;
+        kernel_.field = {&m_, g};
+        continue;
+      }
       const Vector normal = rotation(m_.geom_quat + 4 * g).col(2);
       const Vector rounded = normal.array().round().matrix();
       if ((normal - rounded).cwiseAbs().maxCoeff() > 1e-12) return false;
@@ -314,6 +331,7 @@ class ModelReader {
     store(half_m, own.half_extents_m);
     store(axes, own.axes);
     own.radius_m = half_m.norm();
+    own.geom = geom;
     kernel_.bounding_radius_m = std::max(kernel_.bounding_radius_m, reaches_m_.back() + centre.norm() + own.radius_m);
     kernel_.boxes.push_back(own);
   }
@@ -349,8 +367,8 @@ class ModelReader {
   std::vector<double> reaches_m_;  ///< length of the chain from the root's origin to the link's hinge
 };
 
-/// The kernel's constants of a model of one robot among planes, or nothing where the model asks for something that the kernel
-/// does not compute: then MuJoCo must step it.
+/// The kernel's constants of a model of one robot on planes or a height field, or nothing where the model asks for something that
+/// the kernel does not compute: then MuJoCo must step it. With a height field the model must outlive them.
 [[nodiscard]] inline std::optional<KernelModel> read_model(const mjModel& model) {
   return ModelReader{model}.read();
 }

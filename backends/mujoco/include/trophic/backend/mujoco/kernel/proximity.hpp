@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which links touch each other, and where.
+// Which links touch each other or a height field, and where.
 #pragma once
 
 #include <algorithm>
@@ -155,6 +155,43 @@ TROPHIC_LANES_INLINE void collide_robots(const KernelModel& model, const LaneSta
   }
   unsigned touching = 0;
   for (const LinkContact& contact : work.link_contacts) touching |= (1u << contact.lane[0]) | (1u << contact.lane[1]);
+  return touching;
+}
+
+/// Appends the contacts of one link in one lane with the height field: sphere around the link, lowest point of a box, then
+/// MuJoCo's test.
+TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, const LinkOf& at, const std::array<double, 3>& origin_m,
+                                        Workspace& work) {
+  constexpr double gap_m = 1e-7;
+  const KernelLink& from = model.links[at.link];
+  const LinkWork& link = work.links[at.link];
+  const double radius_m = from.sphere_radius_m;
+  std::array<double, 3> centre_m = origin_m;
+  for (std::size_t k = 0; k < 3; ++k) centre_m[k] += link.sphere_centre[static_cast<int>(k)][at.lane];
+  const double highest_m = work.field_collider->highest_m(centre_m[0], centre_m[1], radius_m) + gap_m;
+  if (centre_m[2] - radius_m > highest_m) return;
+  for (std::size_t b = from.first_box; b < from.first_box + from.boxes; ++b) {
+    const PlacedBox& box = placed_box(model, link, b, at.lane, work);
+    double lowest_m = origin_m[2] + box.centre_m[2];
+    for (std::size_t k = 0; k < 3; ++k) lowest_m -= std::abs(box.axis[k][2]) * box.half_m[k];
+    if (lowest_m > highest_m) continue;
+    const auto take = [&](const BoxContact& contact) { work.field_contacts.push_back({at.lane, at.link, contact}); };
+    if (!work.field_collider->collide(model.boxes[b].geom, box, origin_m, take)) work.doubtful[at.lane] = -1;
+  }
+}
+
+/// All contacts of the robots in `lanes` with the height field; returns the lanes that have any.
+[[nodiscard]] TROPHIC_LANES_INLINE unsigned find_field_contacts(const KernelModel& model, const LaneState& state, Workspace& work,
+                                                                unsigned lanes) {
+  work.field_contacts.clear();
+  if (!model.field) return 0;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if ((lanes & (1u << lane)) == 0) continue;
+    const std::array<double, 3> origin_m = {state.position[0][lane], state.position[1][lane], state.position[2][lane]};
+    for (std::size_t link = 0; link < model.links.size(); ++link) collide_field(model, {link, lane}, origin_m, work);
+  }
+  unsigned touching = 0;
+  for (const FieldContact& contact : work.field_contacts) touching |= 1u << contact.lane;
   return touching;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One step of four robots among planes, as MuJoCo 2.2.2's mj_step computes it.
+// One step of four robots, as MuJoCo 2.2.2's mj_step computes it.
 #pragma once
 
 #include <trophic/backend/mujoco/kernel/coupled.hpp>
@@ -36,7 +36,8 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned forward(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes) {
   move_links(model, state, work);
   work.doubtful = Mask{};
-  const unsigned coupled = find_link_contacts(model, state, work, lanes);
+  unsigned coupled = find_link_contacts(model, state, work, lanes);
+  coupled |= find_field_contacts(model, state, work, lanes);
   limit_joints(model, state, work);
   find_contacts(model, state, work);
   lanes = complete(work, lanes & ~lane_bits(work.doubtful));

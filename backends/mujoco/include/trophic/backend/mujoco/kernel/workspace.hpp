@@ -5,8 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <trophic/backend/mujoco/kernel/box_contact.hpp>
+#include <trophic/backend/mujoco/kernel/field_contact.hpp>
 #include <trophic/backend/mujoco/kernel/model.hpp>
 #include <trophic/backend/mujoco/kernel/spatial.hpp>
 #include <trophic/backend/mujoco/kernel/symmetric_system.hpp>
@@ -114,6 +116,13 @@ struct LinkContact {
   double depth_m;                                ///< signed distance, negative
 };
 
+/// One contact of a link with the height field.
+struct FieldContact {
+  std::size_t lane;
+  std::size_t link;
+  BoxContact contact;  ///< from the origin of the robot's root
+};
+
 /// A link with all links that hang on it.
 struct CompositeWork {
   RigidInertia inertia;
@@ -175,9 +184,11 @@ struct Workspace {
   std::vector<std::uint8_t> box_placed;  ///< whether they have been placed in this stage
   std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
   std::vector<LinkContact> link_contacts;
+  std::vector<FieldContact> field_contacts;
   std::vector<CompositeWork> composites;
   CoupledWork coupled;
   BoxCollider collider;
+  std::optional<FieldCollider> field_collider;
   Mask doubtful{};  ///< lanes in which rounding decides what touches
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
@@ -193,6 +204,7 @@ struct Workspace {
         composites(model.links.size()),
         stage{model},
         sum{model} {
+    if (model.field) field_collider.emplace(*model.field->model, model.field->geom);
     for (std::size_t lane = 0; lane < lane_count; ++lane) company[lane] = 1u << lane;
   }
 };

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Robots on a height field, whose contacts MuJoCo finds and whose motion the kernel solves.
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <trophic/arena_load.hpp>
+#include <trophic/body/load.hpp>
+#include <vector>
+
+#include "kernel/reference.hpp"
+
+using namespace trophic;
+using namespace trophic::test;
+
+namespace {
+
+kernel::PlacedBox box_of(const Reference& reference, int geom) {
+  kernel::PlacedBox box;
+  for (int i = 0; i < 3; ++i) {
+    box.centre_m[i] = reference.data.geom_xpos[3 * geom + i];
+    box.half_m[i] = reference.model.geom_size[3 * geom + i];
+    for (int k = 0; k < 3; ++k) box.axis[k][i] = reference.data.geom_xmat[9 * geom + 3 * i + k];
+  }
+  return box;
+}
+
+/// The same numbers, each but for rounding.
+RobotState nudged(const RobotState& state, Rng& rng) {
+  RobotState other = state;
+  for (double& x : other.qpos) x *= 1.0 + rng.uniform(-2.3e-16, 2.3e-16);
+  return other;
+}
+
+/// How much steps from random states on the height field differ from mj_step's.
+struct Differences {
+  std::vector<double> of_kernel;
+  std::vector<double> of_rounding;  ///< mj_step's own, from states that differ by rounding
+  std::size_t contacts = 0;
+  std::size_t declined = 0;
+
+  static double median(std::vector<double> values) {
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+  }
+  static std::ptrdiff_t jumps(const std::vector<double>& values) {
+    return std::ranges::count_if(values, [](double value) { return value > 1e-9; });
+  }
+};
+
+Differences compare_random_states(const std::string& name, const Physics& physics, std::size_t groups) {
+  const Arena arena = load_arena("height_field");
+  const RobotModel robot = body::load_robot(name);
+  Reference reference{robot, arena, physics};
+  const kernel::KernelModel& model = reference.constants;
+  kernel::Workspace work{model};
+  kernel::LaneState lanes{model};
+  Rng rng{4, Stream::user};
+  Differences found;
+  const auto accelerations = [&](const RobotState& from) {
+    from.put(reference.data);
+    reference.step();
+    return std::vector<double>(reference.data.qacc_warmstart, reference.data.qacc_warmstart + from.warm.size());
+  };
+  for (std::size_t group = 0; group < groups; ++group) {
+    std::vector<RobotState> states;
+    for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
+      states.push_back(random_state(robot, arena, reference, rng));
+      states.back().put(lanes, lane);
+    }
+    const unsigned stepped = kernel::fastest_step()(model, lanes, work, 0xfu);
+    for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
+      if ((stepped & (1u << lane)) == 0) {
+        ++found.declined;
+        continue;
+      }
+      RobotState after = states[lane];
+      after.get(lanes, lane);
+      const std::vector<double> expected = accelerations(states[lane]);
+      found.contacts += static_cast<std::size_t>(reference.data.ncon);
+      found.of_kernel.push_back(relative_difference(after.warm, expected, expected.size()));
+      found.of_rounding.push_back(relative_difference(accelerations(nudged(states[lane], rng)), expected, expected.size()));
+    }
+  }
+  return found;
+}
+
+void check_robot(const std::string& name, const Physics& physics) {
+  constexpr std::size_t groups = 500;
+  const Differences found = compare_random_states(name, physics, groups);
+  const auto steps = static_cast<std::ptrdiff_t>(found.of_kernel.size());
+  MESSAGE(name << ": " << steps << " steps, " << found.contacts << " contacts, " << found.declined
+               << " left to MuJoCo; median difference of acceleration " << Differences::median(found.of_kernel)
+               << ", of MuJoCo's own from a state one rounding away " << Differences::median(found.of_rounding)
+               << "; steps that differ by more than 1e-9: " << Differences::jumps(found.of_kernel) << " and "
+               << Differences::jumps(found.of_rounding));
+  CHECK(Differences::median(found.of_kernel) < 1e-13);
+  CHECK(Differences::jumps(found.of_kernel) <= Differences::jumps(found.of_rounding) + 5);
+  CHECK(Differences::jumps(found.of_kernel) < steps / 50);
+  CHECK(steps > 4 * static_cast<std::ptrdiff_t>(groups) * 3 / 4);
+  CHECK(found.contacts > found.of_kernel.size());
+}
+
+}  // namespace
+
+TEST_CASE("contacts of a robot's boxes with a height field are those of mj_collision") {
+  const Arena arena = load_arena("height_field");
+  std::size_t total = 0;
+  for (const std::string name : {"spider_released", "gecko"}) {
+    const RobotModel robot = body::load_robot(name);
+    Reference reference{robot, arena, {}};
+    const mjModel& model = reference.model;
+    kernel::FieldCollider collider{model, reference.constants.field.value().geom};
+    Rng rng{5, Stream::user};
+    for (int trial = 0; trial < 500; ++trial) {
+      random_state(robot, arena, reference, rng).put(reference.data);
+      mj_fwdPosition(&model, &reference.data);
+      std::vector<mjContact> expected;
+      for (int c = 0; c < reference.data.ncon; ++c) {
+        const mjContact& contact = reference.data.contact[c];
+        if (model.geom_type[contact.geom1] == mjGEOM_HFIELD && contact.dist < 0.0) expected.push_back(contact);
+      }
+      std::ranges::stable_sort(expected, {}, &mjContact::geom2);
+      std::size_t next = 0;
+      for (int geom = 0; geom < model.ngeom; ++geom) {
+        if (model.geom_type[geom] != mjGEOM_BOX) continue;
+        const kernel::PlacedBox box = box_of(reference, geom);
+        std::size_t contacts = 0;
+        const auto compare = [&](const kernel::BoxContact& contact) {
+          ++contacts;
+          REQUIRE(next < expected.size());
+          const mjContact& other = expected[next++];
+          CHECK(other.geom2 == geom);
+          CHECK(contact.depth_m == other.dist);
+          for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(contact.point_m[i] == other.pos[i]);
+            for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(contact.frame[k][i] - other.frame[3 * k + i]) < 1e-15);
+          }
+        };
+        static_cast<void>(collider.collide(geom, box, {}, compare));
+        const double reach_m = model.geom_rbound[geom];
+        if (contacts > 0) CHECK(box.centre_m[2] - reach_m < collider.highest_m(box.centre_m[0], box.centre_m[1], reach_m));
+      }
+      CHECK(next == expected.size());
+      total += next;
+    }
+  }
+  CHECK(total > 1500);
+}
+
+TEST_CASE("the highest node near a point bounds the ground there") {
+  const Arena arena = load_arena("height_field");
+  const RobotModel robot = body::load_robot("gecko");
+  const Reference reference{robot, arena, {}};
+  const kernel::FieldCollider collider{reference.model, reference.constants.field.value().geom};
+  CHECK(collider.highest_m(0.0, 0.0, 0.1) == 0.0);
+  CHECK(collider.highest_m(9.2, 0.0, 0.1) == 0.0);  // the flat floor ends at 9.333 m
+  CHECK(collider.highest_m(9.3, 0.0, 0.1) == doctest::Approx(10.0));
+  CHECK(collider.highest_m(0.0, -11.0, 0.1) == doctest::Approx(10.0));
+  CHECK(collider.highest_m(50.0, 0.0, 0.1) == doctest::Approx(10.0));  // beyond the edge: that of the edge
+}
+
+TEST_CASE("a box that lies along the world's axes is left to MuJoCo where it touches the height field") {
+  const Arena arena = load_arena("height_field");
+  const RobotModel robot = body::load_robot("gecko");
+  Reference reference{robot, arena, {}};
+  kernel::Workspace work{reference.constants};
+  kernel::LaneState lanes{reference.constants};
+  RobotState state = resting(robot);
+  state.qpos[2] -= 0.001;
+  state.put(lanes, 0);
+  CHECK(kernel::fastest_step()(reference.constants, lanes, work, 1u) == 0);
+  state.qpos[2] += 0.1;
+  state.put(lanes, 0);
+  CHECK(kernel::fastest_step()(reference.constants, lanes, work, 1u) == 1);
+}
+
+TEST_CASE("one Runge-Kutta step on a height field differs from mj_step's as mj_step's own do from rounding") {
+  const Physics physics{.timestep_s = 0.012, .integrator = Integrator::rk4};
+  check_robot("spider_released", physics);
+  check_robot("gecko", physics);
+}
+
+TEST_CASE("so does one Euler step") {
+  check_robot("spider_released", {});
+  check_robot("gecko", {});
+}
