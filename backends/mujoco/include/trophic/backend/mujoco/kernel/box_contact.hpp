@@ -41,6 +41,14 @@ struct BoxContact {
   return frame;
 }
 
+/// Puts geom `geom` where `at` is, moved by `moved_m`.
+inline void place_geom(mjData& data, std::size_t geom, const PlacedBox& at, const std::array<double, 3>& moved_m) {
+  mju_add3(data.geom_xpos + 3 * geom, at.centre_m, moved_m.data());
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) data.geom_xmat[9 * geom + 3 * i + k] = at.axis[k][i];
+  }
+}
+
 /// Two boxes in a MuJoCo scene of their own, placed anew for each question. One per thread.
 class BoxCollider {
  public:
@@ -99,10 +107,7 @@ class BoxCollider {
 
   void place(std::size_t box, const PlacedBox& at, const std::array<double, 3>& moved_m) {
     std::copy_n(at.half_m, 3, model_->geom_size + 3 * box);
-    mju_add3(data_->geom_xpos + 3 * box, at.centre_m, moved_m.data());
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 3; ++i) data_->geom_xmat[9 * box + 3 * i + k] = at.axis[k][i];
-    }
+    place_geom(*data_, box, at, moved_m);
   }
 
   mujoco::ModelPtr model_;

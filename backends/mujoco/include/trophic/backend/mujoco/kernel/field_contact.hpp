@@ -49,10 +49,7 @@ class FieldCollider {
   /// are: where an axis of the box lies in a plane of the world's axes.
   template <class Take>
   [[nodiscard]] bool collide(int geom, const PlacedBox& box, const std::array<double, 3>& origin_m, const Take& take) {
-    mju_add3(data_->geom_xpos + 3 * geom, box.centre_m, origin_m.data());
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 3; ++i) data_->geom_xmat[9 * static_cast<std::size_t>(geom) + 3 * i + k] = box.axis[k][i];
-    }
+    place_geom(*data_, static_cast<std::size_t>(geom), box, origin_m);
     const int count = mjCOLLISIONFUNC[mjGEOM_HFIELD][mjGEOM_BOX](&model_, data_.get(), found_.data(), field_, geom, 0.0);
     for (int c = 0; c < count; ++c) {
       const mjContact& contact = found_[static_cast<std::size_t>(c)];
