@@ -87,6 +87,7 @@ class LaneStepper {
         scratch.work.company[group.first_lane + share] = ((1u << group.robots) - 1) << group.first_lane;
       }
     }
+    scratch.work.forget_rows();
     const kernel::Real start_x = lanes.position[0];
     const kernel::Real start_y = lanes.position[1];
 

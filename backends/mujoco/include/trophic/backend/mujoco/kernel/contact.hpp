@@ -45,12 +45,13 @@ TROPHIC_LANES_INLINE void limit_joints(const KernelModel& model, const LaneState
   }
 }
 
-/// Finds the contacts of one link with one plane, MuJoCo's plane-box rule: of the corners that are not above the box's centre
+/// Finds the contacts of one link with plane `index`, MuJoCo's plane-box rule: of the corners that are not above the box's centre
 /// those below the plane, four at most in the order of the corners' sign bits; the contact point lies half the depth above the
 /// corner. Returns their largest number in any lane.
 template <int Axis>
 TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelLink& link, const LinkWork& pose,
-                                         const Plane& plane, const Real& origin_m, ContactWork* slots, Mask& doubtful) {
+                                         std::size_t index, const Real& origin_m, ContactWork* slots, Mask& doubtful) {
+  const Plane& plane = model.planes[index];
   std::size_t counts[lane_count] = {};
   std::size_t opened = 0;
   const Real base_m = origin_m + plane.sign * pose.anchor[Axis];
@@ -100,6 +101,7 @@ TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelL
         }
         for (int i = 0; i < 3; ++i) slots[slot].point[i][lane] = point[i][lane];
         slots[slot].depth[lane] = distance_m[lane];
+        slots[slot].memory[lane] = ((index * model.boxes.size() + b) * 8 + corner) * lane_count + lane;
       }
     }
   }
@@ -125,38 +127,36 @@ TROPHIC_LANES_INLINE void make_rows(const KernelModel& model, const KernelLink& 
 
 /// Contacts of all links with plane `index`, appended to the workspace.
 template <int Axis>
-TROPHIC_LANES_INLINE std::size_t collide_all(const KernelModel& model, std::size_t index, const LaneState& state, Workspace& work,
-                                             std::size_t used) {
+TROPHIC_LANES_INLINE void collide_all(const KernelModel& model, std::size_t index, const LaneState& state, Workspace& work) {
   const Plane& plane = model.planes[index];
   const Real origin_m = plane.sign * state.position[Axis] - plane.offset_m;
-  if (lane_bits(origin_m < model.bounding_radius_m) == 0) return used;
+  if (lane_bits(origin_m < model.bounding_radius_m) == 0) return;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const std::size_t first = work.contact_count;
     const std::size_t count =
-        collide<Axis>(model, model.links[i], work.links[i], plane, origin_m, work.contacts.data() + used, work.doubtful);
+        collide<Axis>(model, model.links[i], work.links[i], index, origin_m, work.contacts.data() + first, work.doubtful);
     if (count == 0) continue;
-    for (std::size_t c = used; c < used + count; ++c) {
+    for (std::size_t c = first; c < first + count; ++c) {
       make_rows<Axis>(model, model.links[i], work.links[i], plane, work.contacts[c]);
     }
-    work.groups[work.group_count++] = {index, i, used, count};
-    used += count;
+    work.groups[work.group_count++] = {index, i, first, count};
+    work.contact_count += count;
   }
-  return used;
 }
 
 /// All contacts of all links, grouped by plane and link, and the lanes that are left to MuJoCo.
 TROPHIC_LANES_INLINE void find_contacts(const KernelModel& model, const LaneState& state, Workspace& work) {
-  work.group_count = 0;
-  std::size_t used = 0;
+  work.group_count = work.contact_count = 0;
   for (std::size_t index = 0; index < model.planes.size(); ++index) {
     switch (model.planes[index].axis) {
       case 0:
-        used = collide_all<0>(model, index, state, work, used);
+        collide_all<0>(model, index, state, work);
         break;
       case 1:
-        used = collide_all<1>(model, index, state, work, used);
+        collide_all<1>(model, index, state, work);
         break;
       default:
-        used = collide_all<2>(model, index, state, work, used);
+        collide_all<2>(model, index, state, work);
         break;
     }
   }

@@ -251,14 +251,6 @@ TROPHIC_LANES_INLINE void spread_trial(const KernelModel& model, Workspace& work
   }
 }
 
-/// Sets the trial point to the acceleration in `state` (the warm start).
-TROPHIC_LANES_INLINE void try_warm_start(const KernelModel& model, const LaneState& state, Workspace& work) {
-  const LaneArray& warm = state.acceleration;
-  work.links[0].trial = {work.links[0].rotation * Vec3{{warm[3], warm[4], warm[5]}}, {{warm[0], warm[1], warm[2]}}};
-  for (std::size_t j = 0; j < model.hinges.size(); ++j) work.hinges[j].trial = warm[6 + j];
-  spread_trial(model, work);
-}
-
 /// Makes the trial point the current one.
 struct AcceptContact {
   template <int>

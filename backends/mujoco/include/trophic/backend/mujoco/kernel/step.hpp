@@ -41,7 +41,7 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
   limit_joints(model, state, work);
   find_contacts(model, state, work);
   lanes = complete(work, lanes & ~lane_bits(work.doubtful));
-  if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, state, work, apart);
+  if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, work, apart);
   if (const unsigned together = lanes & coupled; together != 0) {
     compose_links(model, work);
     lanes &= ~minimise_coupled(model, state, work, together);

@@ -2,6 +2,7 @@
 // The states of four robots and the scratch memory of their step.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -95,9 +96,13 @@ struct ContactWork {
   Real weight;     ///< D of the four rows, 0 in a lane without this contact
   Vec3 offset;     ///< what is added to the point's acceleration so that the rows' residuals are projections of the sum
   Mask active[4];  ///< rows n + mu t1, n - mu t1, n + mu t2, n - mu t2 that push
-  Vec3 residual;   ///< at the current point of the search
+  std::array<std::size_t, lane_count> memory;  ///< indices in the workspace's `pushing_rows`
+  Vec3 residual;                               ///< at the current point of the search
   Vec3 trial;
 };
+
+/// Bits of all four rows of a contact.
+inline constexpr std::uint8_t all_rows = 0b1111;
 
 /// The contacts of one link with one plane.
 struct ContactGroup {
@@ -180,6 +185,9 @@ struct Workspace {
   std::vector<ContactWork> contacts;
   std::vector<ContactGroup> groups;
   std::size_t group_count = 0;
+  std::size_t contact_count = 0;
+  /// Bits of the rows that pushed when a corner of a box last touched a plane, by plane, box, corner and lane.
+  std::vector<std::uint8_t> pushing_rows;
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
   std::vector<std::uint8_t> box_placed;  ///< whether they have been placed in this stage
   std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
@@ -198,6 +206,7 @@ struct Workspace {
         hinges(model.hinges.size()),
         contacts(model.planes.size() * model.boxes.size() * 4),
         groups(model.planes.size() * model.links.size()),
+        pushing_rows(model.planes.size() * model.boxes.size() * 8 * lane_count, all_rows),
         placed_boxes(lane_count * model.boxes.size()),
         box_placed(placed_boxes.size()),
         last_gap(placed_boxes.size() * placed_boxes.size()),
@@ -207,6 +216,9 @@ struct Workspace {
     if (model.field) field_collider.emplace(*model.field->model, model.field->geom);
     for (std::size_t lane = 0; lane < lane_count; ++lane) company[lane] = 1u << lane;
   }
+
+  /// To be called when other robots come into the lanes.
+  void forget_rows() { std::ranges::fill(pushing_rows, all_rows); }
 };
 
 }  // namespace trophic::backend::kernel
