@@ -9,20 +9,35 @@
 
 namespace trophic::backend::kernel {
 
-/// A box of the robot in a lane, from the origin of the robot's root; placed once a stage.
-[[nodiscard]] TROPHIC_LANES_INLINE const PlacedBox& placed_box(const KernelModel& model, const LinkWork& link, std::size_t box,
-                                                               std::size_t lane, Workspace& work) {
+/// One lane of the rotation times a vector.
+[[nodiscard]] TROPHIC_LANES_INLINE double rotated(const Mat3& rotation, const double* a, int i, std::size_t lane) {
+  return rotation.column[0][i][lane] * a[0] + rotation.column[1][i][lane] * a[1] + rotation.column[2][i][lane] * a[2];
+}
+
+/// A box of the robot in a lane, from the origin of the robot's root, with its centre, which is computed once a stage.
+[[nodiscard]] TROPHIC_LANES_INLINE PlacedBox& centred_box(const KernelModel& model, const LinkWork& link, std::size_t box,
+                                                          std::size_t lane, Workspace& work) {
   const std::size_t slot = lane * model.boxes.size() + box;
   PlacedBox& placed = work.placed_boxes[slot];
-  if (work.box_placed[slot] != 0) return placed;
-  work.box_placed[slot] = 1;
+  if (work.box_placed[slot] != Placed::none) return placed;
+  work.box_placed[slot] = Placed::centre;
+  for (int i = 0; i < 3; ++i) {
+    placed.centre_m[i] = link.anchor[i][lane] + rotated(link.rotation, model.boxes[box].centre_m.data(), i, lane);
+  }
+  return placed;
+}
+
+/// And with its extents and axes.
+[[nodiscard]] TROPHIC_LANES_INLINE const PlacedBox& placed_box(const KernelModel& model, const LinkWork& link, std::size_t box,
+                                                               std::size_t lane, Workspace& work) {
+  PlacedBox& placed = centred_box(model, link, box, lane, work);
+  Placed& state = work.box_placed[lane * model.boxes.size() + box];
+  if (state == Placed::whole) return placed;
+  state = Placed::whole;
   const KernelBox& from = model.boxes[box];
-  const Vec3 centre = link.anchor + rotate(link.rotation, from.centre_m.data());
-  for (int i = 0; i < 3; ++i) placed.centre_m[i] = centre[i][lane];
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 axis = rotate(link.rotation, from.geom_axes.data() + 3 * k);
     placed.half_m[k] = from.geom_half_extents_m[k];
-    for (int i = 0; i < 3; ++i) placed.axis[k][i] = axis[i][lane];
+    for (int i = 0; i < 3; ++i) placed.axis[k][i] = rotated(link.rotation, from.geom_axes.data() + 3 * k, i, lane);
   }
   return placed;
 }
@@ -90,17 +105,19 @@ TROPHIC_LANES_INLINE void collide_links(const KernelModel& model, const LinkOf& 
   const KernelLink& link_a = model.links[a.link];
   const KernelLink& link_b = model.links[b.link];
   for (std::size_t i = link_a.first_box; i < link_a.first_box + link_a.boxes; ++i) {
-    const PlacedBox& box_a = placed_box(model, work.links[a.link], i, a.lane, work);
+    const PlacedBox& at_a = centred_box(model, work.links[a.link], i, a.lane, work);
     for (std::size_t j = link_b.first_box; j < link_b.first_box + link_b.boxes; ++j) {
-      const PlacedBox& box_b = placed_box(model, work.links[b.link], j, b.lane, work);
+      const PlacedBox& at_b = centred_box(model, work.links[b.link], j, b.lane, work);
       double between_m[3];
       double square_m2 = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
-        between_m[k] = box_b.centre_m[k] + apart_m[k] - box_a.centre_m[k];
+        between_m[k] = at_b.centre_m[k] + apart_m[k] - at_a.centre_m[k];
         square_m2 += between_m[k] * between_m[k];
       }
       const double reach_m = model.boxes[i].radius_m + model.boxes[j].radius_m;
       if (!(square_m2 <= reach_m * reach_m)) continue;  // nor where a number is NaN
+      const PlacedBox& box_a = placed_box(model, work.links[a.link], i, a.lane, work);
+      const PlacedBox& box_b = placed_box(model, work.links[b.link], j, b.lane, work);
       const std::size_t row = a.lane * model.boxes.size() + i;
       std::uint8_t& last_gap = work.last_gap[row * work.placed_boxes.size() + b.lane * model.boxes.size() + j];
       if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, work);
@@ -145,7 +162,7 @@ TROPHIC_LANES_INLINE void collide_robots(const KernelModel& model, const LaneSta
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned find_link_contacts(const KernelModel& model, const LaneState& state, Workspace& work,
                                                                unsigned lanes) {
   work.link_contacts.clear();
-  std::ranges::fill(work.box_placed, std::uint8_t{0});
+  std::ranges::fill(work.box_placed, Placed::none);
   collide_own_links(model, work, lanes);
   for (std::size_t b = 1; b < lane_count; ++b) {
     const unsigned others = work.company[b] & lanes & ((1u << b) - 1);

@@ -176,6 +176,9 @@ struct CoupledWork {
   }
 };
 
+/// What is known of where a box is.
+enum class Placed : std::uint8_t { none, centre, whole };
+
 /// Scratch memory of one thread.
 struct Workspace {
   /// Bits of the lanes that a lane's robot may touch, itself among them: these are stepped together or not at all.
@@ -188,9 +191,9 @@ struct Workspace {
   std::size_t contact_count = 0;
   /// Bits of the rows that pushed when a corner of a box last touched a plane, by plane, box, corner and lane.
   std::vector<std::uint8_t> pushing_rows;
-  std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
-  std::vector<std::uint8_t> box_placed;  ///< whether they have been placed in this stage
-  std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
+  std::vector<PlacedBox> placed_boxes;  ///< lane by lane, from the origin of each robot's root
+  std::vector<Placed> box_placed;       ///< what of them is known in this stage
+  std::vector<std::uint8_t> last_gap;   ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
   std::vector<LinkContact> link_contacts;
   std::vector<FieldContact> field_contacts;
   std::vector<CompositeWork> composites;
