@@ -66,6 +66,19 @@ class SpatialGrid {
     return best;
   }
 
+  /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
+  template <class Visit>
+  void for_each_near(double x_m, double y_m, double radius_m, Visit&& visit) const {
+    const std::ptrdiff_t last_column = cell_of(x_m + radius_m - low_x_m_);
+    const std::ptrdiff_t last_row = cell_of(y_m + radius_m - low_y_m_);
+    for (std::ptrdiff_t row = cell_of(y_m - radius_m - low_y_m_); row <= last_row; ++row) {
+      for (std::ptrdiff_t column = cell_of(x_m - radius_m - low_x_m_); column <= last_column; ++column) {
+        const std::size_t cell = index(column, row);
+        for (std::size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) visit(bodies_[i]);
+      }
+    }
+  }
+
  private:
   [[nodiscard]] std::ptrdiff_t cell_of(double offset_m) const {
     return std::clamp(static_cast<std::ptrdiff_t>(offset_m / cell_m_), std::ptrdiff_t{0}, cells_ - 1);

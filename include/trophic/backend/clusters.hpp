@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
+#include <trophic/spatial_grid.hpp>
 #include <vector>
 
 namespace trophic::backend {
@@ -18,7 +19,7 @@ struct Disc {
 };
 
 /// Splits the discs 0 .. n-1 into the connected sets of "overlap or touch". Each set is ascending; the sets are ordered by size,
-/// largest first, then by their first member. Sweep over x with union-find: n log n for discs that are spread out.
+/// largest first, then by their first member. Grid and union-find: linear in n for discs that are spread out.
 [[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs) {
   std::vector<std::size_t> root(discs.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
@@ -27,21 +28,25 @@ struct Disc {
     return i;
   };
 
-  std::vector<std::size_t> by_left_edge = root;
-  const auto left_m = [&](std::size_t i) { return discs[i].x_m - discs[i].radius_m; };
-  std::ranges::sort(by_left_edge,
-                    [&](std::size_t a, std::size_t b) { return left_m(a) != left_m(b) ? left_m(a) < left_m(b) : a < b; });
-  for (std::size_t i = 0; i < by_left_edge.size(); ++i) {
-    const Disc& a = discs[by_left_edge[i]];
-    for (std::size_t j = i + 1; j < by_left_edge.size() && left_m(by_left_edge[j]) <= a.x_m + a.radius_m; ++j) {
-      const Disc& b = discs[by_left_edge[j]];
+  std::vector<GroundPose> centres;
+  double largest_m = 0.0;
+  for (const Disc& disc : discs) {
+    centres.push_back({disc.x_m, disc.y_m});
+    largest_m = std::max(largest_m, disc.radius_m);
+  }
+  const SpatialGrid grid{centres};
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const Disc& a = discs[i];
+    grid.for_each_near(a.x_m, a.y_m, a.radius_m + largest_m, [&](std::size_t j) {
+      if (j <= i) return;
+      const Disc& b = discs[j];
       const double reach_m = a.radius_m + b.radius_m;
       const double dx = a.x_m - b.x_m;
       const double dy = a.y_m - b.y_m;
-      if (dx * dx + dy * dy > reach_m * reach_m) continue;
-      const auto [low, high] = std::minmax({find(by_left_edge[i]), find(by_left_edge[j])});
+      if (dx * dx + dy * dy > reach_m * reach_m) return;
+      const auto [low, high] = std::minmax({find(i), find(j)});
       root[high] = low;
-    }
+    });
   }
 
   std::vector<std::vector<std::size_t>> sets;
