@@ -25,8 +25,10 @@ class CoupledSearch {
     hinges_ = model.hinges.size();
     first_root_ = robots * hinges_;
     own_.contacts.clear();
-    own_.entries.clear();
+    own_.coordinates.clear();
+    own_.jacobians.clear();
     own_.x.assign(first_root_ + 6 * robots, 0.0);
+    own_.system.reset(own_.x.size());
     own_.limits.assign(first_root_, {});
     for_each_lane([&](std::size_t lane) {
       add_plane_contacts(lane);
@@ -92,13 +94,25 @@ class CoupledSearch {
 
   using Frame = std::array<std::array<double, 3>, 3>;
 
+  /// A contact that no coordinate moves yet, with room for its J. The next is to be made when this one is complete.
+  [[nodiscard]] CoupledContact new_contact() {
+    const std::size_t jacobian = own_.jacobians.size();
+    own_.jacobians.resize(jacobian + 3 * own_.system.column_size());
+    return {.first = own_.coordinates.size(), .jacobian = jacobian};
+  }
+
+  void add_coordinate(CoupledContact& contact, std::size_t index, const std::array<double, 3>& motion) {
+    own_.coordinates.push_back(index);
+    ++contact.coordinates;
+    for (std::size_t k = 0; k < 3; ++k) own_.jacobians[contact.jacobian + k * own_.system.column_size() + index] = motion[k];
+  }
+
   /// Appends what a link's hinges, inwards, add to the contact's acceleration.
   void add_hinge(CoupledContact& contact, std::size_t lane, std::size_t link, double sign, const std::array<double, 3>& point,
                  const Frame& frame) {
     const std::array<double, 3> motion = at_point(work_.links[link].axis, lane, point);
-    own_.entries.push_back(
-        {hinge_index(lane, link), {sign * dot(frame[0], motion), sign * dot(frame[1], motion), sign * dot(frame[2], motion)}});
-    ++contact.entries;
+    add_coordinate(contact, hinge_index(lane, link),
+                   {sign * dot(frame[0], motion), sign * dot(frame[1], motion), sign * dot(frame[2], motion)});
   }
   void add_hinges(CoupledContact& contact, std::size_t lane, std::size_t link, double sign, const std::array<double, 3>& point,
                   const Frame& frame) {
@@ -110,10 +124,9 @@ class CoupledSearch {
     std::size_t index = root_index(lane);
     for (const Frame* part : {&arm, &frame}) {
       for (std::size_t i = 0; i < 3; ++i) {
-        own_.entries.push_back({index++, {sign * (*part)[0][i], sign * (*part)[1][i], sign * (*part)[2][i]}});
+        add_coordinate(contact, index++, {sign * (*part)[0][i], sign * (*part)[1][i], sign * (*part)[2][i]});
       }
     }
-    contact.entries += 6;
   }
 
   void add_plane_contacts(std::size_t lane) {
@@ -128,10 +141,10 @@ class CoupledSearch {
       for (std::size_t c = group.first; c < group.first + group.count; ++c) {
         const ContactWork& from = work_.contacts[c];
         if (!(from.depth[lane] < 0.0)) continue;
-        CoupledContact contact{.first = own_.entries.size(),
-                               .weight = from.weight[lane],
-                               .mu = model_.friction,
-                               .offset = {plane.sign * from.offset[0][lane], from.offset[1][lane], from.offset[2][lane]}};
+        CoupledContact contact = new_contact();
+        contact.weight = from.weight[lane];
+        contact.mu = model_.friction;
+        contact.offset = {plane.sign * from.offset[0][lane], from.offset[1][lane], from.offset[2][lane]};
         add_hinges(contact, lane, group.link, 1.0, pick(from.point, lane), frame);
         add_root(contact, lane, 1.0, pick(from.point, lane), frame);
         own_.contacts.push_back(contact);
@@ -141,11 +154,11 @@ class CoupledSearch {
 
   /// As make_rows in contact.hpp, for a relative velocity at the contact and its inverse weight.
   [[nodiscard]] CoupledContact rows_of(double depth_m, const Frame& frame, const std::array<double, 3>& velocity, double mu,
-                                       double inverse_weight_per_kg) const {
+                                       double inverse_weight_per_kg) {
     const double imp = impedance(model_.law, broadcast(depth_m))[0];
-    CoupledContact contact{.first = own_.entries.size(),
-                           .weight = imp / ((1.0 - imp) * 2.0 * mu * mu * (1.0 + mu * mu) * inverse_weight_per_kg),
-                           .mu = mu};
+    CoupledContact contact = new_contact();
+    contact.weight = imp / ((1.0 - imp) * 2.0 * mu * mu * (1.0 + mu * mu) * inverse_weight_per_kg);
+    contact.mu = mu;
     for (std::size_t k = 0; k < 3; ++k) contact.offset[k] = model_.law.damping_per_s * dot(frame[k], velocity);
     contact.offset[0] += model_.law.stiffness_per_s2 * imp * depth_m;
     return contact;
@@ -220,9 +233,10 @@ class CoupledSearch {
       active = residual < 0.0;
     };
     for (CoupledContact& contact : own_.contacts) {
+      const std::array<const double*, 3> row = own_.rows(contact);
       std::array<double, 3> y = contact.offset;
-      for (const CoupledEntry& entry : own_.of(contact)) {
-        for (std::size_t k = 0; k < 3; ++k) y[k] += entry.jacobian[k] * own_.x[entry.index];
+      for (const std::size_t index : own_.coordinates_of(contact)) {
+        for (std::size_t k = 0; k < 3; ++k) y[k] += row[k][index] * own_.x[index];
       }
       for (std::size_t k = 1; k < 3; ++k) {
         update(contact.active[2 * k - 2], y[0] + contact.mu * y[k]);
@@ -285,6 +299,7 @@ class CoupledSearch {
     }
   }
 
+  /// A += J' W J, b -= J' W offset.
   void add_contact(const CoupledContact& contact) {
     const std::array<double, 4> d = contact.pushing_weights();
     const double first = d[0] + d[1];
@@ -297,13 +312,18 @@ class CoupledSearch {
       return {(first + second) * y[0] + to_first * y[1] + to_second * y[2], to_first * y[0] + mu * mu * first * y[1],
               to_second * y[0] + mu * mu * second * y[2]};
     };
-    const std::span<const CoupledEntry> entries = own_.of(contact);
+    const std::array<const double*, 3> row = own_.rows(contact);
     const std::array<double, 3> push = weigh(contact.offset);
-    for (std::size_t a = 0; a < entries.size(); ++a) {
-      const std::array<double, 3> weighed = weigh(entries[a].jacobian);
-      own_.x[entries[a].index] -= dot(entries[a].jacobian, push);
-      double* const column = own_.system.column(entries[a].index);
-      for (std::size_t b = a; b < entries.size(); ++b) column[entries[b].index] += dot(weighed, entries[b].jacobian);
+    for (const std::size_t index : own_.coordinates_of(contact)) {
+      const std::array<double, 3> own = {row[0][index], row[1][index], row[2][index]};
+      const std::array<double, 3> weighed = weigh(own);
+      own_.x[index] -= dot(own, push);
+      double* const __restrict column = own_.system.column(index);
+      for (std::size_t i = SymmetricSystem::block_start(index); i < own_.system.column_size(); i += SymmetricSystem::block) {
+        store_block(column + i,
+                    load_block(column + i) + (weighed[0] * load_block(row[0] + i) + weighed[1] * load_block(row[1] + i) +
+                                              weighed[2] * load_block(row[2] + i)));
+      }
     }
   }
 

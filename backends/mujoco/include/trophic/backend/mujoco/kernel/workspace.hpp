@@ -135,18 +135,13 @@ struct CompositeWork {
   Spatial momentum;  ///< per unit of the velocity of the hinge that it hangs on
 };
 
-/// One coordinate's part in the acceleration of a contact, along its normal and tangents.
-struct CoupledEntry {
-  std::size_t index;
-  std::array<double, 3> jacobian;
-};
-
 /// A contact of robots that are solved together: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = J x + offset.
 struct CoupledContact {
-  std::size_t first;  ///< of its entries, whose indices ascend
-  std::size_t entries = 0;
-  double weight;  ///< D of each row
-  double mu;
+  std::size_t first = 0;  ///< of the coordinates in x that move it, which ascend
+  std::size_t coordinates = 0;
+  std::size_t jacobian = 0;  ///< where its J begins
+  double weight = 0.0;       ///< D of each row
+  double mu = 0.0;
   std::array<double, 3> offset{};
   std::array<bool, 4> active{};
 
@@ -166,13 +161,18 @@ struct CoupledLimit {
 /// The problem of robots whose links touch each other.
 struct CoupledWork {
   std::vector<CoupledContact> contacts;
-  std::vector<CoupledEntry> entries;
+  std::vector<std::size_t> coordinates;
+  std::vector<double> jacobians;     ///< J of each contact: its normal's row and its tangents', as long as columns of `system`
   std::vector<CoupledLimit> limits;  ///< as the first coordinates of x
   std::vector<double> x;
   SymmetricSystem system;
 
-  [[nodiscard]] std::span<const CoupledEntry> of(const CoupledContact& contact) const {
-    return {entries.data() + contact.first, contact.entries};
+  [[nodiscard]] std::span<const std::size_t> coordinates_of(const CoupledContact& contact) const {
+    return {coordinates.data() + contact.first, contact.coordinates};
+  }
+  [[nodiscard]] std::array<const double*, 3> rows(const CoupledContact& contact) const {
+    const double* const first = jacobians.data() + contact.jacobian;
+    return {first, first + system.column_size(), first + 2 * system.column_size()};
   }
 };
 
