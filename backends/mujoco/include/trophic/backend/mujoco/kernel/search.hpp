@@ -113,7 +113,11 @@ TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
     const Mask present = contact.depth < 0.0;
     Mask rows{};
     for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = work.pushing_rows[contact.memory[lane]];
-    for (int r = 0; r < 4; ++r) contact.active[r] = ((rows & (1LL << r)) != 0) & present;
+    Mask bit = Mask{} + 1;
+    for (Mask& active : contact.active) {
+      active = ((rows & bit) != 0) & present;
+      bit += bit;
+    }
   }
   for (HingeWork& hinge : work.hinges) hinge.limit_active = hinge.limit_weight > 0.0;
 }
@@ -124,7 +128,11 @@ TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
     const ContactWork& contact = work.contacts[c];
     const unsigned present = lane_bits(contact.depth < 0.0) & lanes;
     Mask rows{};
-    for (int r = 0; r < 4; ++r) rows |= contact.active[r] & (1LL << r);
+    Mask bit = Mask{} + 1;
+    for (const Mask& active : contact.active) {
+      rows |= active & bit;
+      bit += bit;
+    }
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       if ((present & (1u << lane)) != 0) work.pushing_rows[contact.memory[lane]] = static_cast<std::uint8_t>(rows[lane]);
     }
