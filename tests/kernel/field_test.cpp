@@ -95,7 +95,10 @@ void check_robot(const std::string& name, const Physics& physics) {
                << "; steps that differ by more than 1e-9: " << Differences::jumps(found.of_kernel) << " and "
                << Differences::jumps(found.of_rounding));
   CHECK(Differences::median(found.of_kernel) < 1e-13);
-  CHECK(Differences::jumps(found.of_kernel) <= Differences::jumps(found.of_rounding) + 5);
+  // Which states jump is chance, another one with another compiler: two such counts differ by the root of their sum.
+  const auto jumps = static_cast<double>(Differences::jumps(found.of_kernel));
+  const auto own_jumps = static_cast<double>(Differences::jumps(found.of_rounding));
+  CHECK(jumps - own_jumps <= 2.0 + 2.0 * std::sqrt(jumps + own_jumps));
   CHECK(Differences::jumps(found.of_kernel) < steps / 50);
   CHECK(steps > 4 * static_cast<std::ptrdiff_t>(groups) * 3 / 4);
   CHECK(found.contacts > found.of_kernel.size());
