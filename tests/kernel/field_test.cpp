@@ -2,6 +2,8 @@
 // Robots on a height field, whose contacts MuJoCo finds and whose motion the kernel solves.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <trophic/arena_load.hpp>
