@@ -2,10 +2,9 @@
 // Robots on a height field, whose contacts MuJoCo finds and whose motion the kernel solves.
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <trophic/arena_load.hpp>
 #include <trophic/body/load.hpp>
 #include <vector>
