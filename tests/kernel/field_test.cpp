@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 #include <trophic/arena_load.hpp>
 #include <trophic/body/load.hpp>
 #include <vector>
@@ -96,10 +95,7 @@ void check_robot(const std::string& name, const Physics& physics) {
                << "; steps that differ by more than 1e-9: " << Differences::jumps(found.of_kernel) << " and "
                << Differences::jumps(found.of_rounding));
   CHECK(Differences::median(found.of_kernel) < 1e-13);
-  // Which states jump is chance, another one with another compiler: two such counts differ by the root of their sum.
-  const auto jumps = static_cast<double>(Differences::jumps(found.of_kernel));
-  const auto own_jumps = static_cast<double>(Differences::jumps(found.of_rounding));
-  CHECK(jumps - own_jumps <= 2.0 + 2.0 * std::sqrt(jumps + own_jumps));
+  CHECK(Differences::jumps(found.of_kernel) <= Differences::jumps(found.of_rounding) + 5);
   CHECK(Differences::jumps(found.of_kernel) < steps / 50);
   CHECK(steps > 4 * static_cast<std::ptrdiff_t>(groups) * 3 / 4);
   CHECK(found.contacts > found.of_kernel.size());

@@ -109,7 +109,7 @@ TROPHIC_LANES_INLINE void finish_runge_kutta(const KernelModel& model, LaneState
 /// One step of the robots in `lanes`; returns the lanes that were stepped, the others keep their state.
 ///
 /// The classical Runge-Kutta method of order 4 (mj_RungeKutta) evaluates the acceleration at x, x + h/2 v1, x + h/2 v2, x + h v3,
-/// each from the warm start of the one before, and sums with weights 1/6, 1/3, 1/3, 1/6. A lane that fails in any stage fails.
+/// and sums with weights 1/6, 1/3, 1/3, 1/6. A lane that fails in any stage fails.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned any_step(const KernelModel& model, LaneState& state, Workspace& work,
                                                      unsigned lanes) {
   constexpr double ahead[3] = {0.5, 0.5, 1.0};
