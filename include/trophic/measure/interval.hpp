@@ -71,8 +71,8 @@ struct Contrast {
 
 /// The interval that holds the true value of a contrast with probability `level`; a point where no set has any spread.
 ///
-/// Chosen by simulation: share of 95 % intervals that leave out the true mean, in %, at 6 / 10 / 20 runs. 2000 samples each; 40,000
-/// of t. "Kinematic": medians over eight metrics of 150 runs each of `paper` and `released`, drawn with replacement.
+/// Chosen by simulation: share of 95 % intervals that leave out the true mean, in %, at 6 / 10 / 20 runs. 2000 samples each;
+/// 40,000 of t. "Kinematic": medians over eight metrics of 150 runs each of `paper` and `released`, drawn with replacement.
 ///
 ///                        Student's t       percentile          BCa                 studentised bootstrap
 ///   normal               5.0 / 5.2 / 4.9   15.8 / 10.8 / 7.8   14.9 / 10.7 / 8.2   5.1 / 5.3 / 5.2
@@ -81,8 +81,8 @@ struct Contrast {
 ///   gamma, skewness 1.0  6.7 / 6.5 / 5.7   14.0 / 10.6 / 7.1   15.3 / 10.8 / 8.8   6.7 / 5.8 / 6.1
 ///   kinematic            5.3 / 5.4 / 5.7   15.1 / 10.6 / 7.7   14.9 / 10.8 / 8.0   5.8 / 5.8 / 5.6
 ///
-/// So t: no worse than the studentised bootstrap, and without random draws. Of 58 metrics of those runs 48 are within 1.5 points at
-/// 6 and 10 runs. Not so: tag symmetry (7.5 to 8.1 at 6 runs), velocity of predators (6.7 to 7.8), and counts that hardly vary
+/// So t: no worse than the studentised bootstrap, and without random draws. Of 58 metrics of those runs 48 are within 1.5 points
+/// at 6 and 10 runs. Not so: tag symmetry (7.5 to 8.1 at 6 runs), velocity of predators (6.7 to 7.8), and counts that hardly vary
 /// but for single odd runs (deaths of predators and hunger in `paper`, 14 to 37), for which no method of so few runs is right.
 [[nodiscard]] inline std::optional<Interval> interval_of(const std::optional<Contrast>& of, double level = 0.95) {
   if (!of) return std::nullopt;

@@ -125,6 +125,7 @@ inline void print_table(std::ostream& out, const ShadowedSet& set, std::span<con
   }
   out << "= a null: what the rules give without the effect   * the paper's own baseline, shown for reference: no null, no "
          "verdict\n";
+  out << "verdicts are of single metrics: one in twenty finds something where there is nothing\n";
   print_too_few(out, set.ours);
   if (set.shadow) print_too_few(out, *set.shadow);
 }

@@ -14,6 +14,8 @@ TEST_CASE("the paper's numbers, in SI units, positive towards the adversary, non
   CHECK(*published({"attribution_caught", "prey", "all", "1"}) == 0.65);
   CHECK(*published({"velocity_stored", "prey", "all", "m/s"}) == -0.0067);
   CHECK(*published({"tag_symmetry", "prey+predator", "inherited", "1"}) == 0.43);
+  CHECK(*published({"velocity", "predator", "all", "m/s"}) == 0.0195);
+  CHECK_FALSE(published({"attribution_catches", "predator", "all", "1"}));
   CHECK_FALSE(published({"attribution_catchers", "predator", "all", "1"}));
   CHECK_FALSE(published({"velocity", "prey", "random", "m/s"}));
   CHECK_FALSE(published({"wall_sticking", "wolf", "all", "1"}));
