@@ -34,6 +34,7 @@ class Mujoco {
  public:
   static constexpr std::string_view name = "mujoco";
   [[nodiscard]] static std::string version() { return mj_versionString(); }
+  [[nodiscard]] static std::vector<std::string> remarks(const Physics&) { return {}; }
 
   /// How the robots are divided into MuJoCo models.
   enum class Stepping {
