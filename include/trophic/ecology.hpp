@@ -96,6 +96,7 @@ class Ecology {
                      .slots = {},
                      .settings = settings_of(params_),
                      .backend = std::string{B::name} + " " + B::version(),
+                     .remarks = B::remarks(params_.physics),
                      .seed = params_.seed,
                      .tick_s = params_.world.tick_s,
                      .clock_scale = params_.world.clock_scale,
