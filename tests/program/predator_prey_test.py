@@ -119,10 +119,20 @@ class Runs(PredatorPrey):
             result = self.call(*few, *more, "--out", "set")
             self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
-        released = ["--rules", "released", "--backend", "ode", "--duration", 2, "--out", "released"]
-        self.assert_refused(self.call(*released), 2, "physics.integrator = rk4", "semi_implicit_euler")
-        result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--set", "physics.timestep_s=0.0024")
-        self.assertEqual(result.returncode, 0, result.stderr)
+
+    @unittest.skipUnless(HAS_ODE, "no ODE in this build")
+    def test_ode_runs_the_released_rules_and_says_how(self):
+        released = ["--rules", "released", "--backend", "ode", "--duration", 2]
+        for more in ([], ["--replicates", 1]):
+            result = self.call(*released, *more, "--out", f"released{len(more)}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("physics.integrator = rk4 has no effect", result.stdout)
+        remarks = self.manifest("released0")["remarks"]
+        self.assertEqual(len(remarks), 1)
+        self.assertIn("physics.integrator = rk4 has no effect", remarks[0])
+        result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--out", "own")
+        self.assertEqual(self.manifest("own")["remarks"], [])
+        self.assertNotIn("remark", result.stdout)
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_only_mujoco_writes_mjcf(self):
