@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rule of one's own: the hungrier a predator, the farther it reaches.
+// A rule of one's own: the hungrier a predator, the farther it reaches. Of two that reach the same prey the first in order gets
+// it.
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology.hpp>
@@ -17,15 +18,18 @@ struct HungryReach {
   Params params;
 
   std::vector<trophic::death::Capture> captures(const trophic::View& view, trophic::Rng&) const {
-    std::vector<trophic::death::Capture> caught;
+    std::vector<trophic::death::Capture> captures;
+    std::vector<bool> caught(view.robots.size(), false);
     for (trophic::BodyIndex hunter = 0; hunter < view.robots.size(); ++hunter) {
       const trophic::Individual& self = view.robots[hunter];
       const double reach_m = params.reach_per_tick_m * static_cast<double>(view.hunger_ticks(self));
       const auto victim = view.closest(
           hunter, [&](const trophic::Individual& other) { return other.active && view.web.eats(self.species, other.species); });
-      if (victim && view.distance_m(hunter, *victim) <= reach_m) caught.push_back({hunter, *victim});
+      if (!victim || caught[*victim] || view.distance_m(hunter, *victim) > reach_m) continue;
+      caught[*victim] = true;
+      captures.push_back({hunter, *victim});
     }
-    return caught;
+    return captures;
   }
 };
 

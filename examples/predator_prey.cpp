@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -19,6 +20,7 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/replicates/run.hpp>
+#include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
@@ -45,6 +47,7 @@ struct Options {
   std::optional<std::size_t> replicates;
   std::optional<std::size_t> jobs;
   bool resume = false;
+  bool shadow = false;
   std::string config;
   std::vector<std::string> assignments;
   std::string out;
@@ -93,22 +96,33 @@ auto resolve(const Options& options, const toml::table& config) {
   return params;
 }
 
-/// A set of runs that differ in their seed.
+/// A set of runs that differ in their seed, into one folder. Whether all are complete.
 template <class Rules, class Backend>
-int run_replicates(const Options& options, typename trophic::Ecology<Rules, Backend>::Params params) {
+bool run_set(const Options& options, const trophic::Experiment<Rules, Backend>& params, const std::filesystem::path& out) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const trophic::replicates::Plan plan{.out = options.out,
+  const trophic::replicates::Plan plan{.out = out,
                                        .master_seed = params.seed,
                                        .count = *options.replicates,
                                        .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
                                        .resume = options.resume};
-  if constexpr (requires { params.backend.threads; }) params.backend.threads = options.threads.value_or(1);
   const auto outcome = trophic::replicates::run<Rules, Backend>(
       params, plan, {{"command_line", options.command_line}, {"host", host_name()}}, std::cout);
-  std::cout << outcome.kept + outcome.complete << " of " << plan.count << " replicates complete in " << options.out << std::endl;
+  std::cout << outcome.kept + outcome.complete << " of " << plan.count << " replicates complete in " << out.string() << std::endl;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
   for (const std::string& sentence : outcome.unfinished) std::cerr << "predator_prey: " << sentence << "\n";
-  if (outcome.all_complete()) return 0;
+  return outcome.all_complete();
+}
+
+/// The replicates of a table and, where asked, of its neutral shadow, with the same seeds.
+template <class Rules, class Backend>
+int run_replicates(const Options& options, trophic::Experiment<Rules, Backend> params) {
+  if constexpr (requires { params.backend.threads; }) params.backend.threads = options.threads.value_or(1);
+  const std::filesystem::path out{options.out};
+  if (run_set<Rules, Backend>(options, params, out) &&
+      (!options.shadow ||
+       run_set<trophic::rules::neutral_shadow<Rules>, Backend>(options, trophic::rules::shadow_of(params), out / "shadow"))) {
+    return 0;
+  }
   std::cerr << "the same command with --resume runs these and no others\n";
   return trophic::examples::run_error;
 }
@@ -116,8 +130,8 @@ int run_replicates(const Options& options, typename trophic::Ecology<Rules, Back
 template <class Rules, class Backend>
 int run(const Options& options, const toml::table& config) {
   if (options.threads == std::size_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
-  if (!options.replicates && (options.jobs || options.resume)) {
-    throw std::invalid_argument{"--jobs and --resume: need --replicates"};
+  if (!options.replicates && (options.jobs || options.resume || options.shadow)) {
+    throw std::invalid_argument{"--jobs, --resume and --shadow: need --replicates"};
   }
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   const auto params = resolve<Rules, Backend>(options, config);
@@ -201,6 +215,9 @@ int main(int argc, char** argv) {
                  "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json");
   app.add_option("--jobs", options.jobs, "replicates at a time (one per core); results do not depend on it");
   app.add_flag("--resume", options.resume, "run only the replicates that OUT lacks; incomplete ones are kept under another name");
+  app.add_flag(
+      "--shadow", options.shadow,
+      "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited");
   app.add_option("--config", options.config, "TOML file with numbers, as --print-config writes it");
   app.add_option("--set", options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config");
   app.add_option("--out", options.out, "new folder for the run's files");

@@ -10,7 +10,6 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/concept.hpp>
-#include <trophic/body/ground_pose.hpp>
 #include <trophic/control/locomotion.hpp>
 #include <trophic/experiment.hpp>
 #include <trophic/habitat.hpp>
@@ -18,6 +17,7 @@
 #include <trophic/perception/adversary.hpp>
 #include <trophic/population.hpp>
 #include <trophic/rng.hpp>
+#include <trophic/rule_error.hpp>
 #include <trophic/rules.hpp>
 #include <trophic/settings.hpp>
 #include <trophic/view.hpp>
@@ -31,7 +31,7 @@ namespace trophic {
 ///
 /// A tick is `World::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn, catches,
 /// senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run, whatever the
-/// number of threads and whoever observes.
+/// number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is a RuleError.
 template <class Rules, Backend B>
 class Ecology {
  public:
@@ -58,11 +58,11 @@ class Ecology {
         started_ = true;
         for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
         starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
-        apply_rules(audience);
+        tick(audience);
       }
       while (time_s() < until_s && audience.keep_running()) {
         move();
-        apply_rules(audience);
+        tick(audience);
       }
       audience.end(view());
     } catch (const std::exception& error) {
@@ -96,6 +96,7 @@ class Ecology {
                      .slots = {},
                      .settings = settings_of(params_),
                      .backend = std::string{B::name} + " " + B::version(),
+                     .remarks = B::remarks(params_.physics),
                      .seed = params_.seed,
                      .tick_s = params_.world.tick_s,
                      .clock_scale = params_.world.clock_scale,
@@ -166,20 +167,25 @@ class Ecology {
     for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
     locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_);
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      poses_[body] = ground_pose(backend_.pose(body), habitat_.robot.forward_rad);
+      const Pose root = backend_.pose(body);
+      poses_[body] = {.x_m = root.position_m.x(),
+                      .y_m = root.position_m.y(),
+                      .heading_rad = rules_.heading.heading_rad(root, habitat_.robot.forward_rad)};
     }
     grid_ = SpatialGrid{poses_};
     ++tick_;
   }
 
   template <class Audience>
-  void apply_rules(Audience& audience) {
-    activate(audience);
-    capture(audience);
-    age(audience);
-    starve(audience);
-    rescue(audience);
-    decide(audience);
+  void tick(Audience& audience) {
+    if (time_s() >= params_.world.first_tick_s) {
+      activate(audience);
+      capture(audience);
+      age(audience);
+      starve(audience);
+      rescue(audience);
+      decide(audience);
+    }
     audience.tick(view());
   }
 
@@ -198,16 +204,30 @@ class Ecology {
     Rng rng{params_.seed, Stream::captures, 0, static_cast<std::uint64_t>(tick_)};
     const IndividualId first_newborn = population_.next_id();
     for (const death::Capture& capture : rules_.capture.captures(view(), rng)) {
+      check_index("capture", "hunter", capture.hunter, poses_.size());
+      check_index("capture", "victim", capture.victim, poses_.size());
       Individual& hunter = population_[capture.hunter];
-      const bool caught_meanwhile = hunter.id >= first_newborn;
-      if (caught_meanwhile || !rules_.floor.may_die(population_[capture.victim].species, view())) continue;
+      const bool hunter_was_caught = hunter.id >= first_newborn;
+      const bool victim_was_caught = population_[capture.victim].id >= first_newborn;
+      if (hunter_was_caught || victim_was_caught) continue;
+      check_prey(capture.hunter, capture.victim);
+      if (!rules_.floor.may_die(population_[capture.victim].species, view())) continue;
       hunter.fed_tick = tick_;
+      hunter.memory.last_seen_body.reset();
       hunter.memory.last_seen_victim.reset();
       population_[capture.victim].memory.last_killer = hunter.as_ancestor();
       emit(audience, observe::EventKind::capture, capture.hunter, {}, population_[capture.victim].id);
-      hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter}, rules_.capture_parent,
-              hunter.species);
+      hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .heir = hunter.species},
+              rules_.capture_parent);
     }
+  }
+
+  void check_prey(BodyIndex hunter, BodyIndex victim) {
+    const Species eater = population_[hunter].species;
+    const Species eaten = population_[victim].species;
+    if (web_.eats(eater, eaten)) return;
+    throw RuleError{"capture", "hunter " + std::to_string(hunter) + " and victim " + std::to_string(victim) + ": species " +
+                                   web_.name(eater) + " does not eat " + web_.name(eaten)};
   }
 
   template <class Audience>
@@ -216,7 +236,8 @@ class Ecology {
       const Individual& individual = population_[body];
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
       if (!rules_.senescence.dies(individual, view(), rng)) continue;
-      hand_on(audience, {.body = body, .cause = Cause::senescence, .killer = {}}, rules_.starvation_parent, individual.species);
+      hand_on(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .heir = individual.species},
+              rules_.senescence_parent);
     }
   }
 
@@ -225,7 +246,8 @@ class Ecology {
     if (!rules_.starvation_schedule.due(starvation_clock_, view())) return;
     const auto spared = [this](BodyIndex hunter) { return rules_.reprieve.spared(hunter, view()); };
     if (const auto victim = rules_.starvation.victim(view(), spared)) {
-      hand_on(audience, {.body = *victim, .cause = Cause::starved, .killer = {}}, rules_.starvation_parent, std::nullopt);
+      check_index("starvation", "victim", *victim, poses_.size());
+      hand_on(audience, {.body = *victim, .cause = Cause::starved, .killer = {}, .heir = {}}, rules_.starvation_parent);
     }
     starvation_clock_ = {.last_tick = tick_, .interval_ticks = rules_.starvation_schedule.interval_ticks(view())};
   }
@@ -234,19 +256,45 @@ class Ecology {
   void rescue(Audience& audience) {
     Rng rng{params_.seed, Stream::sacrifice, 0, static_cast<std::uint64_t>(tick_)};
     for (const death::Sacrifice& sacrifice : rules_.rescue.sacrifices(view(), rng)) {
+      check_index("rescue", "victim", sacrifice.victim, poses_.size());
+      check_index("rescue", "heir", sacrifice.heir, web_.size());
       if (!rules_.floor.may_die(population_[sacrifice.victim].species, view())) continue;
-      hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}}, rules_.rescue_parent,
-              sacrifice.heir);
+      hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .heir = sacrifice.heir},
+              rules_.rescue_parent);
     }
   }
 
-  /// Death of the occupant and birth of its successor. Without `heir` the successor is of its parent's species or, for want of a
-  /// parent, of the first species that the dead one ate.
+  /// A body goes to the species that the rules fix; a parent of another one is refused.
+  void check_parent(const reproduction::Vacancy& vacancy, const Ancestor& parent) const {
+    check_index(parent_slot(vacancy.cause), "a parent of species", parent.species, web_.size());
+    if (!vacancy.heir || parent.species == *vacancy.heir) return;
+    throw RuleError{parent_slot(vacancy.cause), "individual " + std::to_string(parent.id) + ", a " + web_.name(parent.species) +
+                                                    ", as the parent of a " + web_.name(*vacancy.heir) +
+                                                    ": must be of its offspring's species"};
+  }
+
+  [[nodiscard]] static std::string_view parent_slot(Cause cause) {
+    switch (cause) {
+      case Cause::caught:
+        return "capture_parent";
+      case Cause::starved:
+        return "starvation_parent";
+      case Cause::sacrificed:
+        return "rescue_parent";
+      case Cause::senescence:
+        break;
+    }
+    return "senescence_parent";
+  }
+
+  /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
+  /// want of a parent, the first that the dead one ate.
   template <class Audience, class ParentRule>
-  void hand_on(Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule,
-               std::optional<Species> heir) {
+  void hand_on(Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule) {
     const auto succession = population_.succession(vacancy, parent_rule, view());
     const Species dead = population_[vacancy.body].species;
+    if (succession.parent) check_parent(vacancy, *succession.parent);
+    auto heir = vacancy.heir;
     if (!heir) heir = succession.parent ? succession.parent->species : web_.first_victim(dead).value_or(dead);
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;
     emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
@@ -254,27 +302,50 @@ class Ecology {
     emit(audience, observe::EventKind::birth, vacancy.body);
   }
 
-  /// Everybody perceives the same moment: all sightings and decisions are made before the first tag changes.
+  /// Perception, brains, and what they change. Unless the rules say that robots decide in turn, everybody perceives the same
+  /// moment: all decisions are made before the first tag changes.
   template <class Audience>
   void decide(Audience& audience) {
     const double tag_ratio = rules_.tag_ratio_input.input(view());
-    sightings_.clear();
-    decisions_.clear();
+    choices_.clear();
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      const auto sighting = perception::adversary(body, view());
-      const auto inputs = sighting
-                              ? std::optional{perception::BrainInputs{.angle = rules_.angle_input.input(*sighting, view()),
-                                                                      .distance = rules_.distance_input.input(*sighting, view()),
-                                                                      .tag_ratio = tag_ratio}}
-                              : rules_.blind_rule.inputs(tag_ratio);
-      sightings_.push_back(sighting);
-      decisions_.push_back(inputs ? std::optional{rules_.brain.decide(*inputs, population_[body].genome->weights)}
-                                  : std::nullopt);
+      choices_.push_back(choice(body, tag_ratio));
+      if (rules_.decision_order.in_turn()) act(audience, body, choices_[body]);
     }
-    for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      remember(body, sightings_[body]);
-      if (decisions_[body]) act(audience, body, *decisions_[body]);
-    }
+    if (rules_.decision_order.in_turn()) return;
+    for (BodyIndex body = 0; body < poses_.size(); ++body) act(audience, body, choices_[body]);
+  }
+
+  /// What a robot perceives and what its brain makes of it; no decision where the blind rule keeps the last one.
+  struct Choice {
+    std::optional<perception::Sighting> sighting;
+    std::optional<control::Decision> decision;
+  };
+
+  [[nodiscard]] Choice choice(BodyIndex body, double tag_ratio) const {
+    const auto sighting = perception::adversary(body, view());
+    const auto inputs = sighting
+                            ? std::optional{perception::BrainInputs{.angle = rules_.angle_input.input(*sighting, view()),
+                                                                    .distance = rules_.distance_input.input(*sighting, view()),
+                                                                    .tag_ratio = tag_ratio}}
+                            : rules_.blind_rule.inputs(tag_ratio);
+    if (!inputs) return {sighting, std::nullopt};
+    const control::Decision decision = rules_.brain.decide(*inputs, population_[body].genome->weights);
+    check_tag(population_.tags(), decision.tag, "brain");
+    return {sighting, decision};
+  }
+
+  template <class Audience>
+  void act(Audience& audience, BodyIndex body, const Choice& choice) {
+    remember(body, choice.sighting);
+    if (!choice.decision) return;
+    Individual& self = population_[body];
+    self.target_angle_rad = choice.decision->target_angle_rad;
+    if (!rules_.tag_switch.may_switch(self, view())) return;
+    const bool switched = choice.decision->tag != self.tag;
+    self.tag = choice.decision->tag;
+    if (rules_.tag_switch.restarts(switched)) self.tag_since_s = time_s();
+    if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }
 
   void remember(BodyIndex body, const std::optional<perception::Sighting>& sighting) {
@@ -286,17 +357,9 @@ class Ecology {
     self.adversary_distance_m = sighting->distance_m;
     self.memory.adversary_distance_m = sighting->distance_m;
     const Individual& adversary = population_[sighting->adversary];
-    if (web_.eats(self.species, adversary.species)) self.memory.last_seen_victim = adversary.as_ancestor();
-  }
-
-  template <class Audience>
-  void act(Audience& audience, BodyIndex body, const control::Decision& decision) {
-    Individual& self = population_[body];
-    self.target_angle_rad = decision.target_angle_rad;
-    if (decision.tag == self.tag || !rules_.tag_switch.may_switch(self, view())) return;
-    self.tag = decision.tag;
-    self.tag_since_s = time_s();
-    emit(audience, observe::EventKind::tag_switch, body);
+    if (!web_.eats(self.species, adversary.species) || self.memory.last_seen_body == sighting->adversary) return;
+    self.memory.last_seen_body = sighting->adversary;
+    self.memory.last_seen_victim = adversary.as_ancestor();
   }
 
   /// From so many on, a grid finds the closest robot sooner than a look at everybody; both give the same.
@@ -317,8 +380,7 @@ class Ecology {
   std::int64_t tick_ = 0;
   bool started_ = false;
   std::vector<double> target_angles_rad_;
-  std::vector<std::optional<perception::Sighting>> sightings_;
-  std::vector<std::optional<control::Decision>> decisions_;
+  std::vector<Choice> choices_;
 };
 
 }  // namespace trophic

@@ -48,7 +48,8 @@ struct Ancestor {
 /// What a body remembers across the births and deaths of those who live in it. Only the released code's rules read it.
 struct BodyMemory {
   double adversary_distance_m = 0.0;              ///< distance to the adversary when one was last perceived; 0 before the first
-  std::optional<Ancestor> last_seen_victim = {};  ///< the last individual perceived as closest that this body's species eats
+  std::optional<BodyIndex> last_seen_body = {};   ///< the last body perceived as closest whose owner this body's species eats
+  std::optional<Ancestor> last_seen_victim = {};  ///< who lived in that body when it became the closest
   std::optional<Ancestor> last_killer = {};       ///< who last caught somebody in this body
 };
 
@@ -66,8 +67,8 @@ struct Individual {
   double age_from_s = 0.0;    ///< its age counts from here: birth, or activation where the rule says so
   std::int64_t fed_tick = 0;  ///< tick of birth or of its last catch
 
-  int tag = 1;               ///< -1 or +1
-  double tag_since_s = 0.0;  ///< start of the running tag cool-down: birth or last switch
+  int tag = 1;               ///< one of the brain's tags
+  double tag_since_s = 0.0;  ///< start of the running tag clock: birth or where TagSwitch restarted it
 
   std::optional<BodyIndex> adversary;                                      ///< closest perceivable opponent at the last tick
   double adversary_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN without adversary

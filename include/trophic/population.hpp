@@ -11,6 +11,7 @@
 #include <trophic/individual.hpp>
 #include <trophic/reproduction/concept.hpp>
 #include <trophic/rng.hpp>
+#include <trophic/rule_error.hpp>
 #include <trophic/rules.hpp>
 #include <trophic/view.hpp>
 #include <utility>
@@ -24,8 +25,10 @@ template <class Rules>
 class Population {
  public:
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
+  /// Throws RuleError for a species or a tag that does not exist, here and at later births.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders)
-      : rules_{rules}, web_{web}, seed_{seed} {
+      : rules_{rules}, web_{web}, seed_{seed}, tags_{rules.brain.tags()} {
+    for (const Species species : founders) check_index("community", "species", species, web.size());
     for (const Species species : founders) {
       individuals_.push_back(newborn(species, 0.0, 0, std::nullopt));
       give_genome(individuals_.back(), std::nullopt);
@@ -33,8 +36,10 @@ class Population {
   }
 
   [[nodiscard]] std::span<const Individual> individuals() const { return individuals_; }
-  [[nodiscard]] IndividualId next_id() const { return next_id_; }  ///< of whoever is born next
+  [[nodiscard]] const std::vector<int>& tags() const { return tags_; }  ///< that an individual may show
+  [[nodiscard]] IndividualId next_id() const { return next_id_; }       ///< of whoever is born next
   [[nodiscard]] Individual& operator[](BodyIndex body) { return individuals_[body]; }
+  [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
 
   /// Who inherits a vacant body: decides between random and inherited and asks the parent rule. Changes nobody.
   struct Succession {
@@ -71,6 +76,7 @@ class Population {
     born.fed_tick = tick;
     Rng rng{seed_, Stream::newborn_tag, born.id};
     born.tag = rules_.newborn_tag.tag(previous ? std::optional{previous->tag} : std::nullopt, rng);
+    check_tag(tags_, born.tag, "newborn_tag");
     if (previous) {
       born.target_angle_rad = previous->target_angle_rad;
       born.memory = previous->memory;
@@ -78,21 +84,31 @@ class Population {
     return born;
   }
 
+  [[nodiscard]] std::shared_ptr<Genome> drawn_genome(IndividualId id) {
+    auto genome =
+        std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(rules_.brain.genome_size())});
+    Rng rng{seed_, Stream::initial_genome, id};
+    rules_.initial_genome.draw(genome->weights, rng);
+    return genome;
+  }
+
+  /// Origin and parent of a newborn and its genome: drawn, or passed on and mutated.
   void give_genome(Individual& born, const std::optional<Ancestor>& parent) {
     if (!parent) {
-      born.genome =
-          std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(rules_.brain.genome_size())});
-      Rng rng{seed_, Stream::initial_genome, born.id};
-      rules_.initial_genome.draw(born.genome->weights, rng);
+      born.genome = drawn_genome(born.id);
       return;
     }
     born.origin = Origin::inherited;
     born.parent = parent->id;
     const std::vector<double> before = parent->genome->weights;
     born.genome = rules_.heredity.inherit(parent->genome);
-    if (born.genome != parent->genome) born.genome->id = next_genome_id_++;
-    Rng rng{seed_, Stream::mutation, born.id};
-    rules_.mutation.mutate(born.genome->weights, rng);
+    if (!born.genome) {
+      born.genome = drawn_genome(born.id);
+    } else {
+      if (born.genome != parent->genome) born.genome->id = next_genome_id_++;
+      Rng rng{seed_, Stream::mutation, born.id};
+      rules_.mutation.mutate(born.genome->weights, rng);
+    }
     double sum = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i)
       sum += (born.genome->weights[i] - before[i]) * (born.genome->weights[i] - before[i]);
@@ -102,6 +118,7 @@ class Population {
   const Policies<Rules>& rules_;
   const FoodWeb& web_;
   std::uint64_t seed_;
+  std::vector<int> tags_;
   IndividualId next_id_ = 0;
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;

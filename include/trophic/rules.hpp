@@ -22,6 +22,8 @@
   SLOT(Placement, placement, placement::Placement,                                                                             \
        "std::vector<GroundPose> place(std::size_t robots, const Arena&, double radius_m, Rng&) const; see "                    \
        "trophic/placement/concept.hpp")                                                                                        \
+  SLOT(Heading, heading, perception::Heading,                                                                                  \
+       "double heading_rad(const Pose& root, double forward_rad) const; see trophic/perception/concept.hpp")                   \
   SLOT(Visibility, visibility, perception::Visibility,                                                                         \
        "bool perceives(const Individual& self, const Individual& other) const; see trophic/perception/concept.hpp")            \
   SLOT(AngleInput, angle_input, perception::SightingInput,                                                                     \
@@ -35,10 +37,12 @@
   SLOT(NewbornTag, newborn_tag, perception::NewbornTag,                                                                        \
        "int tag(std::optional<int> body_tag, Rng&) const; see trophic/perception/concept.hpp")                                 \
   SLOT(TagSwitch, tag_switch, perception::TagSwitch,                                                                           \
-       "bool may_switch(const Individual&, const View&) const; see trophic/perception/concept.hpp")                            \
+       "bool may_switch(const Individual&, const View&) const and bool restarts(bool switched) const; see "                    \
+       "trophic/perception/concept.hpp")                                                                                       \
   SLOT(Brain, brain, control::Brain,                                                                                           \
-       "std::size_t genome_size() const and Decision decide(const BrainInputs&, std::span<const double> weights) const; see "  \
-       "trophic/control/concept.hpp")                                                                                          \
+       "std::size_t genome_size() const, std::vector<int> tags() const and Decision decide(const BrainInputs&, "               \
+       "std::span<const double> weights) const; see trophic/control/concept.hpp")                                              \
+  SLOT(DecisionOrder, decision_order, control::DecisionOrder, "bool in_turn() const; see trophic/control/concept.hpp")         \
   SLOT(Steering, steering, control::Steering,                                                                                  \
        "void steer(double target_angle_rad, std::span<const Side>, std::span<double> targets_rad) const; see "                 \
        "trophic/control/concept.hpp")                                                                                          \
@@ -72,7 +76,9 @@
   SLOT(Rescue, rescue, death::Rescue,                                                                                          \
        "std::vector<Sacrifice> sacrifices(const View&, Rng&) const; see trophic/death/concept.hpp")                            \
   SLOT(Senescence, senescence, death::Senescence,                                                                              \
-       "bool dies(const Individual&, const View&, Rng&) const; see trophic/death/concept.hpp")
+       "bool dies(const Individual&, const View&, Rng&) const; see trophic/death/concept.hpp")                                 \
+  SLOT(SenescenceParent, senescence_parent, reproduction::Parent,                                                              \
+       "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const; see trophic/reproduction/concept.hpp")
 
 namespace trophic {
 

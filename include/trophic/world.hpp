@@ -15,6 +15,7 @@ struct World {
   std::size_t robots = 30;              ///< bodies, fixed for the whole run
   double duration_s = 6000.0;           ///< of the ecology's clock; what a program runs unless told otherwise
   double tick_s = 2.0;                  ///< decision step, of the ecology's clock
+  double first_tick_s = 0.0;            ///< rules act from the first tick at or after this; robots walk straight until then
   double control_hz = 60.0;             ///< gait control, per simulated second
   double clock_scale = 1.0;             ///< simulated seconds per second of the ecology's clock
   std::string robot = "spider";         ///< name or path of a robot file
@@ -26,6 +27,7 @@ struct World {
     return std::tuple{field("robots", &World::robots, between(1, 10'000'000), "robot bodies, fixed for the whole run"),
                       field("duration_s", &World::duration_s, above(0.0), "length of the run, ecology seconds"),
                       field("tick_s", &World::tick_s, above(0.0), "decision step, ecology seconds"),
+                      field("first_tick_s", &World::first_tick_s, at_least(0.0), "rules act from then on, ecology seconds"),
                       field("control_hz", &World::control_hz, above_to(0.0, 1e5), "gait control per simulated second"),
                       field("clock_scale", &World::clock_scale, above_to(0.0, 1e3), "simulated seconds per ecology second"),
                       field("robot", &World::robot, "name or path of a robot file"),

@@ -20,12 +20,20 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
     const perception::BrainInputs inputs{
         .angle = rng.uniform(-1.0, 1.0), .distance = rng.uniform(-1.0, 1.0), .tag_ratio = rng.uniform(-1.0, 1.0)};
     const control::Decision decision = policy.decide(inputs, weights);
-    CHECK((decision.tag == 1 || decision.tag == -1));
+    CHECK(std::ranges::count(policy.tags(), decision.tag) == 1);
     CHECK(std::abs(decision.target_angle_rad) <= std::numbers::pi);
     const control::Decision again = policy.decide(inputs, weights);
     CHECK(again.tag == decision.tag);
     CHECK(again.target_angle_rad == decision.target_angle_rad);
   }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("decision order", Policy, trophic_decision_order_suite) {
+  using namespace trophic;
+  static_assert(control::DecisionOrder<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  CHECK(policy.in_turn() == policy.in_turn());
 }
 
 TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {

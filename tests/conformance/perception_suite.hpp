@@ -3,10 +3,33 @@
 // TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, MyVisibility);
 #pragma once
 
+#include <Eigen/Geometry>
 #include <conformance/policy_suite.hpp>
 #include <numbers>
 #include <optional>
 #include <trophic/perception/concept.hpp>
+
+TEST_CASE_TEMPLATE_DEFINE("heading", Policy, trophic_heading_suite) {
+  using namespace trophic;
+  static_assert(perception::Heading<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  for (const std::uint64_t seed : conformance::seeds) {
+    Rng rng{seed, Stream::user};
+    const double forward_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
+    const double turn_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
+    const Eigen::Quaterniond any{rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), rng.normal(0.0, 1.0)};
+    const Eigen::Quaterniond about_z{Eigen::AngleAxisd{turn_rad, Eigen::Vector3d::UnitZ()}};
+    const auto heading_rad = [&](const Eigen::Quaterniond& orientation) {
+      return policy.heading_rad({.position_m = {1.0, -2.0, 0.1}, .orientation = orientation}, forward_rad);
+    };
+    // upright it is where the forward axis points; turning the world turns it
+    CHECK(wrap_angle(heading_rad(about_z) - turn_rad - forward_rad) == doctest::Approx(0.0).epsilon(1e-9));
+    const double before_rad = heading_rad(any.normalized());
+    CHECK(std::abs(before_rad) <= std::numbers::pi);
+    CHECK(wrap_angle(heading_rad(about_z * any.normalized()) - before_rad - turn_rad) == doctest::Approx(0.0).epsilon(1e-9));
+  }
+}
 
 TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
   using namespace trophic;
@@ -90,4 +113,5 @@ TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
       CHECK(policy.may_switch(self, robots.view()) == policy.may_switch(self, robots.view()));
     }
   });
+  CHECK(policy.restarts(true));  // or a switched tag could be switched again at once
 }

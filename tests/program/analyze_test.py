@@ -109,6 +109,7 @@ class Analyze(InFolderWithSets):
         claims = self.summary()["sets"][0]["claims"]
         self.assertEqual(len(claims), 17)
         self.assertLessEqual({c["verdict"] for c in claims}, {"reproduced", "not reproduced", "undecided"})
+        self.assertIn("the claims are about runs of 6000 s", result.stdout)
         # A sixth of the published time has far fewer deaths.
         deaths = next(c for c in claims if (c["metric"], c["group"]) == ("deaths", "caught"))
         self.assertEqual(deaths["verdict"], "not reproduced")

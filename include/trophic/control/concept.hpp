@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 #include <trophic/perception/concept.hpp>
+#include <vector>
 
 namespace trophic::control {
 
@@ -17,11 +18,19 @@ struct Decision {
   int tag = 1;                    ///< which tag it wants to show: -1 or +1
 };
 
-/// `genome_size()`: number of weights; `decide(inputs, weights)`: pure function of both.
+/// `genome_size()`: number of weights; `tags()`: every tag that it may choose; `decide(inputs, weights)`: pure function of both.
 template <class P>
 concept Brain = requires(const P policy, const perception::BrainInputs& inputs, std::span<const double> weights) {
   { policy.genome_size() } -> std::same_as<std::size_t>;
+  { policy.tags() } -> std::same_as<std::vector<int>>;
   { policy.decide(inputs, weights) } -> std::same_as<Decision>;
+};
+
+/// `in_turn()`: whether robots decide one after the other, by body, each seeing the tags that earlier ones have taken at this
+/// tick; otherwise all perceive the same moment.
+template <class P>
+concept DecisionOrder = requires(const P policy) {
+  { policy.in_turn() } -> std::same_as<bool>;
 };
 
 /// Which side of a robot's axis of symmetry a hinge is on.

@@ -14,7 +14,7 @@ namespace trophic::death {
 
 /// Rule (released code): the indices of the list of hunters are shuffled; each index in turn takes the hunter that stands
 /// there in the list as it is now, in the order of bodies, offspring of this tick's catches included, so that some act
-/// twice and some not at all. A hunter of at least min_age catches the closest active victim if that is within reach;
+/// twice and some not at all. A hunter of at least min_age catches the closest active victim if that is closer than reach;
 /// founders and newborns are too young. Reads: positions, species, activity, ages.   Random draws: number of hunters - 1.
 struct CatchClosest {
   static constexpr std::string_view name = "catch_closest";
@@ -23,7 +23,7 @@ struct CatchClosest {
     double reach_m = 1.0;
     double min_age_s = 20.0;
     static constexpr auto fields() {
-      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim this close is caught"),
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim closer than this is caught"),
                         field("min_age_s", &Params::min_age_s, at_least(0.0), "younger hunters do not hunt")};
     }
   };
@@ -52,7 +52,7 @@ struct CatchClosest {
         const auto body = static_cast<BodyIndex>(&other - view.robots.data());
         return other.active && !caught[body] && view.web.eats(species, other.species);
       });
-      if (!victim || view.distance_m(hunter, *victim) > params.reach_m) continue;
+      if (!victim || view.distance_m(hunter, *victim) >= params.reach_m) continue;
       caught[*victim] = true;
       result.push_back({hunter, *victim});
       list = hunters();

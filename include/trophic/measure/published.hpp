@@ -9,6 +9,9 @@
 
 namespace trophic::measure {
 
+/// How long the published runs are.
+inline constexpr double published_duration_s = 6000.0;
+
 /// Where a published number stands.
 enum class Source { text, events };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Source) {

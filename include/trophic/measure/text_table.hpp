@@ -195,6 +195,10 @@ inline void print_claims(std::ostream& out, const RunSet& set, std::span<const C
   out << "reproduced: two one-sided tests at 5 % place ours within the margin of the published value\n"
          "not reproduced: they do not, and our 95 % interval leaves the published value out   undecided: neither\n"
          "paper: in its text   events: counted in the released logs of its ten runs   or: the same claim, counted another way\n";
+  if (set.facts.front().until_s != published_duration_s) {
+    out << "the claims are about runs of " << published_duration_s
+        << " s: counts of deaths in other times do not compare (--until)\n";
+  }
   print_too_few(out, set);
 }
 

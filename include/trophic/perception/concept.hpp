@@ -26,6 +26,13 @@ struct BrainInputs {
   friend bool operator==(const BrainInputs&, const BrainInputs&) = default;
 };
 
+/// `heading_rad(root, forward_rad)`: which way a robot faces on the floor, counter-clockwise from x, given its root frame and the
+/// direction of its forward axis in that frame. Left and right of a robot refer to it.
+template <class P>
+concept Heading = requires(const P policy, const Pose& root, double forward_rad) {
+  { policy.heading_rad(root, forward_rad) } -> std::same_as<double>;
+};
+
 /// `perceives(self, other)`: whether self can perceive other, whatever the distance. Species are checked elsewhere.
 template <class P>
 concept Visibility = requires(const P policy, const Individual& self, const Individual& other) {
@@ -51,14 +58,16 @@ concept BlindRule = requires(const P policy, double tag_ratio) {
   { policy.inputs(tag_ratio) } -> std::same_as<std::optional<BrainInputs>>;
 };
 
-/// `may_switch(self, view)`: whether self's tag may change at this tick.
+/// `may_switch(self, view)`: whether self's tag may change at this tick; `restarts(switched)`: whether its tag clock then starts
+/// again, asked after the brain has chosen another tag (true) or the same (false).
 template <class P>
-concept TagSwitch = requires(const P policy, const Individual& self, const View& view) {
+concept TagSwitch = requires(const P policy, const Individual& self, const View& view, bool switched) {
   { policy.may_switch(self, view) } -> std::same_as<bool>;
+  { policy.restarts(switched) } -> std::same_as<bool>;
 };
 
-/// `tag(body_tag, rng)`: the tag, -1 or +1, of an individual at birth; body_tag is that of the body's last owner, none for
-/// a founder.
+/// `tag(body_tag, rng)`: the tag, one of the brain's, of an individual at birth; body_tag is that of the body's last owner, none
+/// for a founder.
 template <class P>
 concept NewbornTag = requires(const P policy, std::optional<int> body_tag, Rng& rng) {
   { policy.tag(body_tag, rng) } -> std::same_as<int>;

@@ -10,8 +10,8 @@
 namespace trophic::perception {
 
 /// Rule: the tag may change iff at least cool_down has passed since the last switch or, before the first, since birth (Sec.
-/// "Tagging System": 50 s; released code: 100 s). That the cool-down runs at birth is the released code's; the paper is
-/// silent. Reads: own tag clock, time.   Random draws: 0.
+/// "Tagging System": 50 s). That the cool-down runs at birth is the released code's; the paper is
+/// silent. Reads: own tag clock, time. TagSampling is the released code's.   Random draws: 0.
 struct TagCoolDown {
   static constexpr std::string_view name = "tag_cool_down";
 
@@ -26,6 +26,7 @@ struct TagCoolDown {
   [[nodiscard]] bool may_switch(const Individual& self, const View& view) const {
     return view.time_s - self.tag_since_s >= params.cool_down_s;
   }
+  [[nodiscard]] bool restarts(bool switched) const { return switched; }
 };
 static_assert(TagSwitch<TagCoolDown>);
 

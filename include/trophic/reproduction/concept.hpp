@@ -16,7 +16,8 @@ namespace trophic::reproduction {
 struct Vacancy {
   BodyIndex body = 0;
   Cause cause = Cause::caught;
-  std::optional<BodyIndex> killer;  ///< the body of the hunter, for Cause::caught
+  std::optional<BodyIndex> killer = {};  ///< the body of the hunter, for Cause::caught
+  std::optional<Species> heir = {};  ///< the species that the body goes to, where the rules fix it: a parent must be one of it
 };
 
 /// `draw(weights, rng)`: fills a genome that has no parent.
@@ -33,7 +34,8 @@ concept GenomeSource = requires(const P policy, Rng& rng) {
   { policy.without_parent() } -> std::same_as<Origin>;
 };
 
-/// `parent(vacancy, view, rng)`: who reproduces into the vacant body, dead or alive; nobody: the genome is random.
+/// `parent(vacancy, view, rng)`: who reproduces into the vacant body, dead or alive; nobody: the genome is random. Of the species
+/// `vacancy.heir` where that is given; where not, the body goes to the parent's species.
 template <class P>
 concept Parent = requires(const P policy, const Vacancy& vacancy, const View& view, Rng& rng) {
   { policy.parent(vacancy, view, rng) } -> std::same_as<std::optional<Ancestor>>;
@@ -45,7 +47,8 @@ concept Mutation = requires(const P policy, std::span<double> weights, Rng& rng)
   { policy.mutate(weights, rng) } -> std::same_as<void>;
 };
 
-/// `inherit(parent)`: the genome that the offspring starts from, before mutation; the parent's own object or a new one.
+/// `inherit(parent)`: the genome that the offspring starts from, before mutation; the parent's own object or a new one. Nothing:
+/// no genome is passed on, the offspring's is drawn as one without a parent and does not mutate.
 template <class P>
 concept Heredity = requires(const P policy, const std::shared_ptr<Genome>& parent) {
   { policy.inherit(parent) } -> std::same_as<std::shared_ptr<Genome>>;

@@ -6,6 +6,7 @@
 #include <trophic/backend/concept.hpp>
 #include <trophic/community/predator_prey.hpp>
 #include <trophic/control/cognitive_brain.hpp>
+#include <trophic/control/decide_together.hpp>
 #include <trophic/control/targeted_steering.hpp>
 #include <trophic/death/active_away_from_hunters.hpp>
 #include <trophic/death/catch_within_reach.hpp>
@@ -17,6 +18,7 @@
 #include <trophic/death/victim_floor.hpp>
 #include <trophic/perception/blind_sees_nothing.hpp>
 #include <trophic/perception/distance_over_terrain.hpp>
+#include <trophic/perception/forward_axis_heading.hpp>
 #include <trophic/perception/keeps_body_tag.hpp>
 #include <trophic/perception/same_tag.hpp>
 #include <trophic/perception/side_of_adversary.hpp>
@@ -37,12 +39,17 @@ namespace trophic::rules {
 
 /// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots". Every number is the
 /// policies' default; what the paper is silent about is said in each policy.
+///
+/// The robot's own gait is the one published with the paper. Its text would allow another one evolved by its fitness
+/// (`spider_paper`); the published one is what the paper's robots walked with, it is faster, and it turns to both sides alike
+/// (models/README.md has the figures).
 struct Paper {
   static constexpr std::string_view name = "paper";
 
   using Community = community::PredatorPrey;
   using Placement = placement::Scattered;
 
+  using Heading = perception::ForwardAxisHeading;
   using Visibility = perception::SameTag;
   using AngleInput = perception::SideOfAdversary;
   using DistanceInput = perception::DistanceOverTerrain;
@@ -51,6 +58,7 @@ struct Paper {
   using NewbornTag = perception::KeepsBodyTag;
   using TagSwitch = perception::TagCoolDown;
   using Brain = control::CognitiveBrain;
+  using DecisionOrder = control::DecideTogether;
   using Steering = control::TargetedSteering;
 
   using InitialGenome = reproduction::UniformWeights;
@@ -69,6 +77,7 @@ struct Paper {
   using Starvation = death::HungriestStarves;
   using Rescue = death::SacrificeRandomVictim;
   using Senescence = death::NoSenescence;
+  using SenescenceParent = reproduction::NoParent;
 
   static World world() { return {}; }
   static Physics physics() { return {}; }

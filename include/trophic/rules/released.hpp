@@ -3,12 +3,15 @@
 #pragma once
 
 #include <string_view>
+#include <trophic/control/decide_in_turn.hpp>
 #include <trophic/death/catch_closest.hpp>
 #include <trophic/death/near_remembered_adversary.hpp>
 #include <trophic/perception/blind_keeps_outputs.hpp>
 #include <trophic/perception/distance_over_scale.hpp>
+#include <trophic/perception/root_yaw_heading.hpp>
 #include <trophic/perception/side_away_from_hunter.hpp>
 #include <trophic/perception/tag_ratio_of_active.hpp>
+#include <trophic/perception/tag_sampling.hpp>
 #include <trophic/placement/uniform_square.hpp>
 #include <trophic/reproduction/last_killer.hpp>
 #include <trophic/reproduction/last_seen_victim.hpp>
@@ -19,23 +22,31 @@
 namespace trophic::rules {
 
 /// What the released code does where it differs from the text, rule by rule; the alias of a rule that does not differ, or only in
-/// numbers, is that of `Paper`.
+/// numbers, is that of `Paper`. Read off the code at the commits of the published runs (22 and 23 June 2023).
+///
+/// Not done, each because it cannot change who lives or dies by more than rounding:
+/// - ticks of 2.007 s (a wall clock polled at control calls), and what happens within a tick taking wall time;
+/// - control calls on the grid of the physics (12 or 24 ms apart) while the CPG always integrates 1/60 s;
+/// - the genome's five biases, which mutate and are never added;
+/// - an activated newborn's age counts from the tick before; no rule reads the age of prey.
+/// Of its analysis: published velocities include adversaries stored while a robot was blind (metric velocity_stored).
 struct Released {
   static constexpr std::string_view name = "released";
 
   using Community = community::PredatorPrey;
   using Placement = placement::UniformSquare;
 
+  using Heading = perception::RootYawHeading;
   using Visibility = perception::SameTag;
   using AngleInput = perception::SideAwayFromHunter;
   using DistanceInput = perception::DistanceOverScale;
   using TagRatioInput = perception::TagRatioOfActive;
   using BlindRule = perception::BlindKeepsOutputs;
   using NewbornTag = perception::KeepsBodyTag;
-  using TagSwitch = perception::TagCoolDown;
-  static constexpr TagSwitch::Params tag_switch{.cool_down_s = 100.0};
+  using TagSwitch = perception::TagSampling;
   using Brain = control::CognitiveBrain;
   static constexpr Brain::Params brain{.zero_turns_right = true};
+  using DecisionOrder = control::DecideInTurn;
   using Steering = control::TargetedSteering;
 
   using InitialGenome = reproduction::UniformWeights;
@@ -60,10 +71,13 @@ struct Released {
   using Rescue = death::SacrificeRandomVictim;
   static constexpr Rescue::Params rescue{.below = 8};
   using Senescence = death::NoSenescence;
+  using SenescenceParent = reproduction::NoParent;
 
   /// All timers of the released code ran on the wall clock, about 1.2 simulated seconds per second.
   static World world() {
-    return {.clock_scale = 1.2,
+    return {.duration_s = 6500.0,
+            .first_tick_s = 2.0,
+            .clock_scale = 1.2,
             .robot = "spider_released",
             .arena = "height_field",
             .gait = "spider_published",

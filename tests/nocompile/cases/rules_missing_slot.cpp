@@ -10,6 +10,7 @@ struct Table {
   using P = trophic::rules::Paper;
   using Community = P::Community;
   using Placement = P::Placement;
+  using Heading = P::Heading;
   using Visibility = P::Visibility;
   using AngleInput = P::AngleInput;
   using DistanceInput = P::DistanceInput;
@@ -18,6 +19,7 @@ struct Table {
   using NewbornTag = P::NewbornTag;
   using TagSwitch = P::TagSwitch;
   using Brain = P::Brain;
+  using DecisionOrder = P::DecisionOrder;
   using Steering = P::Steering;
   using InitialGenome = P::InitialGenome;
   using GenomeSource = P::GenomeSource;
@@ -36,6 +38,7 @@ struct Table {
   using Starvation = P::Starvation;
   using Rescue = P::Rescue;
   using Senescence = P::Senescence;
+  using SenescenceParent = P::SenescenceParent;
   static trophic::World world() {
     return {};
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <trophic/control/cognitive_brain.hpp>
 #include <trophic/rng.hpp>
+#include <utility>
 #include <vector>
 
 using namespace trophic;
@@ -22,14 +23,13 @@ std::vector<double> genome(std::initializer_list<std::pair<std::size_t, double>>
   return result;
 }
 
-constexpr std::size_t hidden_bias = 9;
-constexpr std::size_t output_weight = 12;
-constexpr std::size_t output_bias = 18;
+constexpr std::size_t output_weight = 9;
 
 }  // namespace
 
-TEST_CASE("cognitive brain: 3-3-2 with biases has 20 weights") {
-  CHECK(CognitiveBrain{}.genome_size() == 20);
+TEST_CASE("cognitive brain: 3-3-2 without biases has 15 weights and two tags") {
+  CHECK(CognitiveBrain{}.genome_size() == 15);
+  CHECK(CognitiveBrain{}.tags() == std::vector<int>{-1, 1});
 }
 
 TEST_CASE("cognitive brain: each weight where the genome's layout puts it") {
@@ -44,35 +44,28 @@ TEST_CASE("cognitive brain: each weight where the genome's layout puts it") {
       CHECK(out[0] == doctest::Approx(std::tanh(hidden)).epsilon(1e-15));
       CHECK(out[1] == doctest::Approx(std::tanh(-2.0 * hidden)).epsilon(1e-15));
     }
-    const auto out = brain.outputs(in, genome({{hidden_bias + row, 0.3}, {output_weight + row, 1.0}}));
-    CHECK(out[0] == doctest::Approx(std::tanh(std::tanh(0.3))).epsilon(1e-15));
-    CHECK(out[1] == 0.0);
   }
-  const auto out = brain.outputs(in, genome({{output_bias, 0.4}, {output_bias + 1, -0.6}}));
-  CHECK(out[0] == doctest::Approx(std::tanh(0.4)).epsilon(1e-15));
-  CHECK(out[1] == doctest::Approx(std::tanh(-0.6)).epsilon(1e-15));
 }
 
 TEST_CASE("cognitive brain: a whole network, computed by hand") {
-  // hidden = tanh(1 * 1 + 0.5 * 0.2 + 0.1, 0, -1 * 0.2) = tanh(1.2, 0, -0.2); out = tanh(0.5 h0 - h2 - 0.1, h0 + 2 h2 + 0)
+  // hidden = tanh(1 * 1 + 0.5 * 0.2, 0, -1 * 0.2) = tanh(1.1, 0, -0.2); out = tanh(0.5 h0 - h2, h0 + 2 h2)
   const auto weights = genome({{0, 1.0},
                                {1, 0.5},
-                               {hidden_bias, 0.1},
                                {7, -1.0},
                                {output_weight, 0.5},
                                {output_weight + 2, -1.0},
-                               {output_bias, -0.1},
                                {output_weight + 3, 1.0},
                                {output_weight + 5, 2.0}});
   const auto out = CognitiveBrain{}.outputs({.angle = 1.0, .distance = 0.2, .tag_ratio = -0.5}, weights);
-  CHECK(out[0] == doctest::Approx(0.4732132060).epsilon(1e-9));
-  CHECK(out[1] == doctest::Approx(0.4127355303).epsilon(1e-9));
+  CHECK(out[0] == doctest::Approx(0.5353572942).epsilon(1e-9));
+  CHECK(out[1] == doctest::Approx(0.3848567272).epsilon(1e-9));
 }
 
 TEST_CASE("cognitive brain: the signs of the outputs decide") {
   const CognitiveBrain brain;
-  const auto decide = [&](double angle_output, double tag_output) {
-    return brain.decide({}, genome({{output_bias, angle_output}, {output_bias + 1, tag_output}}));
+  const auto decide = [&](double angle_weight, double tag_weight) {
+    return brain.decide({.angle = 1.0, .distance = 0.0, .tag_ratio = 0.0},
+                        genome({{0, 1.0}, {output_weight, angle_weight}, {output_weight + 3, tag_weight}}));
   };
   CHECK(decide(0.1, 0.1).target_angle_rad == 0.7);
   CHECK(decide(0.1, 0.1).tag == 1);
@@ -82,20 +75,14 @@ TEST_CASE("cognitive brain: the signs of the outputs decide") {
   CHECK(decide(0.1, -1e-9).tag == -1);
 }
 
-TEST_CASE("cognitive brain: an angle output of 0 turns left, or right where it counts as positive, a tag output of 0 shows -1") {
-  CHECK(CognitiveBrain{}.decide({}, genome({})).target_angle_rad == -0.7);
+TEST_CASE("cognitive brain: outputs of 0, as of inputs of 0, turn left, or right where they count as positive, and show -1") {
+  CHECK(CognitiveBrain{}.decide({}, genome({{0, 1.0}, {output_weight, 1.0}})).target_angle_rad == -0.7);
   CHECK(CognitiveBrain{{.zero_turns_right = true}}.decide({}, genome({})).target_angle_rad == 0.7);
-  CHECK(CognitiveBrain{{.zero_turns_right = true}}.decide({}, genome({{output_bias, -1e-9}})).target_angle_rad == -0.7);
   CHECK(CognitiveBrain{}.decide({}, genome({})).tag == -1);
   CHECK(CognitiveBrain{{.zero_turns_right = true}}.decide({}, genome({})).tag == -1);
 }
 
-TEST_CASE("cognitive brain: another size of the turn") {
-  CHECK(CognitiveBrain{{.turn_angle_rad = 0.2}}.decide({}, genome({{output_bias, 1.0}})).target_angle_rad == 0.2);
-  CHECK(CognitiveBrain{{.turn_angle_rad = 0.2}}.decide({}, genome({{output_bias, -1.0}})).target_angle_rad == -0.2);
-}
-
-TEST_CASE("cognitive brain: outputs lie within +-1 and are odd in everything but the biases' sign") {
+TEST_CASE("cognitive brain: without biases the network is odd, so an adversary on the other side turns the robot the other way") {
   CHECK(rc::check([](std::uint64_t seed) {
     Rng rng{seed, Stream::user};
     const CognitiveBrain brain;
@@ -104,8 +91,6 @@ TEST_CASE("cognitive brain: outputs lie within +-1 and are odd in everything but
     const BrainInputs in{.angle = rng.uniform(-1, 1), .distance = rng.uniform(-1, 1), .tag_ratio = rng.uniform(-0.5, 0.5)};
     const auto out = brain.outputs(in, weights);
     RC_ASSERT((std::abs(out[0]) <= 1.0 && std::abs(out[1]) <= 1.0));
-    // mirrored inputs with mirrored biases give mirrored outputs
-    for (std::size_t i : {hidden_bias, hidden_bias + 1, hidden_bias + 2, output_bias, output_bias + 1}) weights[i] = -weights[i];
     const auto mirrored = brain.outputs({-in.angle, -in.distance, -in.tag_ratio}, weights);
     RC_ASSERT((mirrored[0] == -out[0] && mirrored[1] == -out[1]));
   }));

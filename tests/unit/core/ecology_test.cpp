@@ -13,10 +13,16 @@
 #include <support/hand_population.hpp>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/body/ground_pose.hpp>
+#include <trophic/control/decide_in_turn.hpp>
 #include <trophic/death/old_age.hpp>
 #include <trophic/ecology.hpp>
 #include <trophic/perception/blind_keeps_outputs.hpp>
+#include <trophic/perception/tag_sampling.hpp>
+#include <trophic/reproduction/nearest_conspecific.hpp>
+#include <trophic/rule_error.hpp>
 #include <trophic/rules/paper.hpp>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,8 +53,17 @@ struct Chain {
 struct AlwaysMinus {
   static constexpr std::string_view name = "always_minus";
   [[nodiscard]] std::size_t genome_size() const { return 1; }
+  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
   [[nodiscard]] control::Decision decide(const perception::BrainInputs&, std::span<const double>) const {
     return {.target_angle_rad = 0.7, .tag = -1};
+  }
+};
+
+/// Faces nearly the other way.
+struct Backwards {
+  static constexpr std::string_view name = "backwards";
+  [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const {
+    return wrap_angle(ground_pose(root, forward_rad).heading_rad + 3.0);
   }
 };
 
@@ -141,7 +156,75 @@ TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's b
   CHECK(robots[1].id == 1);
   CHECK_FALSE(robots[1].active);
   CHECK(robots[2].fed_tick == 0);
+  CHECK_FALSE(robots[2].memory.last_seen_body);
   CHECK_FALSE(robots[2].memory.last_seen_victim);
+}
+
+namespace {
+
+/// Returns what a test tells it to, right or wrong.
+struct Scripted {
+  static constexpr std::string_view name = "scripted";
+  static inline std::vector<death::Capture> captures_at_0;
+  [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng&) const {
+    return view.tick == 0 ? captures_at_0 : std::vector<death::Capture>{};
+  }
+};
+
+struct ScriptedTag {
+  static constexpr std::string_view name = "scripted_tag";
+  static inline int given = 1;
+  [[nodiscard]] int tag(std::optional<int>, Rng&) const { return given; }
+};
+
+/// The sentence of the RuleError that `act` ends with; empty if it does not.
+template <class Act>
+std::string rule_error(Act&& act) {
+  try {
+    act();
+  } catch (const RuleError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("ecology: a body is caught once in a tick, whatever the policy returns") {
+  using Rules = with_capture<Scene, Scripted>;
+  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 0.9}, {.x_m = -0.9}});
+  params.rules.community.predators = 3;
+  Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}, {.hunter = 2, .victim = 0}, {.hunter = 3, .victim = 0}};
+  CHECK(at_tick(0, events<Rules>(params, 0.0)) ==
+        Lines{"birth body 0 id 0 species 0", "birth body 1 id 1 species 1", "birth body 2 id 2 species 1",
+              "birth body 3 id 3 species 1", "activation body 0 id 0 species 0", "catch body 1 id 1 species 1 other 0",
+              "death body 0 id 0 species 0 caught other 1", "birth body 0 id 4 species 1"});
+}
+
+TEST_CASE("ecology: a policy that returns what does not exist is named") {
+  using Rules = with_capture<Scene, Scripted>;
+  const auto message = [](std::vector<death::Capture> captures) {
+    auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
+    params.rules.community.predators = 1;
+    Scripted::captures_at_0 = std::move(captures);
+    return rule_error([&] { Kinematics<Rules>{params}.run_until(0.0); });
+  };
+  CHECK(message({{.hunter = 1, .victim = 0}}).empty());
+  CHECK(message({{.hunter = 2, .victim = 0}}) == "the policy in rules.capture returned hunter 2: must be < 2");
+  CHECK(message({{.hunter = 1, .victim = 7}}) == "the policy in rules.capture returned victim 7: must be < 2");
+  CHECK(message({{.hunter = 0, .victim = 1}}) ==
+        "the policy in rules.capture returned hunter 0 and victim 1: species prey does not eat predator");
+}
+
+TEST_CASE("ecology: only the brain's tags are shown") {
+  using Rules = with_newborn_tag<Scene, ScriptedTag>;
+  auto params = scene<Rules>({{.x_m = 0.0}});
+  params.rules.community.predators = 0;
+  ScriptedTag::given = -1;
+  CHECK(rule_error([&] { Kinematics<Rules>{params}; }).empty());
+  ScriptedTag::given = 2;
+  CHECK(rule_error([&] { Kinematics<Rules>{params}; }) ==
+        "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
 }
 
 TEST_CASE("ecology: who has been caught in this tick does not catch any more") {
@@ -203,6 +286,71 @@ TEST_CASE("ecology: everybody perceives the same moment, before the first tag ch
   CHECK(lines[4] == "tag_switch body 1 id 1 species 1");
 }
 
+TEST_CASE("ecology: in turn, who decides later sees the tags that earlier ones have just taken") {
+  using Rules = with_decision_order<with_brain<Scene, AlwaysMinus>, control::DecideInTurn>;
+  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
+  params.rules.community.predators = 1;
+  params.rules.tag_switch.cool_down_s = 0.0;
+  Kinematics<Rules> ecology{params};
+  ecology.run_until(0.0);
+  CHECK(ecology.view().robots[0].adversary == 1);   // both showed +1 when body 0 looked
+  CHECK_FALSE(ecology.view().robots[1].adversary);  // body 0 has switched meanwhile
+  CHECK(ecology.view().robots[1].tag == -1);
+}
+
+TEST_CASE("ecology: a sampled tag's clock starts again without a switch, a cool-down's does not") {
+  using Brain = with_brain<Scene, AlwaysMinus>;
+  const auto clocks = [](auto rules, double until_s) {
+    using Rules = typename decltype(rules)::type;
+    auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
+    params.rules.community.predators = 0;
+    Kinematics<Rules> ecology{params};
+    ecology.run_until(until_s);
+    return ecology.view().robots[0].tag_since_s;
+  };
+  using Sampled = with_tag_switch<Brain, perception::TagSampling>;
+  CHECK(clocks(std::type_identity<Sampled>{}, 98.0) == 0.0);
+  CHECK(clocks(std::type_identity<Sampled>{}, 150.0) == 100.0);
+  CHECK(clocks(std::type_identity<Sampled>{}, 250.0) == 200.0);  // the tag was -1 already
+  CHECK(clocks(std::type_identity<Brain>{}, 250.0) == 50.0);
+}
+
+TEST_CASE("ecology: nothing happens before the first tick of the rules") {
+  auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
+  params.rules.community.predators = 1;
+  params.world.first_tick_s = 2.0;
+  const Lines lines = events<Scene>(params, 4.0);
+  CHECK(at_tick(0, lines) == Lines{"birth body 0 id 0 species 0", "birth body 1 id 1 species 1"});
+  REQUIRE(at_tick(1, lines).size() == 4);
+  CHECK(at_tick(1, lines)[1] == "catch body 1 id 1 species 1 other 0");
+}
+
+TEST_CASE("ecology: the heading that rules see is the table's") {
+  using Rules = with_heading<Scene, Backwards>;
+  auto params = scene<Rules>({{.x_m = 0.0, .heading_rad = 0.25}});
+  params.rules.community.predators = 0;
+  Kinematics<Rules> ecology{params};
+  ecology.run_until(2.0);
+  CHECK(ecology.view().poses[0].heading_rad == doctest::Approx(wrap_angle(3.25)));
+}
+
+TEST_CASE("ecology: a remembered prey is renewed only when another body becomes the closest") {
+  using Rules = with_senescence<Scene, death::OldAge>;
+  auto params = scene<Rules>({{.x_m = 3.0}, {.x_m = 0.0}});
+  params.rules.community.predators = 1;
+  params.rules.senescence.max_age_s = 20.0;
+  params.rules.starvation_schedule.base_ticks = 1000;
+  params.rules.tag_switch.cool_down_s = 1e6;
+  Kinematics<Rules> ecology{params};
+  ecology.run_until(24.0);
+  const auto robots = ecology.view().robots;
+  CHECK(robots[0].id == 2);  // reborn at tick 10, seen again from tick 11 on
+  CHECK(robots[1].adversary == 0);
+  CHECK(robots[1].memory.last_seen_body == 0);
+  REQUIRE(robots[1].memory.last_seen_victim);
+  CHECK(robots[1].memory.last_seen_victim->id == 0);
+}
+
 TEST_CASE("ecology: without adversary the brain decides or keeps still, by the rule") {
   auto params = scene<Scene>({{.x_m = 0.0}});
   params.rules.community.predators = 0;
@@ -233,6 +381,40 @@ TEST_CASE("ecology: death of old age leaves the body to its species") {
   CHECK(at_tick(11, lines) == Lines{"activation body 0 id 2 species 0"});
   CHECK(at_tick(20, lines) == Lines{"death body 0 id 2 species 0 senescence", "birth body 0 id 4 species 0",
                                     "death body 1 id 3 species 1 senescence", "birth body 1 id 5 species 1"});
+}
+
+TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species or none") {
+  using Ageing = with_senescence<Scene, death::OldAge>;
+  using Nearest = with_senescence_parent<Ageing, reproduction::NearestConspecific>;
+  const auto heir = [](auto rules) {
+    using Rules = typename decltype(rules)::type;
+    auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 5.0}, {.x_m = 0.0}});
+    params.rules.community.predators = 1;
+    params.rules.senescence.max_age_s = 20.0;
+    params.rules.starvation_schedule.base_ticks = 1000;
+    params.rules.genome_source.random_share = 0.0;
+    Kinematics<Rules> ecology{params};
+    ecology.run_until(20.0);
+    const auto robots = ecology.view().robots;
+    CHECK(robots[0].species == test::prey);
+    CHECK(robots[1].species == test::prey);
+    CHECK(robots[2].species == test::predator);
+    return robots[0].parent;
+  };
+  CHECK_FALSE(heir(std::type_identity<Ageing>{}));
+  CHECK(heir(std::type_identity<Nearest>{}) == 1);
+}
+
+TEST_CASE("ecology: a parent of another species than the heir is refused") {
+  using Rules = with_senescence_parent<with_senescence<Scene, death::OldAge>, reproduction::NearestVictim>;
+  auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 0.0}});
+  params.rules.community.predators = 1;
+  params.rules.senescence.max_age_s = 20.0;
+  params.rules.starvation_schedule.base_ticks = 1000;
+  params.rules.genome_source.random_share = 0.0;
+  CHECK(rule_error([&] { Kinematics<Rules>{params}.run_until(20.0); }) ==
+        "the policy in rules.senescence_parent returned individual 2, a prey, as the parent of a predator: must be of its "
+        "offspring's species");
 }
 
 TEST_CASE("ecology: the starved body goes to the offspring of the nearest prey or, with none in range, to a random prey") {

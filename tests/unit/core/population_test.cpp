@@ -11,6 +11,7 @@
 #include <trophic/population.hpp>
 #include <trophic/reproduction/killer.hpp>
 #include <trophic/reproduction/no_parent.hpp>
+#include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
@@ -82,7 +83,7 @@ TEST_CASE("population: founders are numbered by body, random, with genomes of th
     CHECK(founder.active == (body >= 2));
     CHECK(founder.tag == 1);
     CHECK(founder.fed_tick == 0);
-    CHECK(founder.genome->weights.size() == 20);
+    CHECK(founder.genome->weights.size() == 15);
     for (const double weight : founder.genome->weights) CHECK(std::abs(weight) <= 1.0);
     CHECK(genomes.insert(founder.genome->id).second);
     for (std::size_t other = 0; other < body; ++other) CHECK(founder.genome->weights != founders[other].genome->weights);
@@ -118,7 +119,29 @@ TEST_CASE("population: a shared genome stays one object and each mutation reache
   CHECK(born.genome->id == 2);
   CHECK(parent_genome->weights != before);
   CHECK(born.mutation_distance == doctest::Approx(distance(parent_genome->weights, before)).epsilon(1e-14));
-  CHECK(born.mutation_distance <= 0.05 * std::sqrt(20.0));
+  CHECK(born.mutation_distance <= 0.05 * std::sqrt(15.0));
+}
+
+TEST_CASE(
+    "population: in the neutral shadow births have the same parents, labels and places, but genomes as founders have them") {
+  using Shadow = rules::neutral_shadow<rules::Paper>;
+  Row<rules::Paper> row{inheriting<rules::Paper>(0.0)};
+  Row<Shadow> shadow{inheriting<Shadow>(0.0)};
+  row.catch_first(7);
+  shadow.catch_first(7);
+  const Individual& born = shadow.population[0];
+  CHECK(born.id == row.population[0].id);
+  CHECK(born.parent == row.population[0].parent);
+  CHECK(born.origin == row.population[0].origin);
+  CHECK(born.species == row.population[0].species);
+  CHECK(born.tag == row.population[0].tag);
+  CHECK(born.genome != shadow.population[2].genome);
+  CHECK(distance(born.genome->weights, shadow.population[2].genome->weights) > 0.5);
+  for (const double weight : born.genome->weights) CHECK(std::abs(weight) <= 1.0);
+  // the very genome that a newcomer without a parent would have been given
+  Row<rules::Paper> newcomer{inheriting<rules::Paper>(1.0)};
+  newcomer.catch_first(7);
+  CHECK(born.genome->weights == newcomer.population[0].genome->weights);
 }
 
 TEST_CASE("population: a random newcomer has a genome of its own and no parent") {

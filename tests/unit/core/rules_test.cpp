@@ -39,6 +39,7 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(world.robots == 30);
   CHECK(world.duration_s == 6000.0);
   CHECK(world.tick_s == 2.0);
+  CHECK(world.first_tick_s == 0.0);
   CHECK(world.control_hz == 60.0);
   CHECK(world.clock_scale == 1.0);
   CHECK(rules::Paper::physics().timestep_s == 0.0012);
@@ -48,7 +49,7 @@ TEST_CASE("rules: the released code's numbers") {
   const RuleNumbers<rules::Released> numbers;
   CHECK(numbers.placement.half_extent_m == 9.0);
   CHECK(numbers.distance_input.full_scale_m == 20.0);
-  CHECK(numbers.tag_switch.cool_down_s == 100.0);
+  CHECK(numbers.tag_switch.period_s == 100.0);
   CHECK(numbers.brain.zero_turns_right);
   CHECK(numbers.genome_source.random_share == 0.34);
   CHECK(numbers.genome_source.orphans_labelled_inherited);
@@ -63,6 +64,8 @@ TEST_CASE("rules: the released code's numbers") {
   CHECK(numbers.reprieve.range_m == 5.0);
   CHECK(numbers.starvation.even_if_all_spared);
   CHECK(numbers.rescue.below == 8);
+  CHECK(rules::Released::world().duration_s == 6500.0);
+  CHECK(rules::Released::world().first_tick_s == 2.0);
   CHECK(rules::Released::world().clock_scale == 1.2);
   CHECK(rules::Released::physics().timestep_s == 0.012);
   CHECK(rules::Released::physics().integrator == Integrator::rk4);
@@ -74,13 +77,13 @@ TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their num
   static_assert(std::same_as<Swapped::Capture, rules::Released::Capture>);
   const RuleNumbers<Swapped> numbers;
   CHECK(numbers.mutation.sd == 0.05);
-  CHECK(numbers.tag_switch.cool_down_s == 100.0);
+  CHECK(numbers.tag_switch.period_s == 100.0);
   CHECK(numbers.capture.min_age_s == 20.0);
   CHECK(Swapped::world().clock_scale == 1.2);
 }
 
 TEST_CASE("rules: a swapped rule starts at the policy's own numbers, not at those of the table it came from") {
-  CHECK(RuleNumbers<with_tag_switch<rules::Released, rules::Released::TagSwitch>>{}.tag_switch.cool_down_s == 50.0);
+  CHECK_FALSE(RuleNumbers<with_activation<rules::Released, rules::Released::Activation>>{}.activation.restarts_age);
   CHECK(RuleNumbers<with_floor<rules::Released, death::VictimFloor>>{}.floor.floor == 7);
 }
 
@@ -107,9 +110,9 @@ TEST_CASE("rules: numbers given at run time reach the policies") {
 TEST_CASE("rules: every slot once, in the order of the table, with the policy's name") {
   std::vector<std::pair<std::string, std::string>> slots;
   for_each_rule<rules::Paper>([&](std::string_view slot, std::string_view policy) { slots.emplace_back(slot, policy); });
-  REQUIRE(slots.size() == 26);
+  REQUIRE(slots.size() == 29);
   CHECK(slots.front() == std::pair<std::string, std::string>{"community", "predator_prey"});
-  CHECK(slots.back() == std::pair<std::string, std::string>{"senescence", "no_senescence"});
+  CHECK(slots.back() == std::pair<std::string, std::string>{"senescence_parent", "no_parent"});
   for (std::size_t i = 0; i < slots.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) CHECK(slots[i].first != slots[j].first);
   }

@@ -24,11 +24,11 @@ const Setting& find(const Settings& settings, const std::string& path) {
 
 TEST_CASE("settings: numbers, switches, texts and names by their path, with help") {
   const Settings rules = settings_of(RuleNumbers<rules::Released>{});
-  CHECK(value_text(find(rules, "tag_switch.cool_down_s")) == "100");
+  CHECK(value_text(find(rules, "tag_switch.period_s")) == "100");
   CHECK(value_text(find(rules, "activation.restarts_age")) == "true");
   CHECK(value_text(find(rules, "genome_source.random_share")) == "0.34");
   CHECK(std::get<std::int64_t>(find(rules, "starvation_schedule.base_ticks").value) == 25);
-  CHECK_FALSE(find(rules, "tag_switch.cool_down_s").help.empty());
+  CHECK_FALSE(find(rules, "tag_switch.period_s").help.empty());
   const Settings physics = settings_of(Physics{});
   CHECK(value_text(find(physics, "integrator")) == "semi_implicit_euler");
   CHECK(std::get<double>(find(physics, "timestep_s").value) == 0.0012);

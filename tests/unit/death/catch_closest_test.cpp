@@ -28,10 +28,10 @@ Captures captures(HandPopulation robots, std::uint64_t seed = 1, const CatchClos
 
 }  // namespace
 
-TEST_CASE("catch closest: at exactly 1 m, tags ignored, not beyond") {
-  HandPopulation robots{{{.species = predator, .tag = 1}, {.species = prey, .x_m = 1.0, .tag = -1}}};
+TEST_CASE("catch closest: closer than 1 m, tags ignored, not at exactly 1 m") {
+  HandPopulation robots{{{.species = predator, .tag = 1}, {.species = prey, .x_m = 0.9999999, .tag = -1}}};
   CHECK(captures(robots) == Captures{{0, 1}});
-  robots.poses[1].x_m = 1.0000001;
+  robots.poses[1].x_m = 1.0;
   CHECK(captures(robots).empty());
 }
 

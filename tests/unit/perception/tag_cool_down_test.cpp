@@ -22,6 +22,11 @@ TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or 
   CHECK(may(1, 40));
 }
 
+TEST_CASE("tag cool-down: runs from the last switch, not from the last opportunity") {
+  CHECK(perception::TagCoolDown{}.restarts(true));
+  CHECK_FALSE(perception::TagCoolDown{}.restarts(false));
+}
+
 TEST_CASE("tag cool-down: another pause, none") {
   HandPopulation robots{{{.tag_since_s = 10.0}}};
   const auto may = [&](double cool_down_s, std::int64_t tick) {

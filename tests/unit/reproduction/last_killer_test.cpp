@@ -21,4 +21,6 @@ TEST_CASE("last killer: whoever last caught somebody in this body, dead by now o
   CHECK(parent->id == 77);
   CHECK(parent->genome == genome);
   CHECK_FALSE(rule.parent({.body = 1, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng));
+  CHECK(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = predator}, robots.view(), rng));
+  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = prey}, robots.view(), rng));
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What a policy returned and must not: an error that names its slot, the value and the bound.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace trophic {
+
+/// A policy returned something that does not exist or is against its contract: a mistake in the rule, not in its numbers.
+class RuleError : public std::logic_error {
+ public:
+  RuleError(std::string_view slot, const std::string& what)
+      : std::logic_error{"the policy in rules." + std::string{slot} + " returned " + what} {}
+};
+
+/// Throws RuleError unless `value` < `size`.
+inline void check_index(std::string_view slot, std::string_view what, std::size_t value, std::size_t size) {
+  if (value < size) return;
+  throw RuleError{slot, std::string{what} + " " + std::to_string(value) + ": must be < " + std::to_string(size)};
+}
+
+/// Throws RuleError unless `tag` is one of the brain's tags.
+inline void check_tag(std::span<const int> tags, int tag, std::string_view slot) {
+  if (std::ranges::find(tags, tag) != tags.end()) return;
+  std::string known;
+  for (const int one : tags) known += (known.empty() ? "" : ", ") + std::to_string(one);
+  throw RuleError{slot, "tag " + std::to_string(tag) + ": must be one of the brain's tags() (" + known + ")"};
+}
+
+}  // namespace trophic

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <trophic/perception/root_yaw_heading.hpp>
+#include <trophic/rng.hpp>
+
+using namespace trophic;
+
+namespace {
+
+/// The released code's formula. It reads the quaternion (w, x, y, z) as (x, y, z, w), measures angles from -x clockwise and
+/// subtracts pi/4; an adversary at bearing beta (from x, counter-clockwise) is on the right iff the second angle is positive.
+double angle_to(const Eigen::Quaterniond& q, double beta_rad) {
+  const double x = q.w();
+  const double y = q.x();
+  const double z = q.y();
+  const double w = q.z();
+  const double body_rad = wrap_angle(std::atan2(2.0 * (y * z + w * x), w * w - x * x - y * y + z * z) - std::numbers::pi / 4.0);
+  const double standard_rad = std::atan2(std::sin(beta_rad), -std::cos(beta_rad));
+  return wrap_angle(standard_rad - body_rad);
+}
+
+}  // namespace
+
+TEST_CASE("root yaw heading: the released code's formula puts everybody on the same side, whatever the tilt") {
+  const perception::RootYawHeading rule;
+  Rng rng{1, Stream::user};
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Quaterniond q =
+        Eigen::Quaterniond{rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), rng.normal(0.0, 1.0)}.normalized();
+    const double beta_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
+    const double heading_rad = rule.heading_rad({.position_m = {}, .orientation = q}, std::numbers::pi / 4.0);
+    const double bearing_rad = -wrap_angle(beta_rad - heading_rad);  // positive to the right
+    CHECK(wrap_angle(bearing_rad - angle_to(q, beta_rad)) == doctest::Approx(0.0).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("root yaw heading: on its back a spider faces 90 degrees off its forward axis") {
+  const perception::RootYawHeading rule;
+  const Pose back{.position_m = {},
+                  .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi, Eigen::Vector3d::UnitX()}}};
+  CHECK(rule.heading_rad(back, std::numbers::pi / 4.0) == doctest::Approx(std::numbers::pi / 4.0));
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <support/hand_population.hpp>
+#include <trophic/perception/tag_sampling.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+
+TEST_CASE("tag sampling: the brain's tag is taken 100 s after the clock's start, and the clock starts again whatever it was") {
+  const perception::TagSampling rule;
+  HandPopulation robots{{{.tag_since_s = 0.0}, {.tag_since_s = 30.0}}};
+  const auto may = [&](BodyIndex body, std::int64_t tick) {
+    robots.at_tick(tick);
+    return rule.may_switch(robots.individuals[body], robots.view());
+  };
+  CHECK_FALSE(may(0, 49));
+  CHECK(may(0, 50));
+  CHECK_FALSE(may(1, 64));
+  CHECK(may(1, 65));
+  CHECK(rule.restarts(true));
+  CHECK(rule.restarts(false));
+}
+
+TEST_CASE("tag sampling: another period") {
+  HandPopulation robots{{{.tag_since_s = 0.0}}};
+  robots.at_tick(3);
+  CHECK(perception::TagSampling{{.period_s = 6.0}}.may_switch(robots.individuals[0], robots.view()));
+  CHECK_FALSE(perception::TagSampling{{.period_s = 7.0}}.may_switch(robots.individuals[0], robots.view()));
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <memory>
+#include <trophic/reproduction/nothing_inherited.hpp>
+
+using namespace trophic;
+
+TEST_CASE("nothing inherited: no genome is passed on") {
+  const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.5}});
+  CHECK(reproduction::NothingInherited{}.inherit(parent) == nullptr);
+}
