@@ -156,7 +156,10 @@ class Analyze(InFolderWithSets):
         self.assertIn("without a shadow of each set no difference can be put down to inheritance", compared.stdout)
         summary = self.summary("compared")
         self.assertEqual([s["set"] for s in summary["sets"]], ["paper", "released"])
-        self.assertTrue(any(d["raw"]["differs"] for d in summary["differences"]))
+        self.assertTrue(any(d["raw"]["value"] for d in summary["differences"]))
+        for d in summary["differences"]:
+            adjusted = d["raw"]["p_adjusted"]
+            self.assertEqual(d["raw"]["differs"], None if adjusted is None else adjusted <= 0.05)
         self.assertFalse(any(d["over_shadow"]["value"] for d in summary["differences"]))
 
     def test_differences_over_the_shadows_are_told_from_raw_ones(self):
