@@ -74,7 +74,9 @@ inline constexpr std::string_view shadow_name = "shadow";
 
 namespace detail {
 
-/// Two independent sets of runs. Runs of one seed and their shadows part within minutes: pairing them would gain nothing.
+/// As two independent sets. Runs and shadows of one seed are slightly alike (kinematic, 60 seeds, 41 metrics: correlation 0.13 in
+/// the median, 0.47 at most), so that intervals are rather too wide. Pairing would gain that, and at ten runs lose as much in
+/// degrees of freedom.
 [[nodiscard]] inline Comparison against_shadow(std::span<const double> ours, std::span<const double> shadow) {
   Comparison comparison{std::string{shadow_name}, Role::null, mean_of(shadow), {}, interval_of_difference(shadow, ours)};
   if (!ours.empty() && !shadow.empty()) comparison.difference = *mean_of(ours) - *mean_of(shadow);
