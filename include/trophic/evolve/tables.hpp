@@ -103,7 +103,7 @@ struct Numbers {
   typename B::Params backend{};
 
   static constexpr auto fields() {
-    return std::tuple{field("seed", &Numbers::seed, at_least(0), "every random number follows from it"),
+    return std::tuple{field("seed", &Numbers::seed, any_seed(), "every random number follows from it"),
                       field("robot", &Numbers::robot, "name or path of a robot file"),
                       field("plan", &Numbers::plan),
                       field("parent_selection", &Numbers::parent_selection),
