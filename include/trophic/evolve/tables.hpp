@@ -85,12 +85,16 @@ struct Numbers {
   std::uint64_t seed = 1;
   std::string robot = "spider";
   Plan plan = Table::plan();
-#define TROPHIC_START(Slot, member)            \
-  ParamsOf<typename Table::Slot> member = [] { \
-    if constexpr (requires { Table::member; }) \
-      return Table::member;                    \
-    else                                       \
-      return ParamsOf<typename Table::Slot>{}; \
+#define TROPHIC_START(Slot, member)                                                                                          \
+  static_assert(!trophic::detail::HasNumbers<typename Table::Slot> || trophic::detail::MadeFromParams<typename Table::Slot>, \
+                #Slot                                                                                                        \
+                " has Params but cannot be made from them: it needs `Params params;` as its first member or a constructor "  \
+                "from Params");                                                                                              \
+  ParamsOf<typename Table::Slot> member = [] {                                                                               \
+    if constexpr (requires { Table::member; })                                                                               \
+      return Table::member;                                                                                                  \
+    else                                                                                                                     \
+      return ParamsOf<typename Table::Slot>{};                                                                               \
   }();
   TROPHIC_START(ParentSelection, parent_selection)
   TROPHIC_START(SurvivorSelection, survivor_selection)
