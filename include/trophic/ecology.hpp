@@ -98,6 +98,7 @@ class Ecology {
                      .settings = settings_of(params_),
                      .tags = population_.tags(),
                      .backend = std::string{B::name} + " " + B::version(),
+                     .remarks = B::remarks(params_.physics),
                      .seed = params_.seed,
                      .tick_s = params_.world.tick_s,
                      .clock_scale = params_.world.clock_scale,

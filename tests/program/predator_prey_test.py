@@ -70,7 +70,7 @@ class Runs(PredatorPrey):
                 ticks = {}
                 for agent in agents:
                     ticks.setdefault(int(agent["tick"]), []).append(agent["species"])
-                self.assertEqual(sorted(ticks), list(range(3001)))
+                self.assertEqual(sorted(ticks), list(range(3001 if rules == "paper" else 3251)))
                 for species in ticks.values():
                     self.assertEqual(len(species), 30)
                     self.assertGreaterEqual(species.count("prey"), 7 if rules == "paper" else 6)
@@ -140,10 +140,20 @@ class Runs(PredatorPrey):
             result = self.call(*few, *more, "--out", "set")
             self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
-        released = ["--rules", "released", "--backend", "ode", "--duration", 2, "--out", "released"]
-        self.assert_refused(self.call(*released), 2, "physics.integrator = rk4", "semi_implicit_euler")
-        result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--set", "physics.timestep_s=0.0024")
-        self.assertEqual(result.returncode, 0, result.stderr)
+
+    @unittest.skipUnless(HAS_ODE, "no ODE in this build")
+    def test_ode_runs_the_released_rules_and_says_how(self):
+        released = ["--rules", "released", "--backend", "ode", "--duration", 2]
+        for more in ([], ["--replicates", 1]):
+            result = self.call(*released, *more, "--out", f"released{len(more)}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("physics.integrator = rk4 has no effect", result.stdout)
+        remarks = self.manifest("released0")["remarks"]
+        self.assertEqual(len(remarks), 1)
+        self.assertIn("physics.integrator = rk4 has no effect", remarks[0])
+        result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--out", "own")
+        self.assertEqual(self.manifest("own")["remarks"], [])
+        self.assertNotIn("remark", result.stdout)
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_only_mujoco_writes_mjcf(self):
@@ -169,6 +179,27 @@ class Runs(PredatorPrey):
     def test_any_robot(self):
         self.run_ok("gecko", "--robot", "gecko", "--duration", 100)
         self.assertTrue(self.manifest("gecko")["numbers"]["world"]["gait"].startswith("gecko"))
+
+    def test_neutral_shadow_beside_the_replicates(self):
+        self.run_ok("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
+        self.assertEqual(
+            [json.loads((self.folder / out / "replicates.json").read_text())["master_seed"] for out in ("set", "set/shadow")], [1, 1]
+        )
+        for replicate in ("replicate-00", "replicate-01"):
+            table, shadow = self.manifest(f"set/{replicate}"), self.manifest(f"set/shadow/{replicate}")
+            self.assertEqual(table["numbers"], shadow["numbers"])
+            self.assertEqual(table["rules"].pop("heredity"), "shared_copy")
+            self.assertEqual(shadow["rules"].pop("heredity"), "nothing_inherited")
+            self.assertEqual(table["rules"], shadow["rules"])
+            distances = {}
+            for run in (replicate, f"shadow/{replicate}"):
+                births = [b for b in self.rows(f"set/{run}", "phylogeny.csv") if b["ancestor_list"] != "[none]"]
+                self.assertGreater(len(births), 5)
+                distances[run] = [float(b["mutation_distance"]) for b in births]
+            self.assertLess(max(distances[replicate]), 0.01 * 15**0.5)
+            self.assertGreater(min(distances[f"shadow/{replicate}"]), 1.0)  # two genomes of 15 uniform weights: 3.2 on average
+        again = self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone")
+        self.assert_refused(again, 2, "--shadow", "need --replicates")
 
     def test_printed_configuration_makes_the_same_run(self):
         printed = self.call("--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config")

@@ -50,6 +50,7 @@ class Manifest {
     content_["seed"] = run.seed;
     content_["rule_table"] = run.rules;
     content_["backend"] = run.backend;
+    content_["remarks"] = run.remarks;
     content_["compiler"] = compiler();
     for (const auto& [name, text] : facts_) content_[name] = text;
     content_["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};

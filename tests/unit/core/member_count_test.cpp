@@ -11,7 +11,6 @@
 #include <trophic/detail/member_count.hpp>
 #include <trophic/evolve/tables.hpp>
 #include <trophic/experiment.hpp>
-#include <trophic/measure/bootstrap.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/world.hpp>
@@ -131,5 +130,4 @@ TEST_CASE("member count: everything that a manifest echoes lists all its numbers
   CHECK(lists_all<RuleNumbers<rules::Released>>());
   CHECK(lists_all<Experiment<rules::Paper, backend::Kinematic>>());
   CHECK(lists_all<evolve::Numbers<evolve::Paper, backend::Kinematic>>());
-  CHECK(lists_all<measure::Bootstrap>());
 }

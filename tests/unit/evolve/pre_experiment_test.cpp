@@ -215,6 +215,7 @@ TEST_CASE("a gait file reads back as the champion's gait and CPPN, and tells how
   CHECK(gait.coupling == queried.coupling);
   const toml::table table = toml::parse_file(file);
   CHECK(table["evolution"]["engine"].value<std::string>() == "toy 1");
+  CHECK(table["evolution"]["engine_remark_1"].value<std::string>() == "physics has no effect: a toy");
   CHECK(table["evolution"]["numbers"]["plan"]["children"].value<int>() == 8);
   CHECK(table["evolution"]["fitness"].value<double>() == running.lineage().individuals[running.lineage().champion()].fitness);
 }
