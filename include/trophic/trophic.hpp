@@ -25,6 +25,7 @@
 #include <trophic/control/decide_together.hpp>
 #include <trophic/control/gait.hpp>
 #include <trophic/control/locomotion.hpp>
+#include <trophic/control/steerable.hpp>
 #include <trophic/control/tanh_network.hpp>
 #include <trophic/control/targeted_steering.hpp>
 #include <trophic/death/active_away_from_hunters.hpp>

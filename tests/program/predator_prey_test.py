@@ -4,6 +4,8 @@
 
 import csv
 import json
+import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -13,6 +15,7 @@ import unittest
 from in_folder import InFolder
 
 PROGRAM = sys.argv.pop(1)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 HELP = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
 HAS_MUJOCO = "(mujoco)" in HELP
 HAS_ODE = ", ode" in HELP
@@ -82,6 +85,24 @@ class Runs(PredatorPrey):
                     self.assertTrue(ancestor == "none" or ancestor in ids)
                     self.assertEqual(row["ancestor_id"], row["id"] if ancestor == "none" else ancestor)
                 self.assertEqual(self.manifest(rules)["status"], "complete")
+
+    def test_manifest_names_what_made_the_run(self):
+        self.run_ok("run", "--duration", 10, "--seed", 2**53)
+        manifest = self.manifest("run")
+        self.assertEqual(manifest["tags"], [-1, 1])
+        self.assertEqual((manifest["seed"], manifest["numbers"]["seed"]), (2**53, 2**53))
+        self.assertRegex(manifest["compiler"], r"^(g|clang)\+\+ \d+\.\d+\.\d+$")
+        self.assertIn("--duration 10", manifest["command_line"])
+        self.assertTrue(manifest["host"])
+        self.assertTrue(manifest["build"])
+        git = ["git", "-C", str(ROOT)]
+        top = subprocess.run([*git, "rev-parse", "--show-toplevel"], capture_output=True, text=True)
+        if top.returncode != 0 or pathlib.Path(top.stdout.strip()) != ROOT:
+            self.assertEqual(manifest["source_revision"], "unknown")
+            return
+        commit = re.fullmatch(r"(?:.*-g)?([0-9a-f]{7,40})(-dirty)?", manifest["source_revision"])
+        self.assertTrue(commit, manifest["source_revision"])
+        self.assertEqual(subprocess.run([*git, "cat-file", "-e", commit[1] + "^{commit}"]).returncode, 0)
 
     def test_parents_keep_their_genomes_under_paper(self):
         self.run_ok("run", "--duration", 3000)
@@ -221,7 +242,15 @@ class Refusals(PredatorPrey):
             (["--duration", "-5"], ["world.duration_s = -5", "> 0"]),
             (["--duration", "nan"], ["world.duration_s = nan", "finite"]),
             (["--threads", "0"], ["--threads 0", ">= 1"]),
+            (["--seed", "-1"], ["--seed -1", ">= 0"]),
+            (["--seed", str(2**53 + 2)], ["seed = 9007199254740994", "<= 9007199254740992"]),
+            (["--robots", "-1"], ["--robots -1", ">= 0"]),
+            (["--threads", "-1"], ["--threads -1", ">= 0"]),
+            (["--replicates", "-1"], ["--replicates -1", ">= 0"]),
+            (["--replicates", "2", "--jobs", "-1"], ["--jobs -1", ">= 0"]),
             (["--set", "seed=-1"], ["seed = -1", ">= 0"]),
+            (["--set", "world.robots=-1"], ["world.robots = -1", ">= 0"]),
+            (["--set", "seed=9007199254740994"], ["seed = 9007199254740994", "<= 9007199254740992"]),
             (["--set", "rules.mutation.sdd=1"], ["rules.mutation.sdd", "unknown key", "sd"]),
             (["--set", "rules.mutation.sd=-1"], ["rules.mutation.sd = -1", ">= 0"]),
             (["--set", "rules.mutation.sd=wide"], ["rules.mutation.sd", "a number"]),
@@ -265,6 +294,8 @@ class Refusals(PredatorPrey):
         self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), 1, "nosuch", "searched")
         (self.folder / "robot.toml").write_text('name = "x"\n[core.front]\nmodule = "wheel"\n')
         self.assert_refused(self.call("--robot", "./robot.toml", "--out", "x"), 2, "robot.toml", "wheel")
+        (self.folder / "numbers.toml").write_text("seed = -1\n")
+        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "seed = -1", ">= 0")
         (self.folder / "numbers.toml").write_text("[world]\nrobot_count = 3\n")
         self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "world.robot_count", "unknown key")
 

@@ -9,10 +9,10 @@
 #include <sstream>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <support/toy_backend.hpp>
 #include <trophic/body/load.hpp>
 #include <trophic/evolve/archive.hpp>
 #include <trophic/evolve/pre_experiment.hpp>
-#include <unit/evolve/toy_backend.hpp>
 
 namespace evolve = trophic::evolve;
 using trophic::test::message_of;
