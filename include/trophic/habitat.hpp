@@ -33,7 +33,7 @@ struct Habitat {
   return habitat;
 }
 
-/// Every number of a habitat as text, for fingerprints: two habitats with the same text move alike.
+/// Every number of a habitat as text, for fingerprints: two habitats with the same text move alike where robots have joints.
 [[nodiscard]] inline std::string numbers_text(const Habitat& habitat) {
   std::string text;
   const auto add = [&](double value) { text += number_text(value) + " "; };
@@ -73,6 +73,11 @@ struct Habitat {
   add_all(habitat.gait.internal);
   add_all(habitat.gait.coupling);
   return text;
+}
+
+/// The numbers by which a robot moves where it has no joints.
+[[nodiscard]] inline std::string walk_text(const RobotModel& robot) {
+  return number_text(robot.walk.speed_m_s) + " " + number_text(robot.walk.turn_rate_per_rad) + " ";
 }
 
 }  // namespace trophic

@@ -53,6 +53,7 @@
 #include <trophic/evolve/history.hpp>
 #include <trophic/evolve/innovations.hpp>
 #include <trophic/evolve/lineage.hpp>
+#include <trophic/evolve/measure_walk.hpp>
 #include <trophic/evolve/network.hpp>
 #include <trophic/evolve/pre_experiment.hpp>
 #include <trophic/evolve/selection.hpp>

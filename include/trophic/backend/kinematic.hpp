@@ -25,8 +25,8 @@ namespace trophic::backend {
 /// angle: each step it follows an exact arc. Walls and the feet of slopes stop it (it slides along them); robots pass through
 /// each other. For testing rules and observers and for quick looks.
 ///
-/// The default numbers are those of the spider with the published gait in MuJoCo: 0.046 m/s straight ahead (timestep 0.012 s,
-/// RK4), 0.068 rad/s at a target angle of 0.7 rad (timestep 0.0012 s, semi-implicit Euler).
+/// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, which is how
+/// the cognitive brain steers. `world.gait` does not change them.
 ///
 /// Ignores joints, Physics and the height and tilt of the start poses: reported poses stand upright at the robot's rest height.
 /// No random draws; the same bits with every compiler and optimisation level that keeps IEEE arithmetic.
@@ -41,17 +41,17 @@ class Kinematic {
   }
 
   struct Params {
-    double speed_m_s = 0.046;
-    double turn_rate_per_rad = 0.097;
+    double speed_scale = 1.0;
+    double turn_scale = 1.0;
     double radius_m = 0.1;
     double timestep_s = 0.1;
 
     static constexpr auto fields() {
-      return std::tuple{field("speed_m_s", &Params::speed_m_s, between(0.0, 100.0), "along the heading"),
-                        field("turn_rate_per_rad", &Params::turn_rate_per_rad, between(0.0, 100.0),
-                              "rad/s to the right per rad of target angle"),
-                        field("radius_m", &Params::radius_m, at_least(0.0), "walls stop the robot's centre this far away"),
-                        field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
+      return std::tuple{
+          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "times the speed of the robot's walk"),
+          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "times the turning rate of the robot's walk"),
+          field("radius_m", &Params::radius_m, at_least(0.0), "walls stop the robot's centre this far away"),
+          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
     }
   };
 
@@ -68,16 +68,22 @@ class Kinematic {
     bool operator==(const State&) const = default;
   };
 
-  /// Throws std::invalid_argument for a number outside its bound, no robot, a radius that the arena cannot hold and a start pose
-  /// outside the walls.
+  /// Throws std::invalid_argument for a number outside its bound, a robot without a walk, no robot, a radius that the arena
+  /// cannot hold and a start pose outside the walls.
   Kinematic(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
             const Params& params)
       : params_{params},
+        speed_m_s_{params.speed_scale * robot.walk.speed_m_s},
+        turn_rate_per_rad_{params.turn_scale * robot.walk.turn_rate_per_rad},
         forward_rad_{robot.forward_rad},
         height_m_{robot.rest_height_m},
         limit_m_{arena.half_side_m - params.radius_m} {
     validate(physics, "physics");
     validate(params, "kinematic");
+    if (!(robot.walk.speed_m_s > 0.0)) {
+      throw std::invalid_argument{"robot " + robot.name + ": walk.speed_m_s = " + number_text(robot.walk.speed_m_s) +
+                                  ": must be > 0 where robots walk without joints; measure_gait --walk measures it"};
+    }
     if (!(limit_m_ > 0.0)) {
       throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +
                                   number_text(arena.half_side_m)};
@@ -136,9 +142,9 @@ class Kinematic {
  private:
   /// Along an arc of angle 2 h the chord is the arc's length times sin(h) / h and points h away from the old heading.
   void step(Body& body) const {
-    const double half_turn_rad = -0.5 * params_.turn_rate_per_rad * body.target_angle_rad * params_.timestep_s;
+    const double half_turn_rad = -0.5 * turn_rate_per_rad_ * body.target_angle_rad * params_.timestep_s;
     const double shortening = half_turn_rad == 0.0 ? 1.0 : std::sin(half_turn_rad) / half_turn_rad;
-    const double chord_m = params_.speed_m_s * params_.timestep_s * shortening;
+    const double chord_m = speed_m_s_ * params_.timestep_s * shortening;
     const double direction_rad = body.heading_rad + half_turn_rad;
     body.x_m = std::clamp(body.x_m + chord_m * std::cos(direction_rad), -limit_m_, limit_m_);
     body.y_m = std::clamp(body.y_m + chord_m * std::sin(direction_rad), -limit_m_, limit_m_);
@@ -146,6 +152,8 @@ class Kinematic {
   }
 
   Params params_;
+  double speed_m_s_;
+  double turn_rate_per_rad_;
   double forward_rad_;
   double height_m_;
   double limit_m_;

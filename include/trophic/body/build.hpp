@@ -30,13 +30,14 @@ struct Design {
   double hinge_range_rad = 1.047197551;      ///< 60 degrees
   std::optional<double> root_density_kg_m3;  ///< set: boxes of the root link weigh volume * density instead of their part's mass
   Servo servo;
+  MeasuredWalk walk;
   PartMasses part_mass_kg;
 
   static constexpr auto fields() {
     return std::tuple{field("forward_deg", &Design::forward_deg, between(-180.0, 180.0)),
                       field("friction", &Design::friction, at_least(0.0)),
                       field("hinge_range_rad", &Design::hinge_range_rad, above_to(0.0, std::numbers::pi)),
-                      field("part_mass_kg", &Design::part_mass_kg)};
+                      field("walk", &Design::walk), field("part_mass_kg", &Design::part_mass_kg)};
   }
 };
 
@@ -88,6 +89,7 @@ class Builder {
   explicit Builder(const Design& design) : design_{design} {
     robot_.name = design.name;
     robot_.gait = design.gait;
+    robot_.walk = design.walk;
     robot_.friction = design.friction;
     robot_.forward_rad = design.forward_deg * std::numbers::pi / 180.0;
     robot_.links.emplace_back().name = "core";

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <string>
+#include <trophic/params.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic {
@@ -49,11 +51,24 @@ struct Hinge {
   Servo servo;
 };
 
+/// How a robot walks with its own gait, steered to one side: measured once in an engine with joints (evolve/measure_walk.hpp) and
+/// written into its file. Engines without joints move it by these two numbers; 0 and 0: not measured.
+struct MeasuredWalk {
+  double speed_m_s = 0.0;          ///< along the heading
+  double turn_rate_per_rad = 0.0;  ///< rad/s to the right per rad of target angle
+
+  static constexpr auto fields() {
+    return std::tuple{field("speed_m_s", &MeasuredWalk::speed_m_s, between(0.0, 100.0)),
+                      field("turn_rate_per_rad", &MeasuredWalk::turn_rate_per_rad, between(0.0, 100.0))};
+  }
+};
+
 /// A whole robot. Invariants (checked by `validate(RobotModel)` in body/validate.hpp): links.size() == hinges.size() + 1, parents
 /// before children, masses > 0, inertias positive definite.
 struct RobotModel {
   std::string name;
   std::string gait;  ///< name or path of the gait that it walks with unless told otherwise
+  MeasuredWalk walk;
   std::vector<Link> links;
   std::vector<Hinge> hinges;
   std::vector<std::vector<std::size_t>> hinge_neighbours;  ///< for hinge i the hinges within module-tree distance 2, ascending

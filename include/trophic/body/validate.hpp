@@ -17,7 +17,8 @@ namespace trophic {
 /// Throws std::invalid_argument "robot NAME: FIELD = VALUE: must be ..." for the first broken invariant: sizes that agree, unique
 /// names, parents before children, finite geometry, unit axes and rotations, masses > 0, box masses that sum to the link's mass,
 /// inertias that a rigid body can have (positive definite, no principal moment above the sum of the other two), servo gains >= 0,
-/// ranges and limits > 0, neighbours ascending and mutual, friction >= 0, rest height and bounding radius > 0.
+/// ranges and limits > 0, neighbours ascending and mutual, friction >= 0, walk within its bounds, rest height and bounding radius
+/// > 0.
 inline void validate(const RobotModel& robot) {
   const auto fail = [&](const std::string& what) { throw std::invalid_argument{"robot " + robot.name + ": " + what}; };
   const auto check = [&](const std::string& name, double value, bool good, const std::string& rule) {
@@ -34,6 +35,7 @@ inline void validate(const RobotModel& robot) {
   check("friction", robot.friction, robot.friction >= 0.0, "must be >= 0");
   check("forward_rad", robot.forward_rad, std::abs(robot.forward_rad) <= std::numbers::pi, "must be within -pi and pi");
   check("rest_height_m", robot.rest_height_m, robot.rest_height_m > 0.0, "must be > 0");
+  validate(robot.walk, "robot " + robot.name + ": walk");
   check("bounding_radius_m", robot.bounding_radius_m, robot.bounding_radius_m > 0.0, "must be > 0");
 
   for (std::size_t i = 0; i < robot.links.size(); ++i) {

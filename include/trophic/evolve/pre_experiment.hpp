@@ -28,10 +28,11 @@
 namespace trophic::evolve {
 
 /// Evolves a robot's gait in advance (Sec. "Targeted Steering"). Founders first; then, each generation: parents are selected
-/// among the living and shuffled, child i has parents 2i and 2i + 1 counted round that list, is their crossover with
-/// crossover_probability, else a copy of the first, then mutates; all children are tried out; the survivors are selected among
-/// the living and the children. Every evaluation has a backend with one robot of its own, so that results are the same for any
-/// number of threads. Random streams: gait_founder by id, gait_selection by generation, gait_variation by child's id.
+/// among the living and, where they are no couples, shuffled; child i has parents 2i and 2i + 1 counted round that list, is their
+/// crossover with crossover_probability, else a copy of the first, then mutates; all children are tried out; the survivors are
+/// selected among the living and the children. Every evaluation has a backend with one robot of its own, so that results are the
+/// same for any number of threads. Random streams: gait_founder by id, gait_selection by generation, gait_variation by child's
+/// id.
 template <class Table, JointDriven B>
 class PreExperiment {
  public:
@@ -110,7 +111,7 @@ class PreExperiment {
     Rng rng{numbers_.seed, Stream::gait_selection, 0, lineage.generations};
     std::vector<std::size_t> parents = make_policy<typename Table::ParentSelection>(numbers_.parent_selection)
                                            .select(fitness_of(lineage, living), numbers_.plan.parents, rng);
-    rng.shuffle(std::span{parents});
+    if constexpr (!Couples<typename Table::ParentSelection>) rng.shuffle(std::span{parents});
     for (std::size_t child = 0; child < numbers_.plan.children; ++child) {
       const std::size_t first = living[parents[(2 * child) % parents.size()]];
       const std::size_t second = living[parents[(2 * child + 1) % parents.size()]];

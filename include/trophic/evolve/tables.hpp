@@ -47,12 +47,11 @@ struct Paper {
   static Physics physics() { return {}; }
 };
 
-/// The released code's: 20 s an evaluation, timestep 0.0005 s with RK4, tournaments of 2 (two parents drawn for each child),
+/// The released code's: 20 s an evaluation, timestep 0.0005 s with RK4, tournaments of 2 (two distinct parents for each child),
 /// steering closed on the heading with exponent 4, the core's x-axis along -x at the start, no control in the first period.
 struct Released {
   static constexpr std::string_view name = "released";
-  using ParentSelection = Tournament;
-  static constexpr ParentSelection::Params parent_selection{.size = 2, .distinct = false};
+  using ParentSelection = TournamentCouples;
   using SurvivorSelection = Tournament;
   using Fitness = DisplacementMinusX;
   static constexpr Fitness::Params fitness{.aim = Aim::minus_x};

@@ -39,6 +39,7 @@ friction = 0.5
 hinge_range_rad = 0.8
 root_density_kg_m3 = 500.0
 servo = { position_gain = 2.0, velocity_gain = 0.0, target_limit_rad = 0.6 }
+walk = { speed_m_s = 0.03, turn_rate_per_rad = 0.04 }
 part_mass_kg = { servo_body = 0.1, servo_plate = 0.2, brick = 0.3 }
 core.left = { module = "hinge", rotation_deg = -90, front = { module = "brick", rotation_deg = 180 } }
 )");
@@ -46,6 +47,8 @@ core.left = { module = "hinge", rotation_deg = -90, front = { module = "brick", 
   CHECK(robot.name == "full");
   CHECK(robot.forward_rad == doctest::Approx(-std::numbers::pi / 2));
   CHECK(robot.friction == 0.5);
+  CHECK(robot.walk.speed_m_s == 0.03);
+  CHECK(robot.walk.turn_rate_per_rad == 0.04);
   CHECK(robot.hinges.at(0).range_rad == 0.8);
   CHECK(robot.hinges[0].servo.position_gain == 2.0);
   CHECK(robot.hinges[0].servo.velocity_gain == 0.0);
@@ -58,6 +61,7 @@ TEST_CASE("a core alone is a robot without hinges") {
   const RobotModel robot = body::load_robot(folder().file("core.toml", "name = \"stone\"\ncore = {}\n"));
   CHECK(robot.links.size() == 1);
   CHECK(robot.hinges.empty());
+  CHECK(robot.walk.speed_m_s == 0.0);
   CHECK(robot.rest_height_m == doctest::Approx(0.03015));
 }
 
@@ -81,8 +85,7 @@ TEST_CASE("bad content names key and value") {
   CHECK(complaint<Bad>("name = \"a\"\ncore = 1\n") == " core = 1: must be a table");
   CHECK(complaint<Bad>("colour = \"red\"\n" + leg) ==
         " colour: unknown key; known here: core, forward_deg, friction, gait, hinge_range_rad, name, part_mass_kg, "
-        "root_density_kg_m3, "
-        "servo");
+        "root_density_kg_m3, servo, walk");
   CHECK(complaint<Bad>(leg + "top = 1\n") ==
         " core.left.front.top: unknown key; known here: back, front, left, module, right, "
         "rotation_deg");
@@ -99,6 +102,7 @@ TEST_CASE("bad content names key and value") {
   CHECK(complaint<Bad>("name = \"a\"\nfriction = nan\ncore = {}\n") == " friction = nan: must be >= 0");
   CHECK(complaint<Bad>("name = \"a\"\nfriction = \"high\"\ncore = {}\n") == " friction = 'high': must be a number");
   CHECK(complaint<Bad>("name = \"a\"\nservo.position_gain = -5\ncore = {}\n") == " servo.position_gain = -5: must be > 0");
+  CHECK(complaint<Bad>("name = \"a\"\nwalk.speed_m_s = -1\ncore = {}\n") == " walk.speed_m_s = -1: must be >= 0 and <= 100");
   CHECK(complaint<Bad>("name = \"a\"\nforward_deg = 200\ncore = {}\n") == " forward_deg = 200: must be >= -180 and <= 180");
 }
 

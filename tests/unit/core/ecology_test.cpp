@@ -76,8 +76,8 @@ typename Kinematics<Rules>::Params scene(std::vector<GroundPose> poses) {
   Places::poses = std::move(poses);
   typename Kinematics<Rules>::Params params;
   params.world.robots = Places::poses.size();
-  params.backend.speed_m_s = 0.0;
-  params.backend.turn_rate_per_rad = 0.0;
+  params.backend.speed_scale = 0.0;
+  params.backend.turn_scale = 0.0;
   params.rules.activation.distance_m = 0.1;
   params.rules.floor.floor = 0;
   params.rules.rescue.below = 0;

@@ -74,4 +74,10 @@ TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, dura
   CHECK(Ecology<Same, backend::Kinematic>{}.describe(1.0).fingerprint == paper);
   using Other = with_mutation<rules::Paper, reproduction::UniformMutation>;
   CHECK(Ecology<Other, backend::Kinematic>{}.describe(1.0).fingerprint != paper);
+  Habitat quicker = load_habitat(Paper::Params{}.world);
+  Paper::Params own_gait;
+  own_gait.world.gait = quicker.gait.name;
+  CHECK(Paper(own_gait, quicker).describe(1.0).fingerprint == paper);
+  quicker.robot.walk.turn_rate_per_rad *= 1.1;
+  CHECK(Paper(own_gait, quicker).describe(1.0).fingerprint != paper);
 }

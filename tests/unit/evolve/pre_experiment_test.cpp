@@ -84,6 +84,17 @@ TEST_CASE("generations have the planned sizes, parents lived, and the best never
   CHECK(sizes == std::set<std::size_t>{0, 1, 2});
 }
 
+TEST_CASE("in the released code's pre-experiment the two parents of a child are distinct") {
+  auto numbers = quick<evolve::Released>();
+  numbers.variation.crossover_probability = 1.0;
+  auto running = experiment(numbers);
+  finish(running);
+  for (const evolve::Individual& one : running.lineage().individuals) {
+    CHECK(one.parents.size() == (one.born == 0 ? 0 : 2));
+    if (one.born > 0) CHECK(one.parents.front() != one.parents.back());
+  }
+}
+
 TEST_CASE("any number of threads gives the same lineage and another seed another one") {
   auto one = experiment();
   auto three = experiment();

@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <support/temporary_folder.hpp>
 #include <trophic/evolve/selection.hpp>
@@ -43,19 +45,37 @@ TEST_CASE("round robin against one opponent: the best always wins, the second be
   CHECK(third_before_second / static_cast<double>(rounds) == doctest::Approx(1.0 / 9.0).epsilon(0.15));
 }
 
-TEST_CASE("tournament of 2 selects each rank with its probability") {
-  const evolve::Tournament tournament{{.size = 2, .distinct = false}};
+TEST_CASE("tournaments of 2 select each rank with its probability, and never one individual as both parents") {
+  const evolve::TournamentCouples couples;
   const std::vector<double> fitness{1.0, 4.0, 2.0, 3.0};
   auto random = rng();
-  const Indices selected = tournament.select(fitness, 40000, random);
-  const auto share = [&](std::size_t who) { return static_cast<double>(std::ranges::count(selected, who)) / 40000.0; };
-  CHECK(share(1) == doctest::Approx(7.0 / 16.0).epsilon(0.03));
-  CHECK(share(3) == doctest::Approx(5.0 / 16.0).epsilon(0.03));
-  CHECK(share(2) == doctest::Approx(3.0 / 16.0).epsilon(0.05));
-  CHECK(share(0) == doctest::Approx(1.0 / 16.0).epsilon(0.08));
+  constexpr std::size_t count = 40000;
+  const Indices selected = couples.select(fitness, 2 * count, random);
+  REQUIRE(selected.size() == 2 * count);
+  const std::array<double, 4> wins{1.0 / 16.0, 7.0 / 16.0, 3.0 / 16.0, 5.0 / 16.0};
+  std::array<std::array<double, 4>, 4> share{};  // of couples, by first and second parent
+  for (std::size_t i = 0; i < 2 * count; i += 2) share.at(selected[i]).at(selected[i + 1]) += 1.0 / count;
+  for (std::size_t first = 0; first < 4; ++first) {
+    CHECK(share[first][first] == 0.0);
+    for (std::size_t second = 0; second < 4; ++second) {
+      if (second == first) continue;
+      const double expected = wins[first] * wins[second] / (1.0 - wins[first]);
+      CHECK(std::abs(share[first][second] - expected) < 4.0 * std::sqrt(expected / count));
+    }
+  }
 }
 
-TEST_CASE("a distinct tournament selects nobody twice") {
+TEST_CASE("couples need two individuals and two places each") {
+  const evolve::TournamentCouples couples;
+  auto random = rng();
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(couples.select(std::vector{1.0}, 2, random)); }) ==
+        "tournament_couples: 1 individuals: must be >= 2");
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(couples.select(std::vector{1.0, 2.0}, 3, random));
+        }) == "tournament_couples: 3 parents: must be even");
+}
+
+TEST_CASE("a tournament selects nobody twice") {
   const evolve::Tournament tournament;
   const std::vector<double> fitness{1.0, 4.0, 2.0, 3.0};
   auto random = rng();

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The events of a MuJoCo run by the paper's rules, as long as no robots touch: from then on rounding grows tenfold a second.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <regression/golden.hpp>
+#include <trophic/backend/mujoco.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/observe/event_log.hpp>
+#include <trophic/observe/tally.hpp>
+#include <trophic/rules/paper.hpp>
+
+using namespace trophic;
+
+namespace {
+
+using Mujoco = Ecology<rules::Paper, backend::Mujoco>;
+
+/// The smallest distance of two robots at any tick.
+struct Closest {
+  double distance_m = std::numeric_limits<double>::infinity();
+  void on_tick(const View& view) {
+    for (BodyIndex one = 0; one < view.poses.size(); ++one) {
+      for (BodyIndex two = 0; two < one; ++two) {
+        distance_m = std::min(distance_m, trophic::distance_m(view.poses[one], view.poses[two]));
+      }
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a MuJoCo run's events are the golden ones until robots touch") {
+  const std::filesystem::path written = test::written_folder("mujoco_paper");
+  std::filesystem::create_directory(written);
+  Mujoco::Params params{.seed = 46};
+  params.world.robots = 16;
+  params.rules.capture.reach_m = 2.0;  // who catches from afar need not touch
+  Mujoco ecology{params};
+  observe::EventLog events{written / "events.csv"};
+  observe::Tally tally;
+  Closest closest;
+  ecology.run_until(260.0, events, tally, closest);
+  CHECK(closest.distance_m > 2.0 * ecology.habitat().robot.bounding_radius_m);
+  CHECK(tally.deaths(Cause::caught) > 0);
+  CHECK(tally.deaths(Cause::starved) > 0);
+  test::check_golden("mujoco_paper");
+}
