@@ -127,6 +127,7 @@
 #include <trophic/replicates/parallel.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/replicates/run.hpp>
+#include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/reproduction/concept.hpp>
 #include <trophic/reproduction/killer.hpp>
 #include <trophic/reproduction/last_killer.hpp>
@@ -147,6 +148,7 @@
 #include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/rules/with_rules_of.hpp>
 #include <trophic/settings.hpp>
 #include <trophic/spatial_grid.hpp>
 #include <trophic/units.hpp>
