@@ -69,6 +69,7 @@
 #include <trophic/measure/csv_reader.hpp>
 #include <trophic/measure/demography.hpp>
 #include <trophic/measure/equivalence.hpp>
+#include <trophic/measure/flips.hpp>
 #include <trophic/measure/holm.hpp>
 #include <trophic/measure/interval.hpp>
 #include <trophic/measure/published.hpp>
