@@ -16,8 +16,7 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/replicates/run.hpp>
-#include <trophic/rules/neutral_shadow.hpp>
+#include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
@@ -89,32 +88,21 @@ auto resolve(const Options& options, const toml::table& config) {
   return params;
 }
 
-/// A set of runs that differ in their seed, into one folder. Whether all are complete.
-template <class Rules, class Backend>
-bool run_set(const Options& options, const trophic::Experiment<Rules, Backend>& params, const std::filesystem::path& out) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const trophic::replicates::Plan plan{.out = out,
-                                       .master_seed = params.seed,
-                                       .count = *options.replicates,
-                                       .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
-                                       .resume = options.resume};
-  const auto outcome = trophic::replicates::run<Rules, Backend>(params, plan, options.facts, std::cout);
-  std::cout << outcome.kept + outcome.complete << " of " << plan.count << " replicates complete in " << out.string() << std::endl;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
-  for (const std::string& sentence : outcome.unfinished) std::cerr << "predator_prey: " << sentence << "\n";
-  return outcome.all_complete();
-}
-
 /// The replicates of a table and, where asked, of its neutral shadow, with the same seeds.
 template <class Rules, class Backend>
 int run_replicates(const Options& options, trophic::Experiment<Rules, Backend> params) {
   if constexpr (requires { params.backend.threads; }) params.backend.threads = options.threads.value_or(1);
-  const std::filesystem::path out{options.out};
-  if (run_set<Rules, Backend>(options, params, out) &&
-      (!options.shadow ||
-       run_set<trophic::rules::neutral_shadow<Rules>, Backend>(options, trophic::rules::shadow_of(params), out / "shadow"))) {
-    return 0;
-  }
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const trophic::replicates::Plan plan{.out = options.out,
+                                       .master_seed = params.seed,
+                                       .count = *options.replicates,
+                                       .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
+                                       .resume = options.resume};
+  const auto unfinished =
+      trophic::replicates::run_with_shadow<Rules, Backend>(params, plan, options.shadow, options.facts, std::cout);
+  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  if (unfinished.empty()) return 0;
+  for (const std::string& sentence : unfinished) std::cerr << "predator_prey: " << sentence << "\n";
   std::cerr << "the same command with --resume runs these and no others\n";
   return trophic::examples::run_error;
 }

@@ -71,6 +71,7 @@
 #include <trophic/measure/csv_reader.hpp>
 #include <trophic/measure/demography.hpp>
 #include <trophic/measure/equivalence.hpp>
+#include <trophic/measure/flips.hpp>
 #include <trophic/measure/holm.hpp>
 #include <trophic/measure/interval.hpp>
 #include <trophic/measure/published.hpp>
@@ -129,6 +130,7 @@
 #include <trophic/replicates/parallel.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/replicates/run.hpp>
+#include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/reproduction/concept.hpp>
 #include <trophic/reproduction/killer.hpp>
 #include <trophic/reproduction/last_killer.hpp>
@@ -149,6 +151,7 @@
 #include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/rules/with_rules_of.hpp>
 #include <trophic/settings.hpp>
 #include <trophic/spatial_grid.hpp>
 #include <trophic/units.hpp>

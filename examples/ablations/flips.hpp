@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What `ablations` flips between two tables: each difference alone, groups of slots together, and biases in the brain.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <trophic/backend/concept.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/replicates/plan.hpp>
+#include <trophic/rules/with_rules_of.hpp>
+#include <vector>
+
+namespace trophic::examples {
+
+/// Slots that are flipped together. The last group takes all numbers of World and Physics, too.
+struct SlotGroup {
+  std::string_view name;
+  rules::SlotSet slots;
+};
+
+inline constexpr std::array slot_groups{
+    SlotGroup{"perception", rules::slots({"heading", "visibility", "angle_input", "distance_input", "tag_ratio_input",
+                                          "blind_rule", "newborn_tag", "tag_switch", "brain", "decision_order", "steering"})},
+    SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "capture_parent", "starvation_parent",
+                                            "rescue_parent", "heredity", "mutation", "senescence_parent"})},
+    SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation_schedule", "reprieve", "starvation", "rescue",
+                                     "senescence"})},
+    SlotGroup{"world", rules::slots({"community", "placement"})}};
+inline constexpr std::size_t world_group = slot_groups.size() - 1;
+
+/// Whether every slot is in exactly one group.
+[[nodiscard]] constexpr bool groups_are_a_partition() {
+  std::uint64_t seen = 0;
+  for (const SlotGroup& group : slot_groups) {
+    if ((seen & group.slots.mask) != 0) return false;
+    seen |= group.slots.mask;
+  }
+  return seen == (std::uint64_t{1} << rules::slot_names.size()) - 1;
+}
+static_assert(groups_are_a_partition(), "each slot of a rule table belongs to one group of ablations");
+
+inline constexpr std::string_view base_name = "base";
+inline constexpr std::string_view biases_name = "brain_with_biases";
+
+/// One set of runs: its folder's name, and what is different in it.
+struct Flip {
+  std::string name;
+  std::string change;
+};
+
+/// The table itself, every difference to the other table alone, the brain with biases, and every group.
+template <class Base, class Other>
+[[nodiscard]] std::vector<Flip> flips() {
+  std::vector<Flip> all{{std::string{base_name}, "the table itself"}};
+  for (const auto& [name, here, there] : rules::differences<Base, Other>()) {
+    all.push_back({name, (here.empty() ? "none" : here) + " -> " + (there.empty() ? "none" : there)});
+  }
+  all.push_back({std::string{biases_name}, "a bias in every neuron, as in neither table"});
+  for (const SlotGroup& group : slot_groups) all.push_back({std::string{group.name}, "all of its slots and numbers together"});
+  return all;
+}
+
+/// Why a flip changes nothing on an engine that moves no joints; empty where it does.
+[[nodiscard]] inline std::string needs_joints(std::string_view name) {
+  const bool of_engine =
+      name.starts_with("physics.") || name == "world.robot" || name == "world.gait" || name == "world.cpg_integration";
+  return of_engine ? std::string{name} + ": skipped, it acts through joints and this backend has none" : "";
+}
+
+/// What all flips have in common. `plan.out` is the folder of a direction.
+struct Study {
+  replicates::Plan plan;
+  double duration_s = 6000.0;
+  bool shadow = false;
+  observe::Facts facts;
+};
+
+/// Runs one flip of Base towards Other into a folder of its name. A sentence for each replicate that is not complete. Defined in
+/// run_flip.hpp and compiled once for each direction and backend.
+template <class Base, class Other, Backend B>
+[[nodiscard]] std::vector<std::string> run_flip(const std::string& name, const Study& study);
+
+}  // namespace trophic::examples

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// All flips of the table `released` on the MuJoCo backend.
+#include <trophic/backend/mujoco.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+
+#include "run_flip.hpp"
+
+template std::vector<std::string> trophic::examples::run_flip<trophic::rules::Released, trophic::rules::Paper,
+                                                              trophic::backend::Mujoco>(const std::string&, const Study&);

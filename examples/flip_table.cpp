@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// What each flip of `ablations` changes: one table over all flips and metrics, corrected for their number.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <trophic/measure/compare_sets.hpp>
+#include <trophic/measure/flips.hpp>
+#include <trophic/measure/shadow.hpp>
+#include <trophic/observe/csv.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/replicates/parallel.hpp>
+#include <utility>
+#include <vector>
+
+#include "ablations/flips.hpp"
+#include "command.hpp"
+
+namespace {
+
+namespace examples = trophic::examples;
+namespace measure = trophic::measure;
+
+struct Options {
+  std::filesystem::path runs;
+  std::size_t jobs = 1;
+  std::filesystem::path out = "flips";
+};
+
+measure::ShadowedSet read(const std::filesystem::path& folder) {
+  return measure::read_shadowed_set(std::array{folder});
+}
+
+/// All flips of one table against its base.
+struct Direction {
+  std::string name;
+  std::optional<measure::ShadowedSet> base;
+  std::vector<measure::FlipEffect> effects;
+};
+
+/// The sets beside the base: every folder with a list of replicates, by name.
+std::vector<std::string> flips_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+    const std::string name = entry.path().filename().string();
+    if (name != examples::base_name && std::filesystem::exists(entry.path() / "replicates.json")) names.push_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+void check_complete(const measure::ShadowedSet& set) {
+  const auto check = [](const measure::RunSet& runs) {
+    for (const measure::RunFacts& facts : runs.facts) {
+      if (facts.status != "complete") {
+        throw std::invalid_argument{facts.folder.string() + ": status \"" + facts.status + "\": must be complete"};
+      }
+    }
+    if (!runs.remarks.empty()) throw std::invalid_argument{runs.remarks.front()};
+  };
+  check(set.ours);
+  if (set.shadow) check(*set.shadow);
+}
+
+Direction read_direction(const std::filesystem::path& folder, std::size_t jobs) {
+  Direction direction{folder.filename().string(), read(folder / examples::base_name), {}};
+  check_complete(*direction.base);
+  const std::vector<std::string> names = flips_in(folder);
+  std::vector<std::vector<measure::FlipEffect>> parts(names.size());
+  const auto compare = [&](std::size_t i) {
+    const measure::ShadowedSet flipped = read(folder / names[i]);
+    check_complete(flipped);
+    measure::check_comparable(direction.base->ours.facts.front(), flipped.ours.facts.front());
+    if (direction.base->shadow.has_value() != flipped.shadow.has_value()) {
+      throw std::invalid_argument{(folder / names[i]).string() + ": one of it and its base has a shadow, the other has none"};
+    }
+    parts[i] = measure::effects_of(names[i], measure::compare_sets(*direction.base, flipped));
+  };
+  const auto attempts = trophic::replicates::in_parallel(names.size(), jobs, compare, [] { return true; });
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!attempts[i].error.empty()) throw std::invalid_argument{names[i] + ": " + attempts[i].error};
+    direction.effects.insert(direction.effects.end(), parts[i].begin(), parts[i].end());
+  }
+  measure::adjust_together(direction.effects);
+  return direction;
+}
+
+void write_rows(trophic::observe::CsvFile& file, const std::string& direction, std::span<const measure::FlipEffect> effects) {
+  for (const measure::FlipEffect& effect : effects) {
+    const measure::Difference& d = effect.difference;
+    const auto bound = [&](double measure::Interval::*which) {
+      return d.interval ? std::optional{(*d.interval).*which} : std::nullopt;
+    };
+    file.row(effect.flip, direction, effect.name.metric, effect.name.species, effect.name.group, effect.name.unit,
+             effect.over_shadow ? "over_shadow" : "raw", effect.base.runs, effect.flipped.runs, effect.base.mean,
+             effect.flipped.mean, d.value, bound(&measure::Interval::lower), bound(&measure::Interval::upper), d.p, d.adjusted,
+             !d.adjusted   ? ""
+             : d.differs() ? "yes"
+                           : "no");
+  }
+  file.flush();
+}
+
+void write(const Options& options) {
+  std::vector<Direction> directions;
+  for (const char* name : {"from_paper", "from_released"}) {
+    if (std::filesystem::is_directory(options.runs / name)) {
+      directions.push_back(read_direction(options.runs / name, options.jobs));
+    }
+  }
+  if (directions.empty()) throw std::invalid_argument{options.runs.string() + ": has neither from_paper nor from_released"};
+
+  const auto out = trophic::observe::make_new_folder(options.out);
+  trophic::observe::CsvFile csv{
+      out / "flips.csv",
+      "flip,direction,metric,species,group,unit,compared,runs_base,runs_flipped,base,flipped,difference,"
+      "lower,upper,p,p_holm,decided"};
+  std::ofstream text{out / "flips.md"};
+  for (const Direction& direction : directions) {
+    write_rows(csv, direction.name, direction.effects);
+    text << "## " << direction.name << "\n\n";
+    measure::print_decided(text, direction.effects);
+    text << "\np: corrected for all flips and metrics of this direction; intervals are those of single comparisons.\n\n";
+  }
+  if (directions.size() == 2) {
+    const auto& [paper, released] = std::pair{&directions[0], &directions[1]};
+    measure::check_comparable(paper->base->ours.facts.front(), released->base->ours.facts.front());
+    auto whole = measure::effects_of("released", measure::compare_sets(*paper->base, *released->base));
+    measure::adjust_together(whole);
+    write_rows(csv, "paper_to_released", whole);
+    std::vector<std::string> groups;
+    for (const examples::SlotGroup& group : examples::slot_groups) groups.emplace_back(group.name);
+    text << "## Together\n\nFirst: paper. Second: released. Each group of rules alone put into the first, and taken out of the "
+            "second.\n\n";
+    measure::print_shares(text, whole, paper->effects, released->effects, groups);
+    text << "\n*: decided in its direction. Sums that miss the whole difference show that the groups act on each other.\n";
+  }
+  text.close();
+  if (!text) throw std::runtime_error{"cannot write " + (out / "flips.md").string()};
+  std::cout << "files   " << out.string() << "/{flips.csv,flips.md}" << std::endl;
+  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace trophic::examples;
+  Options options;
+  CLI::App app{"Reads the sets of ablations and writes what each flip changes: flips.csv (all) and flips.md (what is decided)."};
+  app.add_option("runs", options.runs, "the OUT of ablations")->required();
+  app.add_option("--jobs", options.jobs, "sets measured at a time (1)");
+  app.add_option("--out", options.out, "new folder for the tables (flips)");
+  return run_command(app, argc, argv, "flip_table", [&] {
+    if (options.jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+    write(options);
+    return 0;
+  });
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// One table with some slots of another, and what the two differ in.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/params.hpp>
+#include <trophic/rules.hpp>
+#include <trophic/settings.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace trophic::rules {
+
+#define TROPHIC_SLOT_NAME(Slot, member, Concept, sentence) std::string_view{#member},
+/// The slots of a rule table, in order.
+inline constexpr std::array slot_names{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_NAME)};
+#undef TROPHIC_SLOT_NAME
+
+/// Some slots of a rule table.
+struct SlotSet {
+  std::uint64_t mask = 0;  ///< bit i: slot_names[i]
+
+  [[nodiscard]] constexpr bool contains(std::string_view slot) const {
+    for (std::size_t i = 0; i < slot_names.size(); ++i) {
+      if (slot_names[i] == slot) return (mask >> i & 1U) != 0;
+    }
+    throw std::invalid_argument{"no slot of a rule table has this name"};
+  }
+  friend constexpr bool operator==(SlotSet, SlotSet) = default;
+};
+static_assert(slot_names.size() <= 64);
+
+/// The slots of these names. A name that is none does not compile.
+[[nodiscard]] consteval SlotSet slots(std::initializer_list<std::string_view> names) {
+  SlotSet set;
+  for (const std::string_view name : names) {
+    if (set.contains(name)) throw std::invalid_argument{"a slot is named twice"};
+    for (std::size_t i = 0; i < slot_names.size(); ++i) {
+      if (slot_names[i] == name) set.mask |= std::uint64_t{1} << i;
+    }
+  }
+  return set;
+}
+
+/// Base with the policies and numbers that Other has in the slots of a set; world and physics are those of Base.
+template <class Base, class Other, SlotSet set>
+struct with_rules_of : Base {
+#define TROPHIC_SLOT_OF(Slot, member, Concept, sentence)                                 \
+  using Slot = typename std::conditional_t<set.contains(#member), Other, Base>::Slot;    \
+  inline static const ParamsOf<Slot> member = [] {                                       \
+    return RuleNumbers<std::conditional_t<set.contains(#member), Other, Base>>{}.member; \
+  }();
+  TROPHIC_RULE_SLOTS(TROPHIC_SLOT_OF)
+#undef TROPHIC_SLOT_OF
+
+  /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; numbers are in the manifest.
+  static std::string swapped_name() {
+    std::string swaps;
+#define TROPHIC_NAME_SWAP(Slot, member, Concept, sentence)                                                 \
+  if constexpr (!std::same_as<typename Base::Slot, typename with_rules_of::Slot>) {                        \
+    swaps.append(swaps.empty() ? " with " : ", ").append(#member " = ").append(with_rules_of::Slot::name); \
+  }
+    TROPHIC_RULE_SLOTS(TROPHIC_NAME_SWAP)
+#undef TROPHIC_NAME_SWAP
+    return table_name<Base>() + swaps;
+  }
+};
+
+/// One rule or number in which two tables differ.
+struct RuleDifference {
+  std::string name;  ///< a slot whose policies differ, or the path of a number: "floor.floor", "world.arena"
+  std::string here;
+  std::string there;
+  [[nodiscard]] bool is_number() const { return name.find('.') != std::string::npos; }
+};
+
+namespace detail {
+
+template <class P>
+void append_differences(std::string_view path, const P& here, const P& there, std::vector<RuleDifference>& differences) {
+  const Settings a = settings_of(here);
+  const Settings b = settings_of(there);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].value != b[i].value) differences.push_back({join_path(path, a[i].path), value_text(a[i]), value_text(b[i])});
+  }
+}
+
+}  // namespace detail
+
+/// All slots and numbers in which two tables differ, in their order; numbers of policies that differ go with these, and
+/// duration is no rule.
+template <class Base, class Other>
+[[nodiscard]] std::vector<RuleDifference> differences() {
+  std::vector<RuleDifference> all;
+#define TROPHIC_DIFFERENCE(Slot, member, Concept, sentence)                                            \
+  if constexpr (std::same_as<typename Base::Slot, typename Other::Slot>) {                             \
+    detail::append_differences(#member, RuleNumbers<Base>{}.member, RuleNumbers<Other>{}.member, all); \
+  } else {                                                                                             \
+    all.push_back({#member, std::string{Base::Slot::name}, std::string{Other::Slot::name}});           \
+  }
+  TROPHIC_RULE_SLOTS(TROPHIC_DIFFERENCE)
+#undef TROPHIC_DIFFERENCE
+  auto world = Other::world();
+  world.duration_s = Base::world().duration_s;
+  detail::append_differences("world", Base::world(), world, all);
+  detail::append_differences("physics", Base::physics(), Other::physics(), all);
+  return all;
+}
+
+}  // namespace trophic::rules

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""ablations_test.py ABLATIONS PREDATOR_PREY FLIP_TABLE: flips of the two tables, as users run and read them."""
+
+import csv
+import json
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolderWithSets
+
+ABLATIONS, PREDATOR_PREY, FLIP_TABLE = sys.argv[1:4]
+GROUPS = {"perception", "reproduction", "death", "world"}
+TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
+
+
+def call(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+def manifest(run):
+    return json.loads((run / "manifest.json").read_text())
+
+
+def numbers(tree, path=""):
+    """Each number of a manifest with its path."""
+    if not isinstance(tree, dict):
+        return {path: tree}
+    flat = {}
+    for name, part in tree.items():
+        flat.update(numbers(part, f"{path}.{name}" if path else name))
+    return flat
+
+
+class Ablations(InFolderWithSets):
+    @classmethod
+    def make_sets(cls):
+        for rules in ("paper", "released"):
+            result = call(PREDATOR_PREY, "--rules", rules, "--backend", "kinematic", "--duration", 20, "--seed", 3, "--out", cls.sets / rules)
+            assert result.returncode == 0, result.stderr
+
+    def run_ok(self, *arguments):
+        result = call(ABLATIONS, *arguments)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        return result.stdout
+
+    def listed(self, table):
+        start = f"from_{table}/"
+        lines = self.run_ok("--list").splitlines()
+        return {line.split()[0].removeprefix(start): line for line in lines if line.startswith(start)}
+
+    def differing(self):
+        """Slots and numbers in which the manifests of both tables differ."""
+        paper, released = (manifest(self.sets / table) for table in ("paper", "released"))
+        slots = {slot for slot in paper["rules"] if paper["rules"][slot] != released["rules"][slot]}
+        a, b = numbers(paper["numbers"]), numbers(released["numbers"])
+        names = set()
+        for path in (path for path in a if path in b and a[path] != b[path]):
+            name = path.removeprefix("rules.")
+            if name.split(".")[0] not in slots and path != "world.duration_s":
+                names.add(name)
+        return slots | names
+
+    def test_every_difference_is_listed(self):
+        differing = self.differing()
+        self.assertGreater(len(differing), 20)
+        for table in ("paper", "released"):
+            with self.subTest(table=table):
+                self.assertEqual(set(self.listed(table)), differing | GROUPS | {"base", "brain_with_biases"})
+
+    def changes(self, a, b):
+        """Slots and paths in which two manifests differ; the numbers of a slot whose policy differs are not named."""
+        slots = {slot for slot in a["rules"] if a["rules"][slot] != b["rules"][slot]}
+        x, y = numbers(a["numbers"]), numbers(b["numbers"])
+        paths = {path.removeprefix("rules.") for path in x.keys() | y.keys() if x.get(path) != y.get(path)}
+        return slots | {path for path in paths if path.split(".")[0] not in slots and path != "seed"}
+
+    def test_each_flip_changes_what_it_says_and_nothing_else(self):
+        out = self.folder / "out"
+        self.run_ok("--duration", 10, "--replicates", 1, "--out", out)
+        skipped = {"world.robot", "world.cpg_integration", "physics.timestep_s", "physics.integrator"}
+        for table, other in (("paper", "released"), ("released", "paper")):
+            base = manifest(out / f"from_{table}/base/replicate-00")
+            there = manifest(self.sets / other)
+            flips = set(self.listed(table)) - {"base"}
+            self.assertEqual({path.name for path in (out / f"from_{table}").iterdir()}, flips - skipped | {"base"})
+            together = set()
+            for flip in flips - skipped:
+                with self.subTest(table=table, flip=flip):
+                    flipped = manifest(out / f"from_{table}" / flip / "replicate-00")
+                    changed = self.changes(base, flipped)
+                    if flip == "brain_with_biases":
+                        self.assertEqual(changed, {"brain"})
+                        self.assertEqual(flipped["rules"]["brain"], "cognitive_brain_with_biases")
+                        self.assertEqual(flipped["numbers"]["rules"]["brain"], base["numbers"]["rules"]["brain"])
+                    elif flip in GROUPS:
+                        self.assertFalse(together & changed)
+                        self.assertFalse(self.changes(flipped, there) & changed)
+                        together |= changed
+                    else:
+                        self.assertEqual(changed, {flip})
+                        self.assertNotIn(flip, self.changes(flipped, there))
+            self.assertEqual(together, self.differing())
+
+    def test_only_shadow_and_resume(self):
+        out = self.folder / "out"
+        options = ["--from", "paper", "--only", "base", "heredity", "--duration", 200, "--shadow", "--out", out]
+        self.run_ok(*options, "--replicates", 2)
+        self.assertEqual({path.name for path in out.iterdir()}, {"from_paper"})
+        self.assertEqual({path.name for path in (out / "from_paper").iterdir()}, {"base", "heredity"})
+        shadow = out / "from_paper/heredity/shadow/replicate-01"
+        self.assertEqual(manifest(shadow)["rules"]["heredity"], "nothing_inherited")
+        before = {file: (shadow / file).read_bytes() for file in TABLES}
+        again = call(ABLATIONS, *options, "--replicates", 2)
+        self.assertEqual(again.returncode, 2)
+        self.assertIn("never overwritten", again.stderr)
+
+        removed = out / "from_paper/base/shadow/replicate-00"
+        kept = {file: (removed / file).read_bytes() for file in TABLES}
+        for file in [*TABLES, "manifest.json"]:
+            (removed / file).unlink()
+        removed.rmdir()
+        printed = self.run_ok(*options, "--replicates", 3, "--resume", "--jobs", 2)
+        self.assertIn("3 of 3 replicates complete", printed)
+        self.assertEqual(kept, {file: (removed / file).read_bytes() for file in TABLES})
+        self.assertEqual(before, {file: (shadow / file).read_bytes() for file in TABLES})
+        self.assertEqual(len(list((out / "from_paper/heredity").glob("replicate-*"))), 3)
+
+    def test_refusals_and_skips(self):
+        out = self.folder / "out"
+        for arguments, part in [(["--only", "heresy", "--out", out], "heresy"), (["--from", "text", "--out", out], "text"),
+                                (["--backend", "nope", "--out", out], "--backend nope"), ([], "out"),
+                                (["--replicates", 0, "--out", out], "replicates = 0")]:
+            with self.subTest(arguments=arguments):
+                result = call(ABLATIONS, *arguments)
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertIn(part, result.stderr)
+        self.assertIn("world.robot: skipped", self.run_ok("--only", "world.robot", "--out", out))
+        self.assertFalse(out.exists())
+
+    def test_flip_table(self):
+        out = self.folder / "out"
+        self.run_ok("--only", "base", "floor.floor", *sorted(GROUPS), "--duration", 600, "--replicates", 6, "--shadow", "--out", out)
+        result = call(FLIP_TABLE, out, "--jobs", 2, "--out", self.folder / "table")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(self.folder / "table/flips.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual({row["direction"] for row in rows}, {"from_paper", "from_released", "paper_to_released"})
+        self.assertEqual({row["flip"] for row in rows if row["direction"] == "from_paper"}, GROUPS | {"floor.floor"})
+        for direction in ("from_paper", "from_released"):
+            tested = [row for row in rows if row["direction"] == direction and row["p"]]
+            smallest = min(float(row["p"]) for row in tested)
+            least = min(float(row["p_holm"]) for row in tested)
+            self.assertAlmostEqual(least, min(1.0, smallest * len(tested)), delta=1e-9)
+            for row in tested:
+                self.assertEqual(row["decided"], "yes" if float(row["p_holm"]) <= 0.05 else "no")
+        for row in rows:
+            over = row["metric"].startswith(("attribution", "velocity"))
+            if row["difference"]:
+                self.assertEqual(row["compared"], "over_shadow" if over else "raw")
+        text = (self.folder / "table/flips.md").read_text()
+        for title in ("## from_paper", "## from_released", "## Together"):
+            self.assertIn(title, text)
+
+        (out / "from_paper/floor.floor/replicate-00/manifest.json").unlink()
+        result = call(FLIP_TABLE, out, "--out", self.folder / "broken")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("floor.floor", result.stderr)
+        self.assertFalse((self.folder / "broken").exists())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <concepts>
+#include <string>
+#include <trophic/death/old_age.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <trophic/rules/with_rules_of.hpp>
+
+using namespace trophic;
+using rules::Paper;
+using rules::Released;
+using rules::RuleDifference;
+using rules::slots;
+using rules::with_rules_of;
+
+namespace {
+
+/// Paper with one policy, one number and one number of World changed.
+struct Aged : with_senescence<Paper, death::OldAge> {
+  static constexpr std::string_view name = "aged";
+  inline static const death::OldAge::Params senescence{.max_age_s = 77.0};
+  static constexpr death::VictimFloor::Params floor{.floor = 5};
+  static World world() {
+    World slower = Paper::world();
+    slower.duration_s = 1.0;
+    slower.tick_s = 3.0;
+    return slower;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("slots of another table bring its policies and numbers, the others stay") {
+  using Both = with_rules_of<Paper, Aged, slots({"senescence", "floor"})>;
+  static_assert(std::same_as<Both::Senescence, death::OldAge>);
+  static_assert(std::same_as<Both::Heredity, Paper::Heredity>);
+  const RuleNumbers<Both> numbers;
+  CHECK(numbers.senescence.max_age_s == 77.0);
+  CHECK(numbers.floor.floor == 5);
+  CHECK(Both::world().tick_s == 2.0);
+  CHECK(table_name<Both>() == "paper with senescence = old_age");
+  CHECK(RuleNumbers<with_rules_of<Aged, Paper, slots({"floor"})>>{}.floor.floor == RuleNumbers<Paper>{}.floor.floor);
+  CHECK(RuleNumbers<with_rules_of<Aged, Paper, slots({"floor"})>>{}.senescence.max_age_s == 77.0);
+}
+
+TEST_CASE("several swaps are named in one list, numbers alone are not") {
+  CHECK(table_name<with_rules_of<Paper, Released, slots({"mutation", "heredity"})>>() ==
+        "paper with heredity = shared_copy, mutation = uniform_mutation");
+  CHECK(table_name<with_rules_of<Paper, Released, slots({"floor"})>>() == "paper");
+}
+
+TEST_CASE("all slots of the other table make its rules") {
+  using All = with_rules_of<Paper, Released, rules::SlotSet{~std::uint64_t{0}}>;
+  for (const RuleDifference& difference : rules::differences<All, Released>()) {
+    CHECK_MESSAGE((difference.name.starts_with("world.") || difference.name.starts_with("physics.")), difference.name);
+  }
+}
+
+TEST_CASE("differences are policies and numbers, each once; a policy's numbers go with it, duration does not count") {
+  const auto all = rules::differences<Paper, Aged>();
+  REQUIRE(all.size() == 3);
+  CHECK(all[0].name == "floor.floor");
+  CHECK(all[0].here == "7");
+  CHECK(all[0].there == "5");
+  CHECK(all[0].is_number());
+  CHECK(all[1].name == "senescence");
+  CHECK(all[1].there == "old_age");
+  CHECK_FALSE(all[1].is_number());
+  CHECK(all[2].name == "world.tick_s");
+  CHECK(rules::differences<Paper, Paper>().empty());
+}
