@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which differences between the paper's text and its released code matter: each of four rules flipped alone, in replicates.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -22,6 +19,7 @@
 #endif
 
 #include "command.hpp"
+#include "facts.hpp"
 
 namespace {
 
@@ -75,9 +73,7 @@ bool run_on_backend(const Options& options) {
 int main(int argc, char** argv) {
   using namespace trophic::examples;
   Options options;
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  options.facts = {{"command_line", command_line(argc, argv)}, {"host", host.data()}};
+  options.facts = facts(argc, argv);
 
   CLI::App app{
       "The paper's rules, and with one rule each as in its released code: shared_genome (offspring and parent share one genome), "

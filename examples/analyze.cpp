@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
-// From runs to results: metrics with intervals beside the paper's values and null models. `analyze --help` lists the options.
+// From runs to results: metrics with intervals beside the paper's values and their nulls. `analyze --help` lists the options.
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <trophic/measure/claim_verdict.hpp>
+#include <trophic/measure/compare_sets.hpp>
 #include <trophic/measure/report.hpp>
-#include <trophic/measure/run_set.hpp>
+#include <trophic/measure/shadow.hpp>
 #include <trophic/measure/summary.hpp>
 #include <trophic/measure/text_table.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/params.hpp>
 #include <trophic/version.hpp>
 #include <vector>
 
@@ -25,8 +30,10 @@ namespace measure = trophic::measure;
 struct Options {
   std::vector<std::filesystem::path> runs;
   std::vector<std::filesystem::path> compare;
+  std::optional<std::filesystem::path> shadow;
+  std::optional<double> until_s;
+  bool published = false;
   std::filesystem::path out = "analysis";
-  measure::Bootstrap bootstrap;
 };
 
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
@@ -36,46 +43,55 @@ void write_json(const std::filesystem::path& path, const nlohmann::ordered_json&
   if (!file) throw std::runtime_error{"cannot write " + path.string()};
 }
 
-void tell(const measure::RunSet& set) {
-  for (const std::string& remark : set.remarks) std::cerr << "analyze: " << remark << "\n";
+void tell(const measure::ShadowedSet& set) {
+  for (const std::string& remark : set.ours.remarks) std::cerr << "analyze: " << remark << "\n";
+  if (!set.shadow) return;
+  for (const std::string& remark : set.shadow->remarks) std::cerr << "analyze: " << remark << "\n";
 }
 
-void finish(const std::filesystem::path& out, std::span<const measure::RunSet> sets, const nlohmann::ordered_json& json) {
+void finish(const std::filesystem::path& out, std::span<const measure::ShadowedSet> sets, const nlohmann::ordered_json& json) {
   measure::write_metrics(out / "metrics.csv", sets);
   write_json(out / "summary.json", json);
   std::cout << "files   " << out.string() << "/{metrics.csv,summary.json}" << std::endl;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
 }
 
-void analyze(const Options& options) {
-  const std::array sets{measure::read_set(options.runs)};
-  const auto out = trophic::observe::make_new_folder(options.out);
-  tell(sets[0]);
-  const auto rows = measure::summarize(sets[0].runs, options.bootstrap);
-  measure::print_table(std::cout, sets[0], rows);
-  measure::print_conclusions(std::cout, rows);
+nlohmann::ordered_json json_of(std::span<const measure::ShadowedSet> sets) {
   nlohmann::ordered_json json;
   json["trophic"] = trophic::version;
-  json["sets"].push_back(measure::summary_json(sets[0], rows));
-  finish(out, sets, json);
+  for (const measure::ShadowedSet& set : sets) {
+    json["sets"].push_back(measure::summary_json(set, measure::summarize(set.ours.runs, set.shadow_runs())));
+  }
+  return json;
+}
+
+void analyze(const Options& options) {
+  const std::array sets{measure::read_shadowed_set(options.runs, options.shadow, options.until_s)};
+  const auto out = trophic::observe::make_new_folder(options.out);
+  tell(sets[0]);
+  if (options.published) {
+    measure::print_claims(std::cout, sets[0].ours, measure::judge_claims(sets[0].ours.runs));
+  } else {
+    measure::print_table(std::cout, sets[0], measure::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
+  }
+  finish(out, sets, json_of(sets));
 }
 
 void compare(const Options& options) {
-  std::array sets{measure::read_set(std::span{options.compare}.subspan(0, 1)),
-                  measure::read_set(std::span{options.compare}.subspan(1, 1))};
-  if (sets[0].label == sets[1].label) {
-    sets[0].label += " (a)";
-    sets[1].label += " (b)";
+  const auto read = [&](std::size_t i) {
+    return measure::read_shadowed_set(std::span{options.compare}.subspan(i, 1), {}, options.until_s);
+  };
+  std::array sets{read(0), read(1)};
+  measure::check_comparable(sets[0].ours.facts.front(), sets[1].ours.facts.front());
+  if (sets[0].ours.label == sets[1].ours.label) {
+    sets[0].ours.label += " (a)";
+    sets[1].ours.label += " (b)";
   }
   const auto out = trophic::observe::make_new_folder(options.out);
-  for (const measure::RunSet& set : sets) tell(set);
-  const auto differences = measure::compare_sets(sets[0].runs, sets[1].runs, options.bootstrap);
+  for (const measure::ShadowedSet& set : sets) tell(set);
+  const auto differences = measure::compare_sets(sets[0], sets[1]);
   measure::print_differences(std::cout, sets[0], sets[1], differences);
-  nlohmann::ordered_json json;
-  json["trophic"] = trophic::version;
-  for (const measure::RunSet& set : sets) {
-    json["sets"].push_back(measure::summary_json(set, measure::summarize(set.runs, options.bootstrap)));
-  }
+  nlohmann::ordered_json json = json_of(sets);
   json["differences"] = measure::differences_json(differences);
   finish(out, sets, json);
 }
@@ -86,17 +102,24 @@ int main(int argc, char** argv) {
   using namespace trophic::examples;
   Options options;
   CLI::App app{
-      "Measures runs of predator_prey: the paper's metrics with bootstrap intervals over runs, beside its published values and "
-      "null models."};
+      "Measures runs of predator_prey: the paper's metrics with 95 % intervals over runs, beside its published values and their "
+      "nulls. The neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow."};
   app.add_option("runs", options.runs, "folders of runs, or of replicates; pooled, so they must have one fingerprint");
-  app.add_option("--compare", options.compare, "two such folders: the difference of every metric")->expected(2);
+  app.add_option("--compare", options.compare, "two such folders: the difference of every metric, raw and over their shadows")
+      ->expected(2);
+  app.add_option("--shadow", options.shadow, "the runs' neutral shadow, where it is not in RUNS/shadow");
+  app.add_option("--until", options.until_s, "measure only the first seconds of every run");
+  app.add_flag("--published", options.published, "a verdict on every published claim: reproduced, not reproduced, undecided");
   app.add_option("--out", options.out, "new folder for metrics.csv and summary.json (analysis)");
-  app.add_option("--resamples", options.bootstrap.resamples, "bootstrap resamples (10000)");
-  app.add_option("--seed", options.bootstrap.seed, "of the bootstrap (1)");
   return run_command(app, argc, argv, "analyze", [&] {
-    trophic::validate(options.bootstrap, "bootstrap");
     if (options.runs.empty() == options.compare.empty()) {
       throw std::invalid_argument{"either folders of runs, or --compare and two of them"};
+    }
+    if (!options.compare.empty() && (options.shadow || options.published)) {
+      throw std::invalid_argument{"--compare: not with --shadow or --published"};
+    }
+    if (options.until_s && !(*options.until_s > 0.0 && std::isfinite(*options.until_s))) {
+      throw std::invalid_argument{"--until " + trophic::number_text(*options.until_s) + ": must be > 0"};
     }
     options.compare.empty() ? analyze(options) : compare(options);
     return 0;

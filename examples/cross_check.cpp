@@ -28,6 +28,7 @@
 #include "cross_check/report.hpp"
 
 #include "command.hpp"
+#include "facts.hpp"
 
 namespace {
 
@@ -43,7 +44,7 @@ struct Options {
   std::size_t replicates = 0;
   std::uint64_t seed = 1;
   std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
-  std::string command_line;
+  trophic::observe::Facts facts;
 };
 
 void check(const Options& options) {
@@ -122,8 +123,8 @@ std::filesystem::path run_ecologies(const Options& options) {
   params.seed = options.seed;
   params.world = options.world;
   const auto outcome = trophic::replicates::run<trophic::rules::Paper, B>(
-      params, {.out = folder, .master_seed = options.seed, .count = options.replicates, .jobs = options.jobs},
-      {{"command_line", options.command_line}}, std::cout);
+      params, {.out = folder, .master_seed = options.seed, .count = options.replicates, .jobs = options.jobs}, options.facts,
+      std::cout);
   if (!outcome.all_complete()) throw std::runtime_error{outcome.unfinished.front()};
   return folder;
 }
@@ -149,7 +150,7 @@ void run_program(const Options& options) {
 int main(int argc, char** argv) {
   using namespace trophic::examples;
   Options options;
-  options.command_line = command_line(argc, argv);
+  options.facts = facts(argc, argv);
   CLI::App app{
       "Compares MuJoCo and ODE: speed, turning, servo power and torque of one gait by timestep and settings, and the metrics of "
       "the "

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The paper's experiment: predators and prey, modular robots, one arena. `predator_prey --help` lists the options.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -32,6 +29,7 @@
 #endif
 
 #include "command.hpp"
+#include "facts.hpp"
 
 namespace {
 
@@ -53,7 +51,7 @@ struct Options {
   std::string out;
   std::string save_mjcf;
   bool print_config = false;
-  std::string command_line;
+  trophic::observe::Facts facts;
 };
 
 /// What this build was made with.
@@ -71,11 +69,6 @@ constexpr const char* default_backend = "mujoco";
 #else
 constexpr const char* default_backend = "kinematic";
 #endif
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
 
 template <class Rules, class Backend>
 auto resolve(const Options& options, const toml::table& config) {
@@ -105,8 +98,7 @@ bool run_set(const Options& options, const trophic::Experiment<Rules, Backend>& 
                                        .count = *options.replicates,
                                        .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
                                        .resume = options.resume};
-  const auto outcome = trophic::replicates::run<Rules, Backend>(
-      params, plan, {{"command_line", options.command_line}, {"host", host_name()}}, std::cout);
+  const auto outcome = trophic::replicates::run<Rules, Backend>(params, plan, options.facts, std::cout);
   std::cout << outcome.kept + outcome.complete << " of " << plan.count << " replicates complete in " << out.string() << std::endl;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
   for (const std::string& sentence : outcome.unfinished) std::cerr << "predator_prey: " << sentence << "\n";
@@ -154,7 +146,7 @@ int run(const Options& options, const toml::table& config) {
   if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
 
   const trophic::observe::StopOnSignal stop;
-  trophic::observe::RunFolder folder{options.out, {{"command_line", options.command_line}, {"host", host_name()}}};
+  trophic::observe::RunFolder folder{options.out, options.facts};
   trophic::observe::Progress progress;
   try {
     ecology.run_until(params.world.duration_s, folder, progress, stop);
@@ -199,7 +191,7 @@ int run_program(const Options& options) {
 int main(int argc, char** argv) {
   using namespace trophic::examples;
   Options options;
-  options.command_line = command_line(argc, argv);
+  options.facts = facts(argc, argv);
 
   CLI::App app{
       "Predators and prey with evolving controllers in modular robots, by the paper's rules or those of its released code."};

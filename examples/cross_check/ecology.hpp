@@ -15,7 +15,6 @@
 #include <trophic/measure/run_set.hpp>
 #include <trophic/measure/summary.hpp>
 #include <trophic/params.hpp>
-#include <vector>
 
 #include "report.hpp"
 
@@ -35,16 +34,6 @@ inline constexpr std::array margins{Margin{"attribution_caught", "all", 0.05},  
                                     Margin{"velocity", "inherited", 0.005},      Margin{"velocity", "random", 0.005},
                                     Margin{"wall_sticking", "all", 0.1},         Margin{"wall_sticking_gap", "all", 0.1},
                                     Margin{"tag_symmetry", "inherited", 0.05},   Margin{"deaths", "all", 0.2, true}};
-
-[[nodiscard]] inline std::vector<double> values_of(std::span<const trophic::measure::RunMetrics> runs,
-                                                   const trophic::measure::MetricName& name) {
-  std::vector<double> values;
-  for (const auto& run : runs) {
-    const auto found = std::ranges::find(run.measurements, name, &trophic::measure::Measurement::name);
-    if (found != run.measurements.end() && found->value) values.push_back(*found->value);
-  }
-  return values;
-}
 
 /// Two sets of replicates that may be compared.
 struct Ecologies {
@@ -83,7 +72,7 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
     const auto margin =
         std::ranges::find_if(margins, [&](const Margin& m) { return m.metric == name.metric && m.group == name.group; });
     if (margin == margins.end()) continue;
-    const std::array values{values_of(sets.first.runs, name), values_of(sets.second.runs, name)};
+    const std::array values{measure::values_of(sets.first.runs, name), measure::values_of(sets.second.runs, name)};
     const double first_mean = std::max(1.0, measure::mean_of(values[0]).value_or(1.0));
     const double allowed = margin->is_share_of_first ? margin->margin * first_mean : margin->margin;
     const auto test = measure::test_equivalence(values[0], values[1], allowed);
@@ -94,7 +83,7 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
               << name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")") +
                      (is_velocity ? ", cm/s" : "");
     for (std::size_t i = 0; i < 2; ++i) {
-      const auto estimate = measure::estimate(values[i], {});
+      const auto estimate = measure::estimate(values[i]);
       std::cout << std::setw(26) << text(estimate.mean, estimate.interval, unit, decimals);
       const std::string& engine = (i == 0 ? sets.first : sets.second).facts.front().backend;
       const Subject subject{"ecology", engine, {}, {}, {}, name.metric, name.species, name.group, name.unit};

@@ -98,7 +98,7 @@ class GaitReport {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const Quantity& quantity = quantities[i];
       const auto values = values_of(outcome, quantity);
-      const auto estimate = measure::estimate(values, {});
+      const auto estimate = measure::estimate(values);
       const auto test = measure::test_equivalence(values_of(reference, quantity), values, margin_share * scales_[i]);
       csv_.add(subject(quantity.name, quantity.unit), estimate, test);
       const bool is_judged = quantity.columns > 20;
@@ -111,7 +111,7 @@ class GaitReport {
       differences += cell.str();
     }
     for (const auto& [name, other] : {std::pair{"distance_to_mujoco_m", &mujoco}, std::pair{"distance_to_own_m", &own}}) {
-      const auto estimate = measure::estimate(distances_m(outcome, *other), {});
+      const auto estimate = measure::estimate(distances_m(outcome, *other));
       csv_.add(subject(name, "m"), estimate);
       std::cout << std::setw(9) << text(100.0 * *estimate.mean, 2);
     }

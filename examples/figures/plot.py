@@ -28,7 +28,7 @@ OTHER_COLOURS = ["#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 NULL_COLOUR = "#555555"
 CAUSES = {"caught": ("#56B4E9", ""), "sacrificed": ("#F0E442", "////"), "starved": ("#D55E00", ""), "senescence": ("#999999", "..")}
 # Mean over the paper's ten runs; the range is that of its runs.
-PAPER = {"attribution_caught": 0.65, "attribution_catches": 0.725, "wall_sticking": {"predator": 0.39, "prey": 0.60},
+PAPER = {"attribution_caught": 0.65, "attribution_credited": 0.725, "wall_sticking": {"predator": 0.39, "prey": 0.60},
          "velocity": {"predator": 1.95, "prey": -0.67}, "tag_symmetry": (0.43, 0.33, 0.53)}
 
 plt.rcParams.update({"font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7,
@@ -45,16 +45,19 @@ def colour(species, all_species):
     return COLOURS[species] if species in COLOURS else OTHER_COLOURS[others.index(species) % len(OTHER_COLOURS)]
 
 
+# Student's t at 97.5 %, by degrees of freedom; in between the next smaller is taken.
+STUDENT = {5: 2.571, 6: 2.447, 7: 2.365, 8: 2.306, 9: 2.262, 11: 2.201, 14: 2.145, 19: 2.093, 29: 2.045, 59: 2.001, 119: 1.980}
+
+
 def interval(runs):
-    """The mean over runs (rows) of each column, and its 95 % bootstrap interval; NaN where fewer than two runs have a value."""
+    """The mean over runs (rows) of each column, and its 95 % interval as `analyze` has it; NaN where fewer than six have a value."""
     runs = np.atleast_2d(np.asarray(runs, float))
-    drawn = np.random.default_rng(1).integers(len(runs), size=(2000, len(runs)))
+    count = (~np.isnan(runs)).sum(axis=0)
     with np.errstate(all="ignore"):
-        counts = (~np.isnan(runs)).sum(axis=0)
-        mean = np.nansum(runs, axis=0) / np.where(counts == 0, np.nan, counts)
-        filled = np.nan_to_num(runs)[drawn].sum(axis=1) / (~np.isnan(runs))[drawn].sum(axis=1)
-    lower, upper = np.nanpercentile(filled, [2.5, 97.5], axis=0) if len(runs) > 1 else (mean * np.nan, mean * np.nan)
-    return mean, lower, upper
+        mean = np.nansum(runs, axis=0) / np.where(count == 0, np.nan, count)
+        error = np.sqrt(np.nansum((runs - mean) ** 2, axis=0) / (count - 1) / count)
+    half = np.array([STUDENT[max(f for f in STUDENT if f < n)] * e if n >= 6 else np.nan for n, e in zip(count, error)])
+    return mean, mean - half, mean + half
 
 
 class Data:
@@ -82,6 +85,10 @@ class Data:
             raise Missing(f"no value of {metric}" + (f" of {species}" if species else ""))
         return found.value.to_numpy()
 
+    @property
+    def has_shadow(self):
+        return (self.metrics.baseline == "shadow").any()
+
     def curve(self, metric, species, group="all", baseline=""):
         """Window ends, and one row per run."""
         found = self.rows(metric, species, group, baseline, curve=True)
@@ -97,6 +104,14 @@ class Data:
             raise Missing(f"{folder / name}: {error}") from error
 
 
+def draw_shadow(ax, data, metric, species, group="all", label=None, scale=1.0):
+    """The mean over the shadow's runs and its 95 % interval as a band."""
+    if data.has_shadow and not data.rows(metric, species, group, "shadow").empty:
+        mean, lower, upper = (scale * x[0] for x in interval(data.values(metric, species, group, "shadow")[:, None]))
+        ax.axhspan(lower, upper, color="black", alpha=0.15, linewidth=0)
+        ax.axhline(mean, color="black", linestyle=":", linewidth=1, label=label)
+
+
 def draw_curve(ax, time_s, runs, label, colour_, style="-", average=True, scale=1.0):
     mean, lower, upper = interval(runs * scale)
     middle_s = time_s - (time_s[0] / 2 if len(time_s) else 0)
@@ -107,7 +122,7 @@ def draw_curve(ax, time_s, runs, label, colour_, style="-", average=True, scale=
 
 
 def attribution(data):
-    bars = [("attribution_caught", "caught"), ("attribution_catches", "catches"), ("attribution_catchers", "catchers")]
+    bars = [("attribution_caught", "caught"), ("attribution_credited", "credited"), ("attribution_catches", "catches")]
     fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.6))
     names, place = [], 0
     for metric, word in bars:
@@ -117,12 +132,14 @@ def attribution(data):
             values = data.values(metric, species)
             mean, lower, upper = (x[0] for x in interval(values[:, None]))
             ax.bar(place, mean, 0.62, color=colour(species, data.species), alpha=0.75)
-            if len(values) > 1:
+            if np.isfinite(lower):
                 ax.errorbar(place - 0.18, mean, [[mean - lower], [upper - mean]], color="black", capsize=2, linewidth=1)
             ax.plot(place + np.linspace(-0.08, 0.08, len(values)), values, "o", ms=2, color="black", alpha=0.6)
-            null = data.values(metric, species, baseline="share_alive")
-            ax.plot([place - 0.31, place + 0.31], [null.mean()] * 2, color="black", linewidth=1.6,
-                    label="null: share of inherited alive" if place == 0 else None)
+            if data.has_shadow:
+                mean, lower, upper = (x[0] for x in interval(data.values(metric, species, baseline="shadow")[:, None]))
+                ax.fill_between([place - 0.31, place + 0.31], lower, upper, color="black", alpha=0.25, linewidth=0)
+                ax.plot([place - 0.31, place + 0.31], [mean] * 2, color="black", linewidth=1.6,
+                        label="null: nothing inherited" if place == 0 else None)
             if metric in PAPER and species in COLOURS:
                 ax.plot(place + 0.22, PAPER[metric], "D", ms=4.5, mfc="white", mec="black",
                         label="published" if "published" not in ax.get_legend_handles_labels()[1] else None)
@@ -143,8 +160,7 @@ def velocity(data):
         for group, style, shade in (("inherited", "-", colour(species, data.species)), ("random", "--", NULL_COLOUR)):
             time_s, runs = data.curve("velocity", species, group)
             draw_curve(ax, time_s, runs, group, shade, style, scale=100)
-        time_s, runs = data.curve("velocity", species, "inherited", "turned_adversary")
-        ax.axhline(100 * np.nanmean(runs), color="black", linestyle=":", linewidth=1, label="null: turned adversary")
+        draw_shadow(ax, data, "velocity", species, "inherited", "inherited, shadow", scale=100)
         ax.axhline(0, color="black", linewidth=0.4)
         if species in PAPER["velocity"]:
             ax.plot([1.0], [PAPER["velocity"][species]], "D", ms=4.5, mfc="white", mec="black", clip_on=False,
@@ -163,31 +179,38 @@ def wall_sticking(data):
         shade = colour(species, data.species)
         time_s, runs = data.curve("wall_sticking", species)
         draw_curve(ax, time_s, runs, species, shade, "-" if species == data.species[0] else "--")
+        if data.has_shadow:
+            mean = data.values("wall_sticking", species, "all", "shadow").mean()
+            ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, shadow")
         if species in PAPER["wall_sticking"]:
             ax.plot([1.0], [PAPER["wall_sticking"][species]], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
                     transform=ax.get_yaxis_transform(), label=f"{species}, published mean")
     spread = data.values("wall_sticking", data.species[0], "all", "even_spread")[0]
-    ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="null: evenly spread")
+    ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="evenly spread (no null)")
     ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1.15))
     ax.legend(ncol=2, loc="upper left", columnspacing=1)
     return fig
 
 
 def tag_symmetry(data):
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.2))
-    values, coins = data.values("tag_symmetry"), data.values("tag_symmetry", baseline="fair_coins")
+    fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.6))
+    rows = [("ours", "", "#0072B2"), ("null: dealt tags", "dealt_tags", NULL_COLOUR), ("fair coins", "fair_coins", "#999999")]
+    if data.has_shadow:
+        rows.insert(1, ("null: nothing\ninherited", "shadow", NULL_COLOUR))
     uniform = data.values("tag_symmetry", baseline="uniform_pairs")[0]
     jitter = np.random.default_rng(2)
-    for place, (numbers, shade) in enumerate([(values, "#0072B2"), (coins, NULL_COLOUR)]):
+    for place, (_, baseline, shade) in enumerate(rows):
+        numbers = data.values("tag_symmetry", baseline=baseline)
         ax.boxplot(numbers, positions=[place], widths=0.5, vert=False, showfliers=False, medianprops={"color": "black"},
                    boxprops={"color": shade}, whiskerprops={"color": shade}, capprops={"color": shade})
         ax.plot(numbers, place + jitter.uniform(-0.12, 0.12, len(numbers)), "o", ms=3, color=shade, alpha=0.8)
+    top = len(rows)
     mean, low, high = PAPER["tag_symmetry"]
-    ax.errorbar([mean], [2], xerr=[[mean - low], [high - mean]], fmt="D", ms=4.5, mfc="white", mec="black", color="black", capsize=2)
+    ax.errorbar([mean], [top], xerr=[[mean - low], [high - mean]], fmt="D", ms=4.5, mfc="white", mec="black", color="black", capsize=2)
     ax.axvline(uniform, color="#CC0000", linestyle="--", linewidth=1)
-    ax.text(uniform - 0.005, 2.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
-    ax.set(yticks=[0, 1, 2], ylim=(-0.5, 2.65), xlabel="tag symmetry, mean of each run")
-    ax.set_yticklabels(["ours", "null: fair coins", "published\n(mean, range)"])
+    ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
+    ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
+    ax.set_yticklabels([name for name, _, _ in rows] + ["published\n(mean, range)"])
     return fig
 
 

@@ -39,7 +39,12 @@ void read_value(T& target, const toml::node& node, const std::string& path) {
   } else if constexpr (std::integral<T>) {
     const auto value = node.value_exact<std::int64_t>();
     if (!value) reject(path, node, "a whole number");
-    if (!std::in_range<T>(*value)) reject(path, node, ">= " + number_text(std::numeric_limits<T>::lowest()));
+    if (std::cmp_less(*value, std::numeric_limits<T>::lowest())) {
+      reject(path, node, ">= " + number_text(std::numeric_limits<T>::lowest()));
+    }
+    if (std::cmp_greater(*value, std::numeric_limits<T>::max())) {
+      reject(path, node, "<= " + number_text(std::numeric_limits<T>::max()));
+    }
     target = static_cast<T>(*value);
   } else if constexpr (std::floating_point<T>) {
     if (!node.is_number()) reject(path, node, "a number");

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <trophic/backend/concept.hpp>
 #include <trophic/control/locomotion.hpp>
+#include <trophic/control/steerable.hpp>
 #include <trophic/experiment.hpp>
 #include <trophic/habitat.hpp>
 #include <trophic/observe/hooks.hpp>
@@ -37,8 +38,8 @@ class Ecology {
  public:
   using Params = Experiment<Rules, B>;
 
-  /// Loads the models that `params.world` names. Throws std::invalid_argument naming field, value and bound, std::runtime_error
-  /// for a missing or broken file.
+  /// Loads the models that `params.world` names. Throws std::invalid_argument naming field, value and bound, or a robot that the
+  /// rules cannot steer; std::runtime_error for a missing or broken file.
   explicit Ecology(Params params = {}) : Ecology{load(std::move(params))} {}
 
   /// In a habitat made by the program; the names in `params.world` are then only labels.
@@ -95,7 +96,9 @@ class Ecology {
     observe::Run run{.rules = table_name<Rules>(),
                      .slots = {},
                      .settings = settings_of(params_),
+                     .tags = population_.tags(),
                      .backend = std::string{B::name} + " " + B::version(),
+                     .remarks = B::remarks(params_.physics),
                      .seed = params_.seed,
                      .tick_s = params_.world.tick_s,
                      .clock_scale = params_.world.clock_scale,
@@ -116,11 +119,14 @@ class Ecology {
     validate(params, "");
     Habitat habitat = load_habitat(params.world);
     params.world.gait = habitat.gait.name;
-    return {std::move(params), std::move(habitat)};
+    return check(std::move(params), std::move(habitat));
   }
   static Checked check(Params params, Habitat habitat) {
     validate(params, "");
     control::check_fit(habitat.gait, habitat.robot);
+    if constexpr (JointDriven<B>) {
+      control::check_steerable(habitat.robot, make_policy<typename Rules::Steering>(params.rules.steering, "steering"));
+    }
     return {std::move(params), std::move(habitat)};
   }
 

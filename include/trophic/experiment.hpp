@@ -24,7 +24,7 @@ struct Experiment {
   typename B::Params backend{};
 
   static constexpr auto fields() {
-    return std::tuple{field("seed", &Experiment::seed, at_least(0), "every random number follows from it"),
+    return std::tuple{field("seed", &Experiment::seed, any_seed(), "every random number follows from it"),
                       field("world", &Experiment::world), field("physics", &Experiment::physics),
                       field("rules", &Experiment::rules), field("backend", &Experiment::backend)};
   }

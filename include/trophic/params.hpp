@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/detail/member_count.hpp>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -39,6 +40,10 @@ struct Bound {
 }
 [[nodiscard]] constexpr Bound any_number() {
   return {};
+}
+/// Seeds up to 2^53, so that every reader of JSON keeps them exact.
+[[nodiscard]] constexpr Bound any_seed() {
+  return between(0.0, 9007199254740992.0);
 }
 
 /// One named member of a Params struct. `help` is the line that `--print-config` shows beside it.
@@ -72,6 +77,46 @@ concept HasFields = requires {
 /// What a policy's Params must be: empty, or with every number listed, so that no number can be missing from a manifest.
 template <class P>
 concept Parameters = std::is_empty_v<P> || HasFields<P>;
+
+namespace detail {
+
+/// `members` is how many a struct has, `listed` how many fields() lists: both stand in the compiler's message.
+template <std::size_t members, std::size_t listed>
+concept AllListed = members == listed;
+
+/// Whether fields() lists no member and no name twice.
+template <class P>
+[[nodiscard]] consteval bool listed_once() {
+  if constexpr (HasFields<P>) {
+    const auto same = [](const auto& a, const auto& b) {
+      if constexpr (std::same_as<decltype(a.member), decltype(b.member)>) return a.name == b.name || a.member == b.member;
+      return a.name == b.name;
+    };
+    const auto alone = [&](const auto&... all) {
+      const auto count = [&](const auto& one) { return (0 + ... + (same(one, all) ? 1 : 0)); };
+      return ((count(all) == 1) && ...);
+    };
+    return std::apply(alone, P::fields());
+  }
+  return true;
+}
+
+template <class P>
+inline constexpr std::size_t fields_of = 0;
+template <HasFields P>
+inline constexpr std::size_t fields_of<P> = std::tuple_size_v<decltype(P::fields())>;
+
+/// As many as are listed where fields() is missing or P is no aggregate: both have sentences of their own.
+template <class P>
+inline constexpr std::size_t members_of = fields_of<P>;
+template <HasFields P>
+requires std::is_aggregate_v<P>
+inline constexpr std::size_t members_of<P> = member_count<P>();
+
+template <class P>
+concept OpenParams = !HasFields<P> || std::is_aggregate_v<P>;
+
+}  // namespace detail
 
 template <class E>
 concept NamedEnum = std::is_enum_v<E> && requires(E e) {
@@ -137,6 +182,22 @@ void validate(const P& params, std::string_view path) {
       }
     }
   });
+}
+
+/// The path of the first number, nested ones included, in which two Params differ; empty if there is none.
+template <class P>
+[[nodiscard]] std::string first_difference(const P& a, const P& b, std::string_view path = "") {
+  std::string found;
+  for_each_field(a, [&](const auto& f, const auto& value) {
+    if (!found.empty()) return;
+    const auto& other = b.*(f.member);
+    if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) {
+      found = first_difference(value, other, join_path(path, f.name));
+    } else if constexpr (requires { value == other; }) {
+      if (!(value == other)) found = join_path(path, f.name);
+    }
+  });
+  return found;
 }
 
 }  // namespace trophic

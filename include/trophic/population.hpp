@@ -25,9 +25,11 @@ template <class Rules>
 class Population {
  public:
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
-  /// Throws RuleError for a species or a tag that does not exist, here and at later births.
+  /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
+  /// later births.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders)
       : rules_{rules}, web_{web}, seed_{seed}, tags_{rules.brain.tags()} {
+    check_tags(tags_);
     for (const Species species : founders) check_index("community", "species", species, web.size());
     for (const Species species : founders) {
       individuals_.push_back(newborn(species, 0.0, 0, std::nullopt));

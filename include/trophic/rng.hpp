@@ -26,8 +26,7 @@ enum class Stream : std::uint64_t {
   sacrifice,
   senescence,
   replicate,
-  bootstrap,
-  null_model,
+  null_model = 11,  // 10 was taken once: numbers do not move, or evolved gaits would
   gait_founder,
   gait_selection,
   gait_variation,

@@ -14,6 +14,7 @@ namespace trophic {
 /// A policy returned something that does not exist or is against its contract: a mistake in the rule, not in its numbers.
 class RuleError : public std::logic_error {
  public:
+  explicit RuleError(const std::string& sentence) : std::logic_error{sentence} {}
   RuleError(std::string_view slot, const std::string& what)
       : std::logic_error{"the policy in rules." + std::string{slot} + " returned " + what} {}
 };
@@ -22,6 +23,15 @@ class RuleError : public std::logic_error {
 inline void check_index(std::string_view slot, std::string_view what, std::size_t value, std::size_t size) {
   if (value < size) return;
   throw RuleError{slot, std::string{what} + " " + std::to_string(value) + ": must be < " + std::to_string(size)};
+}
+
+/// Throws RuleError unless a brain lists one tag at least and none twice.
+inline void check_tags(std::span<const int> tags) {
+  if (tags.empty()) throw RuleError{"brain", "no tags(): must list every tag that it may choose"};
+  for (auto tag = tags.begin(); tag != tags.end(); ++tag) {
+    if (std::find(tags.begin(), tag, *tag) == tag) continue;
+    throw RuleError{"brain", "tags() with " + std::to_string(*tag) + " twice: must list each tag once"};
+  }
 }
 
 /// Throws RuleError unless `tag` is one of the brain's tags.

@@ -12,7 +12,9 @@
 #include <trophic/perception/concept.hpp>
 #include <trophic/placement/concept.hpp>
 #include <trophic/reproduction/concept.hpp>
+#include <trophic/rule_error.hpp>
 #include <tuple>
+#include <type_traits>
 
 /// Every slot of a rule table: (Slot, member, Concept, what a policy in it must offer). The one list that tables, numbers,
 /// with_<slot>, checks and manifests are made from.
@@ -107,11 +109,44 @@ struct params_of<Policy> {
 template <class Policy>
 using ParamsOf = typename detail::params_of<Policy>::type;
 
-/// A policy with these numbers.
+namespace detail {
+
+/// Without numbers a policy needs a default constructor; with numbers it must be made from them.
 template <class Policy>
-[[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params) {
-  if constexpr (requires { Policy{params}; }) {
-    return Policy{params};
+concept HasNumbers = !std::is_empty_v<ParamsOf<Policy>>;
+template <class Policy>
+concept MadeFromParams = requires(const ParamsOf<Policy>& params) {
+  Policy{params};
+};
+
+template <class Policy>
+concept Named = requires {
+  { Policy::name } -> std::convertible_to<std::string_view>;
+};
+
+/// Empty for a policy without a name, which `CheckRules` reports.
+template <class Policy>
+[[nodiscard]] constexpr std::string_view policy_name() {
+  if constexpr (Named<Policy>) return Policy::name;
+  return {};
+}
+
+}  // namespace detail
+
+/// A policy with these numbers. Throws RuleError if it has a public member `params` that holds other numbers afterwards: what
+/// runs would not be what the manifest claims.
+template <class Policy>
+[[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params, [[maybe_unused]] std::string_view slot = {}) {
+  if constexpr (detail::HasNumbers<Policy>) {
+    Policy policy{params};
+    if constexpr (requires { requires std::same_as<std::remove_cv_t<decltype(Policy::params)>, ParamsOf<Policy>>; }) {
+      const std::string lost = first_difference(params, policy.params);
+      if (!lost.empty()) {
+        throw RuleError{"the policy " + std::string{detail::policy_name<Policy>()} + (slot.empty() ? "" : " in rules.") +
+                        std::string{slot} + " holds another " + lost + " than it was made from"};
+      }
+    }
+    return policy;
   } else {
     return Policy{};
   }
@@ -148,31 +183,31 @@ struct NoPolicy {};
 TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
 #undef TROPHIC_SLOT
 
-template <class Policy>
-concept Named = requires {
-  { Policy::name } -> std::convertible_to<std::string_view>;
-};
-
-/// Empty for a policy without a name, which `CheckRules` reports.
-template <class Policy>
-[[nodiscard]] constexpr std::string_view policy_name() {
-  if constexpr (Named<Policy>) return Policy::name;
-  return {};
-}
-
 /// Fails to compile, with one sentence, unless Rules has a policy in every slot that fits the slot's contract.
 template <class Rules>
 struct CheckRules {
-#define TROPHIC_CHECK_SLOT(Slot, member, Concept, sentence)                                                       \
-  using Slot = typename slot_##member<Rules>::type;                                                               \
-  static_assert(!std::same_as<Slot, NoPolicy>, "the rule table has no slot " #Slot "; write `using " #Slot        \
-                                               " = ...;` or derive it from a complete table with with_" #member); \
-  static_assert(Concept<Slot> || std::same_as<Slot, NoPolicy>, "the policy in Rules::" #Slot " needs " sentence); \
-  static_assert(Named<Slot> || std::same_as<Slot, NoPolicy>,                                                      \
-                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");    \
-  static_assert(Parameters<ParamsOf<Slot>>,                                                                       \
-                "the Params of the policy in Rules::" #Slot                                                       \
-                " need static constexpr auto fields(), listing every number; see trophic/params.hpp");
+#define TROPHIC_CHECK_SLOT(Slot, member, Concept, sentence)                                                                 \
+  using Slot = typename slot_##member<Rules>::type;                                                                         \
+  static_assert(!std::same_as<Slot, NoPolicy>, "the rule table has no slot " #Slot "; write `using " #Slot                  \
+                                               " = ...;` or derive it from a complete table with with_" #member);           \
+  static_assert(Concept<Slot> || std::same_as<Slot, NoPolicy>, "the policy in Rules::" #Slot " needs " sentence);           \
+  static_assert(Named<Slot> || std::same_as<Slot, NoPolicy>,                                                                \
+                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");              \
+  static_assert(Parameters<ParamsOf<Slot>>,                                                                                 \
+                "the Params of the policy in Rules::" #Slot                                                                 \
+                " need static constexpr auto fields(), listing every number; see trophic/params.hpp");                      \
+  static_assert(OpenParams<ParamsOf<Slot>>,                                                                                 \
+                "the Params of the policy in Rules::" #Slot " must be an aggregate: public numbers, no constructor");       \
+  static_assert(AllListed<members_of<ParamsOf<Slot>>, fields_of<ParamsOf<Slot>>>,                                           \
+                "the Params of the policy in Rules::" #Slot " must list every number in fields(); see trophic/params.hpp"); \
+  static_assert(listed_once<ParamsOf<Slot>>(),                                                                              \
+                "the Params of the policy in Rules::" #Slot " must list no number and no name twice in fields()");          \
+  static_assert(!HasNumbers<Slot> || MadeFromParams<Slot>,                                                                  \
+                "the policy in Rules::" #Slot                                                                               \
+                " has Params but cannot be made from them: it needs `Params params;` as its first "                         \
+                "member or a constructor from Params");                                                                     \
+  static_assert(HasNumbers<Slot> || std::default_initializable<Slot>,                                                       \
+                "the policy in Rules::" #Slot " has no Params, so it needs a default constructor");
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
 #undef TROPHIC_CHECK_SLOT
   static constexpr bool ok = true;
@@ -220,7 +255,7 @@ template <class Rules>
 [[nodiscard]] Policies<Rules> make_policies(const RuleNumbers<Rules>& numbers) {
   return {
 #define TROPHIC_MAKE_POLICY(Slot, member, Concept, sentence) \
-  .member = make_policy<typename detail::slot_##member<Rules>::type>(numbers.member),
+  .member = make_policy<typename detail::slot_##member<Rules>::type>(numbers.member, #member),
       TROPHIC_RULE_SLOTS(TROPHIC_MAKE_POLICY)
 #undef TROPHIC_MAKE_POLICY
   };

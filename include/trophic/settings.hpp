@@ -43,6 +43,9 @@ namespace detail {
 
 template <class P>
 void append_settings(const P& params, std::string_view path, Settings& settings) {
+  static_assert(OpenParams<P>, "Params must be an aggregate: public numbers, no constructor");
+  static_assert(AllListed<members_of<P>, fields_of<P>>, "Params must list every number in fields(); see trophic/params.hpp");
+  static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
   for_each_field(params, [&](const auto& f, const auto& value) {
     using T = std::remove_cvref_t<decltype(value)>;
     const std::string name = join_path(path, f.name);

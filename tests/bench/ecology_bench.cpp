@@ -23,6 +23,7 @@ class NoPhysics {
  public:
   static constexpr std::string_view name = "no_physics";
   static std::string version() { return "1"; }
+  static std::vector<std::string> remarks(const trophic::Physics&) { return {}; }
   using Params = trophic::NoParams;
   using State = int;
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <trophic/arena_load.hpp>
 #include <trophic/backend/concept.hpp>
 #include <trophic/body/ground_pose.hpp>
@@ -221,6 +222,32 @@ void check_walls() {
   }
 }
 
+/// A number of Physics that changes nothing is named in a remark.
+template <Backend B>
+void check_remarks() {
+  const auto fall = [](const Physics& physics) {
+    World<B> world{1};
+    world.physics = physics;
+    world.starts[0].position_m.z() = 1.0;
+    B backend = world.make();
+    backend.advance_to(0.3);
+    return observe(backend);
+  };
+  const std::vector<double> usual = fall({});
+  const auto check = [&](std::string_view field, const Physics& changed) {
+    CAPTURE(field);
+    std::string remarks;
+    for (const std::string& remark : B::remarks(changed)) {
+      CHECK(remark.find('\n') == std::string::npos);
+      remarks += remark;
+    }
+    if (fall(changed) == usual) CHECK(remarks.find("physics." + std::string{field}) != std::string::npos);
+  };
+  check("timestep_s", {.timestep_s = 0.003});
+  check("integrator", {.integrator = Integrator::rk4});
+  check("gravity_m_s2", {.gravity_m_s2 = 3.7});
+}
+
 template <Backend B, class Change>
 [[nodiscard]] std::string complaint(Change&& change) {
   World<B> world{1};
@@ -300,6 +327,9 @@ TEST_CASE_TEMPLATE_DEFINE("backend conformance", B, trophic_backend_suite) {
   static_assert(trophic::JointDriven<B> || trophic::SteeringDriven<B>, "a backend must be JointDriven or SteeringDriven");
   SUBCASE("has a name and a version") {
     check_names<B>();
+  }
+  SUBCASE("says which numbers of the physics it does not use") {
+    check_remarks<B>();
   }
   SUBCASE("starts where it is told to") {
     check_starts<B>();

@@ -6,6 +6,7 @@
 #include <conformance/policy_suite.hpp>
 #include <numbers>
 #include <trophic/control/concept.hpp>
+#include <trophic/rule_error.hpp>
 #include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
@@ -13,6 +14,8 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
   static_assert(control::Brain<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
+  CHECK_NOTHROW(check_tags(policy.tags()));
+  CHECK(policy.genome_size() == conformance::defaulted<Policy>().genome_size());
   for (const std::uint64_t seed : conformance::seeds) {
     Rng rng{seed, Stream::user};
     std::vector<double> weights(policy.genome_size());
@@ -33,7 +36,7 @@ TEST_CASE_TEMPLATE_DEFINE("decision order", Policy, trophic_decision_order_suite
   static_assert(control::DecisionOrder<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  CHECK(policy.in_turn() == policy.in_turn());
+  CHECK(policy.in_turn() == conformance::defaulted<Policy>().in_turn());
 }
 
 TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
@@ -48,9 +51,18 @@ TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
     std::vector<double> steered = targets_rad;
     policy.steer(target_angle_rad, sides, steered);
     for (const double target_rad : steered) CHECK(std::isfinite(target_rad));
-    std::vector<double> again = targets_rad;
-    policy.steer(target_angle_rad, sides, again);
-    CHECK(again == steered);
+    // the mirror image of a robot turns to the other side in the same way
+    std::vector<Side> other_sides = sides;
+    for (Side& side : other_sides) {
+      if (side != Side::middle) side = side == Side::left ? Side::right : Side::left;
+    }
+    std::vector<double> mirrored = targets_rad;
+    policy.steer(-target_angle_rad, other_sides, mirrored);
+    CHECK(mirrored == steered);
+    // the order of the hinges does not matter
+    std::vector<double> backwards{targets_rad.rbegin(), targets_rad.rend()};
+    policy.steer(target_angle_rad, std::vector<Side>{sides.rbegin(), sides.rend()}, backwards);
+    CHECK(std::vector<double>{backwards.rbegin(), backwards.rend()} == steered);
   }
   policy.steer(0.7, {}, {});
 }

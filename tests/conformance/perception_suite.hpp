@@ -37,8 +37,12 @@ TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
-    for (const Individual& self : robots.individuals) {
-      for (const Individual& other : robots.individuals) CHECK(policy.perceives(self, other) == policy.perceives(self, other));
+    const test::HandPopulation same = conformance::renamed(robots);
+    for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
+      for (BodyIndex other = 0; other < robots.individuals.size(); ++other) {
+        CHECK(policy.perceives(same.individuals[self], same.individuals[other]) ==
+              policy.perceives(robots.individuals[self], robots.individuals[other]));
+      }
     }
   });
 }
@@ -57,7 +61,8 @@ TEST_CASE_TEMPLATE_DEFINE("input that describes the adversary", Policy, trophic_
                                           .bearing_rad = rng.uniform(-std::numbers::pi, std::numbers::pi)};
       const double input = policy.input(sighting, robots.view());
       CHECK(std::abs(input) <= 1.0);
-      CHECK(policy.input(sighting, robots.view()) == input);
+      CHECK(policy.input(sighting, conformance::turned(robots).view()) == input);
+      CHECK(policy.input(sighting, conformance::renamed(robots).view()) == input);
     }
   });
 }
@@ -67,11 +72,10 @@ TEST_CASE_TEMPLATE_DEFINE("input that describes the population", Policy, trophic
   static_assert(perception::PopulationInput<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     if (robots.individuals.empty()) return;
-    const double input = policy.input(robots.view());
-    CHECK(std::abs(input) <= 1.0);
-    CHECK(policy.input(robots.view()) == input);
+    CHECK(std::abs(policy.input(robots.view())) <= 1.0);
+    conformance::check_all_robots(robots, seed, [&](const test::HandPopulation& any) { return policy.input(any.view()); });
   });
 }
 
@@ -108,10 +112,10 @@ TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
   static_assert(perception::TagSwitch<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
-    for (const Individual& self : robots.individuals) {
-      CHECK(policy.may_switch(self, robots.view()) == policy.may_switch(self, robots.view()));
-    }
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
+      return policy.may_switch(any.individuals[body], any.view());
+    });
   });
   CHECK(policy.restarts(true));  // or a switched tag could be switched again at once
 }

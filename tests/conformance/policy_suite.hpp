@@ -11,12 +11,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string_view>
 #include <support/hand_population.hpp>
 #include <trophic/params.hpp>
 #include <trophic/rng.hpp>
 #include <trophic/rules.hpp>
+#include <trophic/units.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -38,6 +40,59 @@ void on_populations(Check&& check) {
   check(test::HandPopulation{{}}, std::uint64_t{1});
 }
 
+/// The same robots after a quarter turn of the world; exact, so that no distance changes.
+[[nodiscard]] inline test::HandPopulation turned(test::HandPopulation robots) {
+  for (GroundPose& pose : robots.poses) {
+    pose = {.x_m = -pose.y_m, .y_m = pose.x_m, .heading_rad = wrap_angle(pose.heading_rad + std::numbers::pi / 2.0)};
+  }
+  return robots;
+}
+
+/// The same robots in a mirror.
+[[nodiscard]] inline test::HandPopulation mirrored(test::HandPopulation robots) {
+  for (GroundPose& pose : robots.poses) pose = {.x_m = pose.x_m, .y_m = -pose.y_m, .heading_rad = -pose.heading_rad};
+  return robots;
+}
+
+/// The same robots with other ids, in the same order of birth.
+[[nodiscard]] inline test::HandPopulation renamed(test::HandPopulation robots) {
+  constexpr IndividualId shift = 5000;
+  for (Individual& one : robots.individuals) {
+    one.id += shift;
+    if (one.memory.last_killer) one.memory.last_killer->id += shift;
+    if (one.memory.last_seen_victim) one.memory.last_seen_victim->id += shift;
+  }
+  return robots;
+}
+
+/// Calls `check` with worlds in which a rule must say the same as in `robots`: turned, mirrored, and with other ids.
+template <class Check>
+void on_same_worlds(const test::HandPopulation& robots, Check&& check) {
+  check(turned(robots));
+  check(mirrored(robots));
+  check(renamed(robots));
+}
+
+/// What `ask(population, body)` says of each robot is the same in every such world, and in whichever body it lives.
+template <class Ask>
+void check_each_robot(const test::HandPopulation& robots, std::uint64_t seed, Ask&& ask) {
+  const std::size_t size = robots.individuals.size();
+  const auto order = test::random_order(seed, size);
+  const test::HandPopulation moved = robots.reordered(order);
+  for (BodyIndex body = 0; body < size; ++body) {
+    CHECK(ask(moved, body) == ask(robots, order[body]));
+    on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK(ask(same, body) == ask(robots, body)); });
+  }
+}
+
+/// What `ask(population)` says of all robots together is the same in every such world, and whoever lives in which body.
+template <class Ask>
+void check_all_robots(const test::HandPopulation& robots, std::uint64_t seed, Ask&& ask) {
+  const auto answer = ask(robots);
+  CHECK(ask(robots.reordered(test::random_order(seed, robots.individuals.size()))) == answer);
+  on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK(ask(same) == answer); });
+}
+
 /// `ask(rng)` gives the same from equal streams and again: no state, no other source of randomness.
 template <class Ask>
 auto asked_twice(std::uint64_t seed, Ask&& ask) {
@@ -55,8 +110,41 @@ template <class Policy>
   return make_policy<Policy>({});
 }
 
-/// Its name is written as in configuration files, its default numbers are within their bounds, and each number that is not finite
-/// or below its bound is an error that names it.
+/// Another value within a field's bound; the same value where there is none to be found.
+template <class T>
+[[nodiscard]] T changed(const T& value, const Bound& bound) {
+  if constexpr (std::same_as<T, bool>) {
+    return !value;
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    for (const double other : {static_cast<double>(value) / 2.0, static_cast<double>(value) + 1.0, bound.upper, bound.lower}) {
+      const auto candidate = static_cast<T>(std::isfinite(other) ? other : static_cast<double>(value));
+      const auto number = static_cast<double>(candidate);
+      const bool inside = (bound.lower_excluded ? number > bound.lower : number >= bound.lower) && number <= bound.upper;
+      if (inside && candidate != value) return candidate;
+    }
+    return value;
+  } else if constexpr (NamedEnum<T>) {
+    return static_cast<T>((static_cast<std::size_t>(value) + 1) % enum_names(value).size());
+  } else {
+    return value;
+  }
+}
+
+/// Made from numbers that are all changed, a policy with a public member `params` holds them. Whether a policy without one uses
+/// what it was made from cannot be seen from outside.
+template <class Policy>
+void check_kept() {
+  ParamsOf<Policy> params{};
+  for_each_field(params, [](const auto& f, auto& value) { value = changed(value, f.bound); });
+  CHECK_NOTHROW(static_cast<void>(make_policy<Policy>(params)));
+  if constexpr (requires(const Policy& policy) { first_difference(policy.params, params); }) {
+    CHECK(first_difference(make_policy<Policy>(params).params, params) == "");
+    CHECK(first_difference(make_policy<Policy>({}).params, ParamsOf<Policy>{}) == "");
+  }
+}
+
+/// Its name is written as in configuration files, it lists all its numbers and holds those it is made from, its default numbers
+/// are within their bounds, and each number that is not finite or below its bound is an error that names it.
 template <class Policy>
 void check_policy() {
   const std::string_view name = Policy::name;
@@ -65,12 +153,13 @@ void check_policy() {
 
   using Params = ParamsOf<Policy>;
   static_assert(Parameters<Params>);
+  static_assert(detail::members_of<Params> == detail::fields_of<Params> && detail::listed_once<Params>());
+  check_kept<Policy>();
   CHECK_NOTHROW(validate(Params{}, name));
   Params params{};
   for_each_field(params, [&](const auto& f, auto& value) {
     using T = std::remove_cvref_t<decltype(value)>;
     CAPTURE(f.name);
-    CHECK_FALSE(f.help.empty());
     if constexpr (std::floating_point<T>) {
       const T before = std::exchange(value, std::numeric_limits<T>::quiet_NaN());
       CHECK_THROWS_AS(validate(params, name), std::invalid_argument);

@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE_DEFINE("genome source", Policy, trophic_genome_source_suite) 
   for (const std::uint64_t seed : conformance::seeds) {
     conformance::asked_twice(seed, [&](Rng& rng) { return policy.inherits(rng); });
   }
-  CHECK(policy.without_parent() == policy.without_parent());
+  CHECK(policy.without_parent() == conformance::defaulted<Policy>().without_parent());
 }
 
 TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
@@ -51,6 +51,11 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
           parent = policy.parent(vacancy, robots.view(), rng);
           return parent ? std::optional{parent->id} : std::nullopt;
         });
+        for (const auto& same : {conformance::turned(robots), conformance::mirrored(robots)}) {
+          Rng rng{seed, Stream::user};
+          const auto there = policy.parent(vacancy, same.view(), rng);
+          CHECK((there ? std::optional{there->id} : std::nullopt) == (parent ? std::optional{parent->id} : std::nullopt));
+        }
         if (!parent) continue;
         CHECK(parent->species < robots.web.size());
         CHECK(parent->genome != nullptr);

@@ -15,8 +15,20 @@
 #include <trophic/reproduction/nothing_inherited.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/settings.hpp>
 
 using namespace trophic;
+
+TEST_CASE("rules: every number of a shipped rule has a line of help") {
+  using Others = with_senescence<rules::Paper, death::OldAge>;
+  for (const Settings& settings : {settings_of(RuleNumbers<rules::Paper>{}), settings_of(RuleNumbers<rules::Released>{}),
+                                   settings_of(RuleNumbers<Others>{})}) {
+    for (const Setting& setting : settings) {
+      CAPTURE(setting.path);
+      CHECK_FALSE(setting.help.empty());
+    }
+  }
+}
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, community::PredatorPrey);
 TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, placement::Scattered, placement::UniformSquare);

@@ -11,6 +11,7 @@
 
 using namespace trophic;
 using backend::Mujoco;
+using backend::mujoco::BoxDepth;
 
 namespace {
 
@@ -69,14 +70,15 @@ double largest_difference(const Mujoco& a, const Mujoco& b) {
 }
 
 /// Largest difference of any coordinate after a walk, between fast stepping and one model.
-double disagreement(const std::string& name, std::size_t robots, double side_m, double duration_s, double half_side_m = 10.0) {
+double disagreement(const std::string& name, std::size_t robots, double side_m, double duration_s, double half_side_m = 10.0,
+                    BoxDepth depth = BoxDepth::engine) {
   const RobotModel robot = body::load_robot(name);
   Arena arena;
   arena.half_side_m = half_side_m;
   arena.extent_m = 2 * half_side_m;
   const std::vector<Pose> starts = square(robot, robots, side_m);
-  Mujoco fast{robot, arena, starts, Physics{}, {.stepping = Mujoco::Stepping::fast}};
-  Mujoco whole{robot, arena, starts, Physics{}, {.stepping = Mujoco::Stepping::one_model}};
+  Mujoco fast{robot, arena, starts, Physics{}, {.stepping = Mujoco::Stepping::fast, .box_depth = depth}};
+  Mujoco whole{robot, arena, starts, Physics{}, {.stepping = Mujoco::Stepping::one_model, .box_depth = depth}};
   walk(fast, robot.hinges.size(), duration_s);
   walk(whole, robot.hinges.size(), duration_s);
   const double difference = largest_difference(fast, whole);
@@ -94,6 +96,10 @@ TEST_CASE("a crowd that touches walks 20 s as in one model") {
   CHECK(disagreement("spider", 16, 1.8, 20.0) < 1e-8);
 }
 
+TEST_CASE("so does a crowd with the whole depth between boxes") {
+  CHECK(disagreement("spider", 16, 1.8, 10.0, 10.0, BoxDepth::whole) < 1e-8);
+}
+
 TEST_CASE("robots that run into walls walk as in one model") {
   CHECK(disagreement("spider", 4, 1.3, 10.0, 0.75) < 1e-8);
 }
@@ -105,16 +111,17 @@ TEST_CASE("geckos, whose legs touch often, walk as in one model") {
 namespace {
 
 /// Walks 14 robots with several numbers of threads, and from a saved state.
-void check_threads_and_restore(const std::string& name, const Arena& arena, const Physics& physics) {
+void check_threads_and_restore(const std::string& name, const Arena& arena, const Physics& physics,
+                               BoxDepth depth = BoxDepth::engine) {
   const RobotModel robot = body::load_robot(name);
   const std::vector<Pose> starts = square(robot, 14, 2.5);
-  Mujoco one{robot, arena, starts, physics, {.threads = 1}};
+  Mujoco one{robot, arena, starts, physics, {.threads = 1, .box_depth = depth}};
   const Mujoco::State expected = walk(one, robot.hinges.size(), 2.0);
   for (const std::size_t threads : {2U, 4U}) {
-    Mujoco several{robot, arena, starts, physics, {.threads = threads}};
+    Mujoco several{robot, arena, starts, physics, {.threads = threads, .box_depth = depth}};
     CHECK(walk(several, robot.hinges.size(), 2.0) == expected);
   }
-  Mujoco other{robot, arena, starts, physics, {.threads = 2}};
+  Mujoco other{robot, arena, starts, physics, {.threads = 2, .box_depth = depth}};
   other.restore(expected);
   set_targets(other, robot.hinges.size(), 2.0);
   set_targets(one, robot.hinges.size(), 2.0);
@@ -127,5 +134,6 @@ void check_threads_and_restore(const std::string& name, const Arena& arena, cons
 
 TEST_CASE("the number of threads does not change a bit, nor does a restored state") {
   check_threads_and_restore("spider", {}, {});
+  check_threads_and_restore("spider", {}, {}, BoxDepth::whole);
   check_threads_and_restore("spider_released", load_arena("height_field"), {.timestep_s = 0.012, .integrator = Integrator::rk4});
 }

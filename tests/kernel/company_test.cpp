@@ -41,17 +41,20 @@ struct Tally {
 };
 
 /// Companies of `robots` in lanes 1, 2, ... beside a robot of another company in lane 0.
-Tally compare_companies(const std::string& name, const Physics& physics, std::size_t robots, std::size_t companies) {
+Tally compare_companies(const std::string& name, const Physics& physics, std::size_t robots, std::size_t companies,
+                        BoxDepth depth = BoxDepth::engine) {
   const RobotModel robot = body::load_robot(name);
   const Arena arena;
-  Reference one{robot, arena, physics};
-  CompiledModel compiled{
-      robot,
-      arena,
-      physics,
-      {.walls = true, .collisions = backend::mujoco::Collisions::broadphase, .servos = backend::mujoco::Servos::combined},
-      robots,
-      1};
+  Reference one{robot, arena, physics, 0.0, depth};
+  CompiledModel compiled{robot,
+                         arena,
+                         physics,
+                         {.walls = true,
+                          .collisions = backend::mujoco::Collisions::broadphase,
+                          .servos = backend::mujoco::Servos::combined,
+                          .box_depth = depth},
+                         robots,
+                         1};
   mjData& data = Reference::roomy(compiled);
   kernel::Workspace work{one.constants};
   kernel::LaneState lanes{one.constants};
@@ -113,6 +116,16 @@ TEST_CASE("robots near each other step as in one model, whether they touch or no
     }
   }
   CHECK(compare_companies("gecko", {}, 2, 200).acceleration < 1e-10);
+}
+
+TEST_CASE("so they do with the whole depth between boxes") {
+  for (const std::size_t robots : {2U, 3U}) {
+    const Tally tally = compare_companies("spider", {}, robots, 400, BoxDepth::whole);
+    CHECK(tally.acceleration < 1e-10);
+    CHECK(tally.declined < 20);
+    CHECK(tally.touching > 20);
+  }
+  CHECK(compare_companies("gecko", {}, 2, 200, BoxDepth::whole).acceleration < 1e-10);
 }
 
 TEST_CASE("lanes are filled with whole groups, each robot once") {

@@ -14,6 +14,7 @@ using backend::kernel::BoxCollider;
 using backend::kernel::BoxContact;
 using backend::kernel::PlacedBox;
 using backend::kernel::SymmetricSystem;
+using backend::mujoco::BoxDepth;
 
 namespace {
 
@@ -31,9 +32,11 @@ PlacedBox box(const Eigen::Vector3d& centre_m, const Eigen::Quaterniond& turn, c
 /// Two loose boxes in MuJoCo.
 class LooseBoxes {
  public:
-  LooseBoxes(const Eigen::Vector3d& half_a_m, const Eigen::Vector3d& half_b_m) {
+  LooseBoxes(const Eigen::Vector3d& half_a_m, const Eigen::Vector3d& half_b_m, BoxDepth depth) {
     pugi::xml_document document;
-    auto world = document.append_child("mujoco").append_child("worldbody");
+    auto root = document.append_child("mujoco");
+    if (depth == BoxDepth::whole) backend::mujoco::ask_whole_box_depth(root);
+    auto world = root.append_child("worldbody");
     for (int i = 0; i < 2; ++i) {
       auto body = world.append_child("body");
       body.append_child("freejoint");
@@ -81,13 +84,14 @@ Eigen::Quaterniond random_turn(Rng& rng) {
 }  // namespace
 
 TEST_CASE("property: contacts of two boxes are those of mj_collision, frames included") {
-  BoxCollider collider;
+  std::array<BoxCollider, 2> colliders{BoxCollider{BoxDepth::engine}, BoxCollider{BoxDepth::whole}};
   std::size_t found = 0;
-  CHECK(rc::check([&](std::uint64_t seed) {
+  CHECK(rc::check([&](std::uint64_t seed, bool whole) {
     Rng rng{seed, Stream::user};
+    BoxCollider& collider = colliders[whole ? 1 : 0];
     const Eigen::Vector3d half_a_m = random_vector(rng, 0.005, 0.05);
     const Eigen::Vector3d half_b_m = random_vector(rng, 0.005, 0.05);
-    LooseBoxes boxes{half_a_m, half_b_m};
+    LooseBoxes boxes{half_a_m, half_b_m, whole ? BoxDepth::whole : BoxDepth::engine};
     for (int trial = 0; trial < 20; ++trial) {
       const Eigen::Vector3d a_m = random_vector(rng, -1.0, 1.0);
       const Eigen::Vector3d apart_m = random_vector(rng, -0.05, 0.05);

@@ -47,9 +47,9 @@ struct Comparison {
 
 /// Steps `groups` times four random states of a robot.
 void compare_random_states(const RobotModel& robot, const Physics& physics, std::size_t groups, Rng& rng, Comparison& comparison,
-                           double joint_damping = 0.0) {
+                           double joint_damping = 0.0, BoxDepth depth = BoxDepth::engine) {
   const Arena arena;
-  Reference reference{robot, arena, physics, joint_damping};
+  Reference reference{robot, arena, physics, joint_damping, depth};
   const kernel::KernelModel& model = reference.constants;
   kernel::Workspace work{model};
   kernel::LaneState lanes{model};
@@ -133,6 +133,18 @@ TEST_CASE("any tree of skewed hinges and boxes steps as in MuJoCo") {
   Comparison comparison;
   for (std::size_t i = 0; i < 60; ++i) compare_random_states(random_skew_robot(rng, 1 + rng.index(8)), {}, 10, rng, comparison);
   comparison.report("skewed trees");
+  CHECK(comparison.agrees());
+  CHECK(comparison.steps > 1500);
+  CHECK(comparison.touching > 10);
+}
+
+TEST_CASE("so do links that touch each other with the whole depth between boxes") {
+  Rng rng{4, Stream::user};
+  Comparison comparison;
+  for (std::size_t i = 0; i < 60; ++i) {
+    compare_random_states(random_skew_robot(rng, 1 + rng.index(8)), {}, 10, rng, comparison, 0.0, BoxDepth::whole);
+  }
+  comparison.report("skewed trees, whole depth");
   CHECK(comparison.agrees());
   CHECK(comparison.steps > 1500);
   CHECK(comparison.touching > 10);

@@ -19,11 +19,12 @@
 namespace trophic::test {
 
 namespace kernel = backend::kernel;
+using backend::mujoco::BoxDepth;
 
 /// As the backend models a single robot.
-[[nodiscard]] inline backend::mujoco::Scene reference_scene() {
+[[nodiscard]] inline backend::mujoco::Scene reference_scene(BoxDepth depth = BoxDepth::engine) {
   using namespace backend::mujoco;
-  return {.walls = true, .collisions = Collisions::pairs, .servos = Servos::combined};
+  return {.walls = true, .collisions = Collisions::pairs, .servos = Servos::combined, .box_depth = depth};
 }
 
 /// One robot in MuJoCo, and the kernel's constants read from it.
@@ -34,8 +35,9 @@ struct Reference {
   kernel::KernelModel constants;
 
   /// `joint_damping` N m s is given to all hinges.
-  Reference(const RobotModel& robot, const Arena& arena, const Physics& physics, double joint_damping = 0.0)
-      : compiled{robot, arena, physics, reference_scene(), 1, 1},
+  Reference(const RobotModel& robot, const Arena& arena, const Physics& physics, double joint_damping = 0.0,
+            BoxDepth depth = BoxDepth::engine)
+      : compiled{robot, arena, physics, reference_scene(depth), 1, 1},
         model{const_cast<mjModel&>(compiled.model())},
         data{roomy(compiled)} {
     for (int dof = 6; dof < model.nv; ++dof) model.dof_damping[dof] = joint_damping;

@@ -26,9 +26,15 @@ class Analyze(InFolderWithSets):
     @classmethod
     def make_sets(cls):
         for rules in ("paper", "released"):
-            made = call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 3, "--jobs", 2,
-                        "--out", rules, cwd=cls.sets)
-            assert made.returncode == 0, made.stderr
+            for out, seed in ((rules, 1), (f"{rules}-as-shadow", 2)):
+                made = call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 6, "--jobs", 2,
+                            "--seed", seed, "--out", out, cwd=cls.sets)
+                assert made.returncode == 0, made.stderr
+            for manifest in (cls.sets / f"{rules}-as-shadow").glob("*/manifest.json"):
+                content = json.loads(manifest.read_text())
+                content["rules"]["heredity"] = "nothing_inherited"
+                content["fingerprint"] = "5ad0"
+                manifest.write_text(json.dumps(content))
 
     def setUp(self):
         super().setUp()
@@ -37,17 +43,23 @@ class Analyze(InFolderWithSets):
     def call(self, *arguments):
         return call(*arguments, cwd=self.folder)
 
+    def summary(self, out="analysis"):
+        return json.loads((self.folder / out / "summary.json").read_text())
+
+    def remove_replicates(self, *numbers):
+        for number in numbers:
+            shutil.rmtree(self.folder / f"paper/replicate-0{number}")
+
     def test_one_command_from_replicates_to_results(self):
         result = self.call(ANALYZE, "paper", "--out", "analysis")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
-        for text in ("3 runs", "attribution_caught prey", "share_alive", "fair_coins", "0.725"):
+        for text in ("6 runs of 1000 s", "attribution_caught prey", "= dealt_tags", "fair_coins", "0.725", "no shadow: "):
             self.assertIn(text, result.stdout)
-        summary = json.loads((self.folder / "analysis/summary.json").read_text())
-        self.assertEqual([r["status"] for r in summary["sets"][0]["runs"]], ["complete"] * 3)
+        self.assertEqual([r["status"] for r in self.summary()["sets"][0]["runs"]], ["complete"] * 6)
         with open(self.folder / "analysis/metrics.csv", newline="") as table:
             rows = list(csv.DictReader(table))
-        self.assertEqual({r["run"] for r in rows}, {"replicate-00", "replicate-01", "replicate-02"})
+        self.assertEqual({r["run"] for r in rows}, {f"replicate-0{i}" for i in range(6)})
         self.assertNotIn("nan", {r["value"].lower() for r in rows})
         points = [r for r in rows if r["run"] == "replicate-00" and r["metric"] == "velocity" and r["species"] == "prey"
                   and r["group"] == "all" and r["baseline"] == "" and r["time_s"]]
@@ -55,6 +67,76 @@ class Analyze(InFolderWithSets):
         again = self.call(ANALYZE, "paper", "--out", "analysis")
         self.assertEqual(again.returncode, 2)
         self.assertIn("exists already", again.stderr)
+
+    def test_the_shadow_is_found_and_is_the_null_of_every_metric(self):
+        shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
+        result = self.call(ANALYZE, "paper")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("shadow: paper on kinematic 1, 6 runs of 1000 s", result.stdout)
+        for metric in self.summary()["sets"][0]["metrics"]:
+            shadow = metric["baselines"][0]
+            self.assertEqual((shadow["name"], shadow["role"]), ("shadow", "null"))
+            self.assertIn(shadow["verdict"], ("above", "below", "not distinguishable"))
+            self.assertLessEqual(shadow["lower"], shadow["difference"])
+            self.assertTrue(all(b["verdict"] is None for b in metric["baselines"] if b["role"] != "null"))
+        with open(self.folder / "analysis/metrics.csv", newline="") as table:
+            shadows = [r for r in csv.DictReader(table) if r["baseline"] == "shadow"]
+        self.assertEqual({r["set"] for r in shadows}, {"paper"})
+        named = self.call(ANALYZE, self.sets / "paper", "--shadow", "paper/shadow", "--out", "named")
+        self.assertEqual(named.stdout.replace("named", "analysis"), result.stdout)
+        wrong = self.call(ANALYZE, "paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
+        self.assertEqual(wrong.returncode, 2)
+        self.assertIn("is no neutral shadow of paper/replicate-00: numbers/", wrong.stderr)
+        self.assertFalse((self.folder / "wrong").exists())
+
+    def test_few_runs_have_numbers_and_no_verdict(self):
+        self.remove_replicates(5, 4, 3, 2, 1)
+        (self.folder / "paper/replicates.json").unlink()
+        for count, arguments in ((1, ["paper/replicate-00"]), (5, [f"{self.sets}/paper/replicate-0{i}" for i in range(5)])):
+            for option, words in (("--published", ("  reproduced", "undecided\n")), ("--until", (" above", " below"))):
+                out = f"few-{count}{option}"
+                more = [option] if option == "--published" else [option, 1000]
+                result = self.call(ANALYZE, *arguments, *more, "--out", out)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn(f"too few runs for a verdict: 6 are needed, paper has {count}", result.stdout)
+                for word in words:
+                    self.assertNotIn(word, result.stdout)
+                self.assertEqual({c["verdict"] for c in self.summary(out)["sets"][0]["claims"]}, {"no verdict"})
+
+    def test_every_published_claim_has_a_verdict(self):
+        result = self.call(ANALYZE, "--published", "paper")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        claims = self.summary()["sets"][0]["claims"]
+        self.assertEqual(len(claims), 17)
+        self.assertLessEqual({c["verdict"] for c in claims}, {"reproduced", "not reproduced", "undecided"})
+        self.assertIn("the claims are about runs of 6000 s", result.stdout)
+        # A sixth of the published time has far fewer deaths.
+        deaths = next(c for c in claims if (c["metric"], c["group"]) == ("deaths", "caught"))
+        self.assertEqual(deaths["verdict"], "not reproduced")
+        for claim in claims:
+            self.assertEqual(claim["runs_needed"] is not None, claim["verdict"] == "undecided")
+            if claim["verdict"] == "undecided":
+                self.assertIn(f"(about {claim['runs_needed']} runs would decide)", result.stdout)
+
+    def test_runs_of_different_length_are_not_pooled_unless_cut(self):
+        longer = call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 1200, "--out", "longer", cwd=self.folder)
+        self.assertEqual(longer.returncode, 0, longer.stderr)
+        manifest = self.folder / "paper/replicate-03/manifest.json"
+        content = json.loads(manifest.read_text())
+        content["status"], content["result"]["reached_s"] = "stopped", 700
+        manifest.write_text(json.dumps(content))
+        pooled = self.call(ANALYZE, "paper")
+        self.assertEqual(pooled.returncode, 2)
+        self.assertIn('replicate-03: status "stopped" at 700 of 1000 s, but paper/replicate-00 has status "complete" at 1000', pooled.stderr)
+        short = self.call(ANALYZE, "paper", "--until", 800)
+        self.assertEqual(short.returncode, 2)
+        self.assertIn("replicate-03: reached 700 s (status stopped): must be >= 800 s", short.stderr)
+        self.assertEqual(self.call(ANALYZE, "paper", "--until", 600).returncode, 0)
+        self.assertEqual({r["until_s"] for r in self.summary()["sets"][0]["runs"]}, {600})
+        different = self.call(ANALYZE, "--compare", self.sets / "paper", "longer", "--out", "different")
+        self.assertEqual(different.returncode, 2)
+        self.assertIn("longer: 1200 s, but", different.stderr)
+        self.assertEqual(self.call(ANALYZE, "--compare", self.sets / "paper", "longer", "--until", 1000, "--out", "cut").returncode, 0)
 
     def test_same_runs_same_bytes(self):
         for out in ("one", "two"):
@@ -70,19 +152,41 @@ class Analyze(InFolderWithSets):
         self.assertFalse((self.folder / "pooled").exists())
         compared = self.call(ANALYZE, "--compare", "paper", other, "--out", "compared")
         self.assertEqual(compared.returncode, 0, compared.stderr)
-        self.assertIn("b - a [95 %]", compared.stdout)
-        summary = json.loads((self.folder / "compared/summary.json").read_text())
+        self.assertIn("raw: b - a [95 %]", compared.stdout)
+        self.assertIn("without a shadow of each set no difference can be put down to inheritance", compared.stdout)
+        summary = self.summary("compared")
         self.assertEqual([s["set"] for s in summary["sets"]], ["paper", "released"])
-        self.assertTrue(any(d["difference"] for d in summary["differences"]))
+        self.assertTrue(any(d["raw"]["value"] for d in summary["differences"]))
+        for d in summary["differences"]:
+            adjusted = d["raw"]["p_adjusted"]
+            self.assertEqual(d["raw"]["differs"], None if adjusted is None else adjusted <= 0.05)
+        self.assertFalse(any(d["over_shadow"]["value"] for d in summary["differences"]))
+
+    def test_differences_over_the_shadows_are_told_from_raw_ones(self):
+        shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
+        shutil.copytree(self.sets / "released", self.folder / "released")
+        shutil.copytree(self.sets / "released-as-shadow", self.folder / "released/shadow")
+        compared = self.call(ANALYZE, "--compare", "paper", "released")
+        self.assertEqual(compared.returncode, 0, compared.stderr)
+        self.assertIn("over shadows: (b - shadow) - (a - shadow) [95 %], p", compared.stdout)
+        summary = self.summary()
+        both = [{m["metric"] + m["species"] + m["group"]: m for m in s["metrics"]} for s in summary["sets"]]
+        for d in summary["differences"]:
+            a, b = (of[d["metric"] + d["species"] + d["group"]] for of in both)
+            expected = b["baselines"][0]["difference"] - a["baselines"][0]["difference"]
+            self.assertAlmostEqual(d["over_shadow"]["value"], expected)
+            for part in ("raw", "over_shadow"):
+                if d[part]["p"] is not None:
+                    self.assertGreaterEqual(d[part]["p_adjusted"], d[part]["p"])
 
     def test_bad_input_is_named_and_the_rest_is_used(self):
         with open(self.folder / "paper/replicate-00/agents.csv", "ab") as table:
             table.write(b"1000,500,0,1,pr")
         (self.folder / "paper/replicate-01/events.csv").write_text("generation,fitness\n1,2\n")
-        shutil.rmtree(self.folder / "paper/replicate-02")
+        self.remove_replicates(2, 3, 4, 5)
         result = self.call(ANALYZE, "paper")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 3, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 6, result.stderr)
         for text in ("replicate-00/agents.csv:15032: cut off", 'replicate-01/events.csv:1: no column "time_s"', "replicate-02: missing"):
             self.assertIn(text, result.stderr)
         self.assertIn("(1 of 2 runs)", result.stdout)
@@ -90,7 +194,10 @@ class Analyze(InFolderWithSets):
     def test_usage_errors(self):
         for arguments, text in ((["nowhere"], "nowhere: is not a folder"), ([], "either folders of runs, or --compare"),
                                 (["paper", "--compare", "paper", "paper"], "either folders of runs, or --compare"),
-                                (["paper", "--resamples", 0], "bootstrap.resamples = 0: must be >= 1")):
+                                (["--compare", "paper", "paper", "--published"], "--compare: not with --shadow or --published"),
+                                (["paper", "--until", -1], "--until -1: must be > 0"),
+                                (["paper", "--until", 1002], "must be >= 1002 s"),
+                                (["paper", "--shadow", "nowhere"], "nowhere: is not a folder")):
             with self.subTest(arguments=arguments):
                 result = self.call(ANALYZE, *arguments)
                 self.assertIn(result.returncode, (1, 2))
@@ -120,6 +227,9 @@ class Analyze(InFolderWithSets):
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
+        self.call(ANALYZE, self.sets / "released", "--out", "plain")
+        self.assertEqual(self.call(figures_python.PYTHON, PLOT, "plain").returncode, 0)
+        shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
         self.call(ANALYZE, "paper", "--out", "analysis")
         result = self.call(figures_python.PYTHON, PLOT, "analysis")
         self.assertEqual(result.returncode, 0, result.stderr)

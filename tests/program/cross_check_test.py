@@ -18,7 +18,7 @@ class CrossCheck(InFolderWithSets):
     def make_sets(cls):
         for rules, duration in (("paper", 400), ("released", 400), ("paper", 600)):
             made = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", str(duration),
-                                   "--replicates", "3", "--out", f"{rules}-{duration}"], capture_output=True, text=True, cwd=cls.sets)
+                                   "--replicates", "6", "--out", f"{rules}-{duration}"], capture_output=True, text=True, cwd=cls.sets)
             assert made.returncode == 0, made.stderr
 
     def call(self, *arguments):

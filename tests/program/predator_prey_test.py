@@ -4,6 +4,8 @@
 
 import csv
 import json
+import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -13,6 +15,7 @@ import unittest
 from in_folder import InFolder
 
 PROGRAM = sys.argv.pop(1)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 HELP = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
 HAS_MUJOCO = "(mujoco)" in HELP
 HAS_ODE = ", ode" in HELP
@@ -67,7 +70,7 @@ class Runs(PredatorPrey):
                 ticks = {}
                 for agent in agents:
                     ticks.setdefault(int(agent["tick"]), []).append(agent["species"])
-                self.assertEqual(sorted(ticks), list(range(3001)))
+                self.assertEqual(sorted(ticks), list(range(3001 if rules == "paper" else 3251)))
                 for species in ticks.values():
                     self.assertEqual(len(species), 30)
                     self.assertGreaterEqual(species.count("prey"), 7 if rules == "paper" else 6)
@@ -82,6 +85,24 @@ class Runs(PredatorPrey):
                     self.assertTrue(ancestor == "none" or ancestor in ids)
                     self.assertEqual(row["ancestor_id"], row["id"] if ancestor == "none" else ancestor)
                 self.assertEqual(self.manifest(rules)["status"], "complete")
+
+    def test_manifest_names_what_made_the_run(self):
+        self.run_ok("run", "--duration", 10, "--seed", 2**53)
+        manifest = self.manifest("run")
+        self.assertEqual(manifest["tags"], [-1, 1])
+        self.assertEqual((manifest["seed"], manifest["numbers"]["seed"]), (2**53, 2**53))
+        self.assertRegex(manifest["compiler"], r"^(g|clang)\+\+ \d+\.\d+\.\d+$")
+        self.assertIn("--duration 10", manifest["command_line"])
+        self.assertTrue(manifest["host"])
+        self.assertTrue(manifest["build"])
+        git = ["git", "-C", str(ROOT)]
+        top = subprocess.run([*git, "rev-parse", "--show-toplevel"], capture_output=True, text=True)
+        if top.returncode != 0 or pathlib.Path(top.stdout.strip()) != ROOT:
+            self.assertEqual(manifest["source_revision"], "unknown")
+            return
+        commit = re.fullmatch(r"(?:.*-g)?([0-9a-f]{7,40})(-dirty)?", manifest["source_revision"])
+        self.assertTrue(commit, manifest["source_revision"])
+        self.assertEqual(subprocess.run([*git, "cat-file", "-e", commit[1] + "^{commit}"]).returncode, 0)
 
     def test_parents_keep_their_genomes_under_paper(self):
         self.run_ok("run", "--duration", 3000)
@@ -119,10 +140,20 @@ class Runs(PredatorPrey):
             result = self.call(*few, *more, "--out", "set")
             self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
-        released = ["--rules", "released", "--backend", "ode", "--duration", 2, "--out", "released"]
-        self.assert_refused(self.call(*released), 2, "physics.integrator = rk4", "semi_implicit_euler")
-        result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--set", "physics.timestep_s=0.0024")
-        self.assertEqual(result.returncode, 0, result.stderr)
+
+    @unittest.skipUnless(HAS_ODE, "no ODE in this build")
+    def test_ode_runs_the_released_rules_and_says_how(self):
+        released = ["--rules", "released", "--backend", "ode", "--duration", 2]
+        for more in ([], ["--replicates", 1]):
+            result = self.call(*released, *more, "--out", f"released{len(more)}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("physics.integrator = rk4 has no effect", result.stdout)
+        remarks = self.manifest("released0")["remarks"]
+        self.assertEqual(len(remarks), 1)
+        self.assertIn("physics.integrator = rk4 has no effect", remarks[0])
+        result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--out", "own")
+        self.assertEqual(self.manifest("own")["remarks"], [])
+        self.assertNotIn("remark", result.stdout)
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_only_mujoco_writes_mjcf(self):
@@ -148,6 +179,27 @@ class Runs(PredatorPrey):
     def test_any_robot(self):
         self.run_ok("gecko", "--robot", "gecko", "--duration", 100)
         self.assertTrue(self.manifest("gecko")["numbers"]["world"]["gait"].startswith("gecko"))
+
+    def test_neutral_shadow_beside_the_replicates(self):
+        self.run_ok("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
+        self.assertEqual(
+            [json.loads((self.folder / out / "replicates.json").read_text())["master_seed"] for out in ("set", "set/shadow")], [1, 1]
+        )
+        for replicate in ("replicate-00", "replicate-01"):
+            table, shadow = self.manifest(f"set/{replicate}"), self.manifest(f"set/shadow/{replicate}")
+            self.assertEqual(table["numbers"], shadow["numbers"])
+            self.assertEqual(table["rules"].pop("heredity"), "shared_copy")
+            self.assertEqual(shadow["rules"].pop("heredity"), "nothing_inherited")
+            self.assertEqual(table["rules"], shadow["rules"])
+            distances = {}
+            for run in (replicate, f"shadow/{replicate}"):
+                births = [b for b in self.rows(f"set/{run}", "phylogeny.csv") if b["ancestor_list"] != "[none]"]
+                self.assertGreater(len(births), 5)
+                distances[run] = [float(b["mutation_distance"]) for b in births]
+            self.assertLess(max(distances[replicate]), 0.01 * 15**0.5)
+            self.assertGreater(min(distances[f"shadow/{replicate}"]), 1.0)  # two genomes of 15 uniform weights: 3.2 on average
+        again = self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone")
+        self.assert_refused(again, 2, "--shadow", "need --replicates")
 
     def test_printed_configuration_makes_the_same_run(self):
         printed = self.call("--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config")
@@ -190,7 +242,15 @@ class Refusals(PredatorPrey):
             (["--duration", "-5"], ["world.duration_s = -5", "> 0"]),
             (["--duration", "nan"], ["world.duration_s = nan", "finite"]),
             (["--threads", "0"], ["--threads 0", ">= 1"]),
+            (["--seed", "-1"], ["--seed -1", ">= 0"]),
+            (["--seed", str(2**53 + 2)], ["seed = 9007199254740994", "<= 9007199254740992"]),
+            (["--robots", "-1"], ["--robots -1", ">= 0"]),
+            (["--threads", "-1"], ["--threads -1", ">= 0"]),
+            (["--replicates", "-1"], ["--replicates -1", ">= 0"]),
+            (["--replicates", "2", "--jobs", "-1"], ["--jobs -1", ">= 0"]),
             (["--set", "seed=-1"], ["seed = -1", ">= 0"]),
+            (["--set", "world.robots=-1"], ["world.robots = -1", ">= 0"]),
+            (["--set", "seed=9007199254740994"], ["seed = 9007199254740994", "<= 9007199254740992"]),
             (["--set", "rules.mutation.sdd=1"], ["rules.mutation.sdd", "unknown key", "sd"]),
             (["--set", "rules.mutation.sd=-1"], ["rules.mutation.sd = -1", ">= 0"]),
             (["--set", "rules.mutation.sd=wide"], ["rules.mutation.sd", "a number"]),
@@ -234,6 +294,8 @@ class Refusals(PredatorPrey):
         self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), 1, "nosuch", "searched")
         (self.folder / "robot.toml").write_text('name = "x"\n[core.front]\nmodule = "wheel"\n')
         self.assert_refused(self.call("--robot", "./robot.toml", "--out", "x"), 2, "robot.toml", "wheel")
+        (self.folder / "numbers.toml").write_text("seed = -1\n")
+        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "seed = -1", ">= 0")
         (self.folder / "numbers.toml").write_text("[world]\nrobot_count = 3\n")
         self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "world.robot_count", "unknown key")
 

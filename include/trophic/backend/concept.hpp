@@ -14,6 +14,7 @@
 #include <trophic/params.hpp>
 #include <trophic/units.hpp>
 #include <tuple>
+#include <vector>
 
 namespace trophic {
 
@@ -63,10 +64,13 @@ class Diverged : public std::runtime_error {
 /// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved
 /// one
 /// - results must not depend on the number of threads
+/// - `remarks(physics)`: one sentence for every number of `physics` that has no effect on this backend, naming it; runs record
+/// them
 template <class B>
 concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {
   { B::name } -> std::convertible_to<std::string_view>;
   { B::version() } -> std::convertible_to<std::string>;
+  { B::remarks(Physics{}) } -> std::same_as<std::vector<std::string>>;
   requires Parameters<typename B::Params>;
   requires std::constructible_from < B, const RobotModel&, const Arena&, std::span<const Pose>,
   const Physics&, const typename B::Params& > ;

@@ -34,6 +34,11 @@ class Kinematic {
  public:
   static constexpr std::string_view name = "kinematic";
   [[nodiscard]] static std::string version() { return "1"; }
+  [[nodiscard]] static std::vector<std::string> remarks(const Physics&) {
+    return {
+        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: kinematic moves points on exact arcs, "
+        "by backend.timestep_s"};
+  }
 
   struct Params {
     double speed_scale = 1.0;

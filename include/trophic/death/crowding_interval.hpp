@@ -14,7 +14,8 @@ namespace trophic::death {
 /// Rule: a starvation procedure is held every Delta = base - p ticks, p the number of hunters (Sec. "Predator Death", Eq.
 /// 3: base 25). Delta is fixed at the start and again after each procedure; the released code evaluates it anew at every
 /// tick (`reevaluated`) and holds no procedure with 7 hunters or fewer (`only_above`), which then waits, overdue. Delta
-/// never falls below min_interval, which the paper's numbers never reach (p <= 23). Reads: number of hunters,
+/// never falls below min_interval, 2: with 24 hunters, which only the released code's floor of 6 prey allows, that code waits two
+/// ticks as well, since its clock restarts after the procedure. Reads: number of hunters,
 /// clock.   Random draws: 0.
 struct CrowdingInterval {
   static constexpr std::string_view name = "crowding_interval";

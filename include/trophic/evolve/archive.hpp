@@ -18,6 +18,7 @@
 #include <trophic/habitat.hpp>
 #include <trophic/settings.hpp>
 #include <trophic/version.hpp>
+#include <vector>
 
 namespace trophic::evolve {
 
@@ -25,14 +26,17 @@ namespace trophic::evolve {
 template <class Table, JointDriven B>
 [[nodiscard]] Settings facts(const PreExperiment<Table, B>& experiment) {
   const auto text = [](std::string_view value) { return std::string{value}; };
-  return {{"trophic", text(version), {}},
-          {"engine", text(B::name) + " " + B::version(), {}},
-          {"rule_table", text(Table::name), {}},
-          {"parent_selection", text(Table::ParentSelection::name), {}},
-          {"survivor_selection", text(Table::SurvivorSelection::name), {}},
-          {"fitness_rule", text(Table::Fitness::name), {}},
-          {"steering_rule", text(Table::Steering::name), {}},
-          {"robot_fingerprint", hash_text(numbers_text({experiment.robot(), endless_floor(), {}})), {}}};
+  Settings facts{{"trophic", text(version), {}},
+                 {"engine", text(B::name) + " " + B::version(), {}},
+                 {"rule_table", text(Table::name), {}},
+                 {"parent_selection", text(Table::ParentSelection::name), {}},
+                 {"survivor_selection", text(Table::SurvivorSelection::name), {}},
+                 {"fitness_rule", text(Table::Fitness::name), {}},
+                 {"steering_rule", text(Table::Steering::name), {}},
+                 {"robot_fingerprint", hash_text(numbers_text({experiment.robot(), endless_floor(), {}})), {}}};
+  const std::vector<std::string> remarks = B::remarks(experiment.numbers().physics);
+  for (std::size_t i = 0; i < remarks.size(); ++i) facts.push_back({"engine_remark_" + std::to_string(i + 1), remarks[i], {}});
+  return facts;
 }
 
 /// 16 hexadecimal digits of everything that determines a pre-experiment's results: facts, robot and numbers but the engine's

@@ -84,12 +84,16 @@ struct Numbers {
   std::uint64_t seed = 1;
   std::string robot = "spider";
   Plan plan = Table::plan();
-#define TROPHIC_START(Slot, member)            \
-  ParamsOf<typename Table::Slot> member = [] { \
-    if constexpr (requires { Table::member; }) \
-      return Table::member;                    \
-    else                                       \
-      return ParamsOf<typename Table::Slot>{}; \
+#define TROPHIC_START(Slot, member)                                                                                          \
+  static_assert(!trophic::detail::HasNumbers<typename Table::Slot> || trophic::detail::MadeFromParams<typename Table::Slot>, \
+                #Slot                                                                                                        \
+                " has Params but cannot be made from them: it needs `Params params;` as its first member or a constructor "  \
+                "from Params");                                                                                              \
+  ParamsOf<typename Table::Slot> member = [] {                                                                               \
+    if constexpr (requires { Table::member; })                                                                               \
+      return Table::member;                                                                                                  \
+    else                                                                                                                     \
+      return ParamsOf<typename Table::Slot>{};                                                                               \
   }();
   TROPHIC_START(ParentSelection, parent_selection)
   TROPHIC_START(SurvivorSelection, survivor_selection)
@@ -102,7 +106,7 @@ struct Numbers {
   typename B::Params backend{};
 
   static constexpr auto fields() {
-    return std::tuple{field("seed", &Numbers::seed, at_least(0), "every random number follows from it"),
+    return std::tuple{field("seed", &Numbers::seed, any_seed(), "every random number follows from it"),
                       field("robot", &Numbers::robot, "name or path of a robot file"),
                       field("plan", &Numbers::plan),
                       field("parent_selection", &Numbers::parent_selection),

@@ -22,6 +22,16 @@ namespace trophic::measure {
   return mean;
 }
 
+/// Share of the ticks at which a species has exactly `members` members; 0 or 1 at each tick.
+[[nodiscard]] inline WindowMean ticks_at(Agents agents, Species species, std::size_t members, double window_s = 200.0) {
+  WindowMean mean{window_s};
+  for (const Agents& now : by_tick(agents)) {
+    const auto alive = static_cast<std::size_t>(std::ranges::count(now, species, &AgentRow::species));
+    mean.add(now.front().time_s, alive == members ? 1.0 : 0.0);
+  }
+  return mean;
+}
+
 /// Ticks since birth or last catch, averaged over the members of a species; ticks without a member are left out. Empty for a
 /// species that hunts nobody.
 [[nodiscard]] inline WindowMean hunger(Agents agents, Species species, double window_s = 200.0) {

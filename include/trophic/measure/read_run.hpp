@@ -27,8 +27,11 @@ struct RunFacts {
   std::string backend;
   std::string status;  ///< running (or killed), complete, stopped, failed
   std::uint64_t seed = 0;
-  double until_s = 0.0;
+  double until_s = 0.0;             ///< planned; after cut_to, what is left
+  std::optional<double> reached_s;  ///< none for a run that was killed or is still running
   double half_side_m = 0.0;
+  nlohmann::json policies;  ///< by slot
+  nlohmann::json numbers;
   FoodWeb web{{}, {}};
 };
 
@@ -56,6 +59,9 @@ struct RunData {
     facts.seed = json.at("seed").get<std::uint64_t>();
     facts.until_s = json.at("clock").at("until_s").get<double>();
     facts.half_side_m = json.at("arena").at("half_side_m").get<double>();
+    if (json.contains("result")) facts.reached_s = json["result"].at("reached_s").get<double>();
+    facts.policies = json.value("rules", nlohmann::json::object());
+    facts.numbers = json.value("numbers", nlohmann::json::object());
     const auto names = json.at("species").get<std::vector<std::string>>();
     std::vector<Feeding> links;
     const auto number = [&](const std::string& name) {
@@ -140,6 +146,20 @@ inline void remark_truncated(const CsvReader& csv, const std::filesystem::path& 
     std::erase_if(rows, [&](const AgentRow& row) { return row.tick == last; });
   }
   return rows;
+}
+
+/// Leaves of a run its first `until_s` seconds. Throws std::invalid_argument if it did not last that long.
+inline void cut_to(RunData& run, double until_s) {
+  const double last_s = run.agents && !run.agents->empty() ? run.agents->back().time_s : 0.0;
+  const double reached_s = run.facts.reached_s.value_or(last_s);
+  if (reached_s < until_s) {
+    throw std::invalid_argument{run.facts.folder.string() + ": reached " + number_text(reached_s) + " s (status " +
+                                run.facts.status + "): must be >= " + number_text(until_s) + " s, as --until asks"};
+  }
+  const auto is_later = [&](const auto& row) { return row.time_s > until_s; };
+  if (run.events) std::erase_if(*run.events, is_later);
+  if (run.agents) std::erase_if(*run.agents, is_later);
+  run.facts.until_s = until_s;
 }
 
 /// Reads a run's folder. Throws std::runtime_error only for the manifest: without it nothing can be understood. What else is

@@ -8,24 +8,30 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <trophic/measure/claim_verdict.hpp>
+#include <trophic/measure/compare_sets.hpp>
 #include <trophic/measure/run_set.hpp>
+#include <trophic/measure/shadow.hpp>
 #include <trophic/measure/summary.hpp>
 #include <trophic/observe/csv.hpp>
 
 namespace trophic::measure {
 
 /// Writes every measurement and every curve of every run, one value a row. Columns: set, run, seed, metric, species, group,
-/// baseline (empty: observed), time_s (of a curve, the end of its window; empty: of the whole run), value (empty: could not be
-/// computed), unit. Throws std::runtime_error if the file exists or cannot be written.
-inline void write_metrics(const std::filesystem::path& path, std::span<const RunSet> sets) {
+/// baseline (empty: observed; "shadow": observed in the shadow of that seed), time_s (of a curve, the end of its window; empty:
+/// of the whole run), value (empty: could not be computed), unit. Throws std::runtime_error if the file exists or cannot be
+/// written.
+inline void write_metrics(const std::filesystem::path& path, std::span<const ShadowedSet> sets) {
   observe::CsvFile file{path, "set,run,seed,metric,species,group,baseline,time_s,value,unit"};
-  for (const RunSet& set : sets) {
+  const auto write = [&](const std::string& label, const RunSet& set, bool is_shadow) {
     for (std::size_t i = 0; i < set.runs.size(); ++i) {
       std::string run = set.facts[i].folder.lexically_normal().filename().string();
       std::ranges::replace(run, ',', '_');
       const auto row = [&](const MetricName& name, const std::string& baseline, std::optional<double> time_s,
                            std::optional<double> value) {
-        file.row(set.label, run, set.facts[i].seed, name.metric, name.species, name.group, baseline, time_s, value, name.unit);
+        if (is_shadow && !baseline.empty()) return;  // its own baselines say nothing about the set
+        file.row(label, run, set.facts[i].seed, name.metric, name.species, name.group,
+                 is_shadow ? std::string{shadow_name} : baseline, time_s, value, name.unit);
       };
       for (const Measurement& measurement : set.runs[i].measurements) {
         row(measurement.name, "", {}, measurement.value);
@@ -36,6 +42,10 @@ inline void write_metrics(const std::filesystem::path& path, std::span<const Run
       }
       file.flush();
     }
+  };
+  for (const ShadowedSet& set : sets) {
+    write(set.ours.label, set.ours, false);
+    if (set.shadow) write(set.ours.label, *set.shadow, true);
   }
 }
 
@@ -45,11 +55,16 @@ namespace detail {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
+inline void put(nlohmann::ordered_json& object, const std::optional<Interval>& interval) {
+  object["lower"] = interval ? nlohmann::ordered_json(interval->lower) : nlohmann::ordered_json();
+  object["upper"] = interval ? nlohmann::ordered_json(interval->upper) : nlohmann::ordered_json();
+}
+
 inline void put(nlohmann::ordered_json& object, const Estimate& estimate) {
   object["runs"] = estimate.runs;
   object["mean"] = to_json(estimate.mean);
-  object["lower"] = estimate.interval ? nlohmann::ordered_json(estimate.interval->lower) : nlohmann::ordered_json();
-  object["upper"] = estimate.interval ? nlohmann::ordered_json(estimate.interval->upper) : nlohmann::ordered_json();
+  object["deviation"] = to_json(estimate.deviation);
+  put(object, estimate.interval);
 }
 
 inline void put(nlohmann::ordered_json& object, const MetricName& name) {
@@ -59,22 +74,56 @@ inline void put(nlohmann::ordered_json& object, const MetricName& name) {
   object["unit"] = name.unit;
 }
 
+inline void put(nlohmann::ordered_json& object, const Difference& difference) {
+  object["value"] = to_json(difference.value);
+  put(object, difference.interval);
+  object["p"] = to_json(difference.p);
+  object["p_adjusted"] = to_json(difference.adjusted);
+  object["differs"] = difference.adjusted ? nlohmann::ordered_json(difference.differs()) : nlohmann::ordered_json();
+}
+
+[[nodiscard]] inline nlohmann::ordered_json runs_json(const RunSet& set) {
+  nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+  for (const RunFacts& facts : set.facts) {
+    runs.push_back({{"folder", std::filesystem::absolute(facts.folder).lexically_normal().string()},
+                    {"seed", facts.seed},
+                    {"status", facts.status},
+                    {"half_side_m", facts.half_side_m},
+                    {"until_s", facts.until_s}});
+  }
+  return runs;
+}
+
 }  // namespace detail
 
-/// A set as JSON: its runs, and for each metric the mean with its 95 % interval, the paper's value and every baseline. null is
-/// what could not be computed.
-[[nodiscard]] inline nlohmann::ordered_json summary_json(const RunSet& set, std::span<const SummaryRow> rows) {
-  nlohmann::ordered_json json;
-  json["set"] = set.label;
-  json["backend"] = set.facts.front().backend;
-  json["fingerprint"] = set.facts.front().fingerprint;
-  for (const RunFacts& facts : set.facts) {
-    json["runs"].push_back({{"folder", std::filesystem::absolute(facts.folder).lexically_normal().string()},
-                            {"seed", facts.seed},
-                            {"status", facts.status},
-                            {"half_side_m", facts.half_side_m},
-                            {"until_s", facts.until_s}});
+/// Verdicts on published claims as JSON, one flat object a claim.
+[[nodiscard]] inline nlohmann::ordered_json claims_json(std::span<const ClaimVerdict> verdicts) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const ClaimVerdict& each : verdicts) {
+    nlohmann::ordered_json claim;
+    detail::put(claim, metric_of(each.claim));
+    claim["published"] = each.claim.value;
+    claim["margin"] = each.claim.margin;
+    claim["source"] = enum_name(each.claim.source);
+    claim["second_line"] = each.claim.second_line;
+    detail::put(claim, each.ours);
+    claim["verdict"] = enum_name(each.verdict);
+    claim["runs_needed"] = each.runs_needed ? nlohmann::ordered_json(*each.runs_needed) : nlohmann::ordered_json();
+    json.push_back(claim);
   }
+  return json;
+}
+
+/// A set as JSON: its runs, for each metric the mean with spread and 95 % interval, the paper's value and every baseline, and the
+/// verdict on every published claim. null is what could not be computed. Baselines that are no null have no verdict.
+[[nodiscard]] inline nlohmann::ordered_json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows) {
+  nlohmann::ordered_json json;
+  json["set"] = set.ours.label;
+  json["backend"] = set.ours.facts.front().backend;
+  json["fingerprint"] = set.ours.facts.front().fingerprint;
+  json["runs_for_verdict"] = runs_for_verdict;
+  json["runs"] = detail::runs_json(set.ours);
+  json["shadow_runs"] = set.shadow ? detail::runs_json(*set.shadow) : nlohmann::ordered_json::array();
   for (const SummaryRow& row : rows) {
     nlohmann::ordered_json metric;
     detail::put(metric, row.name);
@@ -84,17 +133,21 @@ inline void put(nlohmann::ordered_json& object, const MetricName& name) {
     for (const Comparison& comparison : row.comparisons) {
       nlohmann::ordered_json baseline;
       baseline["name"] = comparison.baseline;
-      baseline["of_paper"] = comparison.of_paper;
+      baseline["role"] = enum_name(comparison.role);
       baseline["value"] = detail::to_json(comparison.value);
-      baseline["verdict"] = enum_name(comparison.verdict());
-      detail::put(baseline["difference"], comparison.difference);
+      baseline["difference"] = detail::to_json(comparison.difference);
+      detail::put(baseline, comparison.interval);
+      baseline["verdict"] =
+          comparison.role == Role::null ? nlohmann::ordered_json(enum_name(comparison.verdict())) : nlohmann::ordered_json();
       metric["baselines"].push_back(baseline);
     }
-    metric["changes_conclusion"] = nlohmann::ordered_json::array();
-    for (const Comparison* null : row.contradictions()) metric["changes_conclusion"].push_back(null->baseline);
     json["metrics"].push_back(metric);
   }
-  json["remarks"] = set.remarks;
+  json["claims"] = claims_json(judge_claims(set.ours.runs));
+  json["remarks"] = set.ours.remarks;
+  if (set.shadow) {
+    for (const std::string& remark : set.shadow->remarks) json["remarks"].push_back(remark);
+  }
   return json;
 }
 
@@ -106,10 +159,8 @@ inline void put(nlohmann::ordered_json& object, const MetricName& name) {
     detail::put(entry, d.name);
     detail::put(entry["a"], d.a);
     detail::put(entry["b"], d.b);
-    entry["difference"] = detail::to_json(d.difference);
-    entry["lower"] = d.interval ? nlohmann::ordered_json(d.interval->lower) : nlohmann::ordered_json();
-    entry["upper"] = d.interval ? nlohmann::ordered_json(d.interval->upper) : nlohmann::ordered_json();
-    entry["verdict"] = enum_name(verdict(d.interval));
+    detail::put(entry["raw"], d.raw);
+    detail::put(entry["over_shadow"], d.over_shadow);
     json.push_back(entry);
   }
   return json;

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <trophic/measure/read_run.hpp>
 #include <trophic/measure/run_metrics.hpp>
+#include <trophic/params.hpp>
 #include <utility>
 #include <vector>
 
@@ -50,9 +52,34 @@ struct RunSet {
   return folders;
 }
 
-/// Reads and measures runs that may be pooled. A run without a readable manifest is left out and remarked on. Throws
-/// std::invalid_argument if fingerprints differ or a run is there twice, std::runtime_error if nothing can be read.
-[[nodiscard]] inline RunSet read_set(std::span<const std::filesystem::path> paths) {
+/// Why two runs are not pooled: a sentence that names both; empty where they may be.
+[[nodiscard]] inline std::string why_not_pooled(const RunFacts& facts, const RunFacts& other, bool is_cut) {
+  const std::string here = facts.folder.string() + ": ";
+  const std::string there = other.folder.string();
+  if (facts.fingerprint != other.fingerprint) {
+    return here + "fingerprint " + facts.fingerprint + " (" + facts.rules + " on " + facts.backend + "), but " + there + " has " +
+           other.fingerprint + " (" + other.rules + " on " + other.backend +
+           "); runs of different rules or numbers are not pooled: use --compare";
+  }
+  if (other.seed == facts.seed) {
+    return here + "seed " + std::to_string(facts.seed) + " as in " + there + "; the same run twice is no second replicate";
+  }
+  if (is_cut) return "";
+  const auto lasted = [](const RunFacts& run) {
+    return "status \"" + run.status + "\" at " + (run.reached_s ? number_text(*run.reached_s) : "an unknown time") + " of " +
+           number_text(run.until_s) + " s";
+  };
+  if (facts.status != other.status || facts.until_s != other.until_s || facts.reached_s != other.reached_s) {
+    return here + lasted(facts) + ", but " + there + " has " + lasted(other) +
+           "; runs of different length are not pooled: leave some out, or cut all with --until";
+  }
+  return "";
+}
+
+/// Reads and measures runs that may be pooled; with `until_s`, only their first seconds. A run without a readable manifest is
+/// left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, status or duration, if one is there
+/// twice or is shorter than `until_s`; std::runtime_error if nothing can be read.
+[[nodiscard]] inline RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s = {}) {
   RunSet set;
   std::vector<std::filesystem::path> folders;
   for (const std::filesystem::path& path : paths) {
@@ -67,15 +94,8 @@ struct RunSet {
       continue;
     }
     for (const RunFacts& other : set.facts) {
-      if (other.fingerprint != facts.fingerprint) {
-        throw std::invalid_argument{folder.string() + ": fingerprint " + facts.fingerprint + " (" + facts.rules + " on " +
-                                    facts.backend + "), but " + other.folder.string() + " has " + other.fingerprint + " (" +
-                                    other.rules + " on " + other.backend +
-                                    "); runs of different rules or numbers are not pooled: use --compare"};
-      }
-      if (other.seed == facts.seed) {
-        throw std::invalid_argument{folder.string() + ": seed " + std::to_string(facts.seed) + " as in " + other.folder.string() +
-                                    "; the same run twice is no second replicate"};
+      if (const std::string why = why_not_pooled(facts, other, until_s.has_value()); !why.empty()) {
+        throw std::invalid_argument{why};
       }
     }
     set.facts.push_back(std::move(facts));
@@ -85,8 +105,10 @@ struct RunSet {
     throw std::runtime_error{"no run can be read" + why};
   }
   set.label = set.facts.front().rules;
-  for (const RunFacts& facts : set.facts) {
-    const RunData run = read_run(facts.folder);
+  for (RunFacts& facts : set.facts) {
+    RunData run = read_run(facts.folder);
+    if (until_s) cut_to(run, *until_s);
+    facts.until_s = run.facts.until_s;
     set.remarks.insert(set.remarks.end(), run.remarks.begin(), run.remarks.end());
     set.runs.push_back(measure_run(run));
   }

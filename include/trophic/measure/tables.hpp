@@ -71,10 +71,10 @@ enum class Group { all, random, inherited };
   return moments;
 }
 
-/// Rows of one tick, found by individual.
+/// Rows of one tick, found by individual or by body.
 class Moment {
  public:
-  explicit Moment(Agents rows) {
+  explicit Moment(Agents rows) : rows_{rows} {
     for (const AgentRow& row : rows) by_id_.emplace_back(row.id, &row);
     std::ranges::sort(by_id_);
   }
@@ -83,8 +83,16 @@ class Moment {
     const auto found = std::ranges::lower_bound(by_id_, id, {}, &std::pair<IndividualId, const AgentRow*>::first);
     return found != by_id_.end() && found->first == id ? found->second : nullptr;
   }
+  /// None if no row of this tick has that body.
+  [[nodiscard]] const AgentRow* find_body(BodyIndex body) const {
+    // A log lists bodies by their numbers: the first place to look at is nearly always the right one.
+    if (body < rows_.size() && rows_[body].body == body) return &rows_[body];
+    const auto found = std::ranges::find(rows_, body, &AgentRow::body);
+    return found != rows_.end() ? &*found : nullptr;
+  }
 
  private:
+  Agents rows_;
   std::vector<std::pair<IndividualId, const AgentRow*>> by_id_;
 };
 

@@ -20,8 +20,21 @@
 
 namespace trophic::observe {
 
-/// Facts that only the program knows: command line, source revision, host.
+/// Facts that only the program knows: command line, host, revision of its own source. trophic's programs give them
+/// (examples/facts.hpp); a program of your own gives what it knows.
 using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// The compiler that made this program, with its version: "g++ 12.2.0".
+[[nodiscard]] inline std::string compiler() {
+#if defined(__clang__)
+  return "clang++ " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) + "." +
+         std::to_string(__clang_patchlevel__);
+#elif defined(__GNUC__)
+  return "g++ " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__) + "." + std::to_string(__GNUC_PATCHLEVEL__);
+#else
+  return "unknown";
+#endif
+}
 
 /// Writes the manifest when the run starts (status "running") and again when it ends: "complete", "stopped" (an observer ended it
 /// early) or "failed" with the error. Each time the file is replaced as a whole.
@@ -37,7 +50,8 @@ class Manifest {
     content_["seed"] = run.seed;
     content_["rule_table"] = run.rules;
     content_["backend"] = run.backend;
-    content_["compiler"] = __VERSION__;
+    content_["remarks"] = run.remarks;
+    content_["compiler"] = compiler();
     for (const auto& [name, text] : facts_) content_[name] = text;
     content_["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
     for (Species species = 0; species < view.web.size(); ++species) content_["species"].push_back(view.web.name(species));
@@ -46,6 +60,7 @@ class Manifest {
       content_["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
     }
     content_["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
+    content_["tags"] = run.tags;
     for (const auto& [slot, policy] : run.slots) content_["rules"][slot] = policy;
     for (const Setting& setting : run.settings) {
       std::visit([&](const auto& value) { content_["numbers"][pointer(setting.path)] = value; }, setting.value);

@@ -64,13 +64,14 @@ class Progress {
   void on_end(const View&) { clear(); }
   void on_failure(std::string_view) { clear(); }
 
-  /// Births, deaths by cause, who is alive, simulated over wall time.
+  /// Simulated over wall time, the engine's remarks, births, deaths by cause, who is alive.
   void summary(std::ostream& out, const View& view) const {
     const double wall_s = watch_.elapsed_s();
     const double simulated_s = (view.time_s - from_s_) * run_.clock_scale;
     out << run_.rules << " on " << run_.backend << ", seed " << run_.seed << ": " << short_text(view.time_s - from_s_)
         << " s of the ecology's clock, " << short_text(simulated_s) << " simulated s in " << duration_text(wall_s) << " ("
         << short_text(simulated_s / wall_s) << " simulated s per wall s)\n";
+    for (const std::string& remark : run_.remarks) out << "remark  " << remark << "\n";
     out << "births  " << tally_.births() << " (" << view.robots.size() << " founders; " << tally_.births(Origin::inherited)
         << " inherited)\n";
     out << "deaths  " << tally_.deaths();

@@ -16,7 +16,9 @@ struct Run {
   std::string rules;                                       ///< name of the rule table
   std::vector<std::pair<std::string, std::string>> slots;  ///< (slot, policy name) for every slot
   Settings settings;                                       ///< every number with its path: "rules.tag_switch.cool_down_s"
+  std::vector<int> tags;                                   ///< that the table's brain may choose
   std::string backend;                                     ///< name and version of the engine
+  std::vector<std::string> remarks;                        ///< what the engine does otherwise than the numbers say
   std::uint64_t seed = 0;
   double tick_s = 0.0;       ///< ecology seconds
   double clock_scale = 1.0;  ///< simulated seconds per ecology second

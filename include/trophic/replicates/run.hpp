@@ -35,7 +35,9 @@ Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const obse
             Observers&... extra) {
   plan.check();
   const double until_s = experiment.world.duration_s;
-  const Folder folder{plan, Ecology<Rules, B>{experiment}.describe(until_s), facts};
+  const observe::Run description = Ecology<Rules, B>{experiment}.describe(until_s);
+  const Folder folder{plan, description, facts};
+  for (const std::string& remark : description.remarks) out << remark << "\n";
   for (const std::string& remark : folder.remarks()) out << remark << "\n";
   if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " were complete and are kept" << std::endl;
 

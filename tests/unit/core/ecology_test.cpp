@@ -171,6 +171,17 @@ struct Scripted {
   }
 };
 
+/// Turns right and lists what a test tells it to.
+struct ScriptedTags {
+  static constexpr std::string_view name = "scripted_tags";
+  static inline std::vector<int> listed;
+  [[nodiscard]] std::size_t genome_size() const { return 1; }
+  [[nodiscard]] std::vector<int> tags() const { return listed; }
+  [[nodiscard]] control::Decision decide(const perception::BrainInputs&, std::span<const double>) const {
+    return {.target_angle_rad = 0.7, .tag = 1};
+  }
+};
+
 struct ScriptedTag {
   static constexpr std::string_view name = "scripted_tag";
   static inline int given = 1;
@@ -189,6 +200,20 @@ std::string rule_error(Act&& act) {
 }
 
 }  // namespace
+
+TEST_CASE("ecology: the tags that the brain lists are told, and refused before the run if there is none or one is twice") {
+  using Rules = with_brain<Scene, ScriptedTags>;
+  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
+  params.rules.community.predators = 1;
+  const auto made_with = [&](std::vector<int> tags) {
+    ScriptedTags::listed = std::move(tags);
+    return rule_error([&] { Kinematics<Rules>{params}; });
+  };
+  CHECK(made_with({1, -1}) == "");
+  CHECK(Kinematics<Rules>{params}.describe(1.0).tags == std::vector<int>{1, -1});
+  CHECK(made_with({}) == "the policy in rules.brain returned no tags(): must list every tag that it may choose");
+  CHECK(made_with({1, -1, 1}) == "the policy in rules.brain returned tags() with 1 twice: must list each tag once");
+}
 
 TEST_CASE("ecology: a body is caught once in a tick, whatever the policy returns") {
   using Rules = with_capture<Scene, Scripted>;

@@ -128,3 +128,14 @@ TEST_CASE("params: above_to excludes its lower end only") {
   CHECK(bound_text(at_least(2)) == "must be >= 2");
   CHECK(bound_text(any_number()) == "must be finite");
 }
+
+TEST_CASE("params: the first difference of two, nested ones included") {
+  CHECK(first_difference(Outer{}, Outer{}) == "");
+  CHECK(first_difference(Outer{}, Outer{.robots = 31, .on = false}) == "robots");
+  CHECK(first_difference(Outer{}, Outer{.colour = Colour::red}, "rules.outer") == "rules.outer.colour");
+  CHECK(first_difference(Outer{}, Outer{.inner = {.share = 0.25}}) == "inner.share");
+}
+
+TEST_CASE("params: a seed is a whole number that every reader of JSON keeps exact") {
+  CHECK(bound_text(any_seed()) == "must be >= 0 and <= 9007199254740992");
+}

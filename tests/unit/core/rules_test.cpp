@@ -4,14 +4,59 @@
 #include <concepts>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <trophic/death/no_reprieve.hpp>
 #include <trophic/death/old_age.hpp>
+#include <trophic/rule_error.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <utility>
 #include <vector>
 
 using namespace trophic;
+
+namespace {
+
+/// Takes its numbers and keeps its own.
+struct Deaf {
+  static constexpr std::string_view name = "deaf";
+  using Params = death::OldAge::Params;
+  Deaf() = default;
+  explicit Deaf(const Params&) {}
+  bool dies(const Individual& one, const View& view, Rng&) const { return view.age_s(one) > params.max_age_s; }
+  Params params;
+};
+
+/// The first member takes the numbers, the one that is used does not.
+struct Misplaced {
+  static constexpr std::string_view name = "misplaced";
+  using Params = death::OldAge::Params;
+  Params spare;
+  Params params{};
+  bool dies(const Individual& one, const View& view, Rng&) const { return view.age_s(one) > params.max_age_s; }
+};
+
+struct Kept {
+  static constexpr std::string_view name = "kept";
+  using Params = death::OldAge::Params;
+  explicit Kept(const Params& given) : params{given} {}
+  bool dies(const Individual& one, const View& view, Rng&) const { return view.age_s(one) > params.max_age_s; }
+  Params params;
+};
+
+template <class Policy>
+std::string made_with_50_s() {
+  using Rules = with_senescence<rules::Paper, Policy>;
+  RuleNumbers<Rules> numbers;
+  numbers.senescence.max_age_s = 50.0;
+  try {
+    return number_text(make_policies<Rules>(numbers).senescence.params.max_age_s);
+  } catch (const RuleError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
 
 TEST_CASE("rules: the paper's numbers") {
   const RuleNumbers<rules::Paper> numbers;
@@ -105,6 +150,13 @@ TEST_CASE("rules: numbers given at run time reach the policies") {
   CHECK(policies.capture.params.reach_m == 3.5);
   CHECK(policies.community.founders(5).size() == 5);
   CHECK(policies.community.params.predators == 2);
+}
+
+TEST_CASE("rules: a policy that does not hold the numbers it was made from is refused by name and slot") {
+  CHECK(made_with_50_s<death::OldAge>() == "50");
+  CHECK(made_with_50_s<Kept>() == "50");
+  CHECK(made_with_50_s<Deaf>() == "the policy deaf in rules.senescence holds another max_age_s than it was made from");
+  CHECK(made_with_50_s<Misplaced>() == "the policy misplaced in rules.senescence holds another max_age_s than it was made from");
 }
 
 TEST_CASE("rules: every slot once, in the order of the table, with the policy's name") {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <support/toy_backend.hpp>
 #include <trophic/body/load.hpp>
 #include <trophic/evolve/fitness.hpp>
 #include <trophic/evolve/trial.hpp>
-#include <unit/evolve/toy_backend.hpp>
 #include <vector>
 
 namespace evolve = trophic::evolve;

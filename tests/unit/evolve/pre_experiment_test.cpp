@@ -9,10 +9,10 @@
 #include <sstream>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <support/toy_backend.hpp>
 #include <trophic/body/load.hpp>
 #include <trophic/evolve/archive.hpp>
 #include <trophic/evolve/pre_experiment.hpp>
-#include <unit/evolve/toy_backend.hpp>
 
 namespace evolve = trophic::evolve;
 using trophic::test::message_of;
@@ -226,6 +226,7 @@ TEST_CASE("a gait file reads back as the champion's gait and CPPN, and tells how
   CHECK(gait.coupling == queried.coupling);
   const toml::table table = toml::parse_file(file);
   CHECK(table["evolution"]["engine"].value<std::string>() == "toy 1");
+  CHECK(table["evolution"]["engine_remark_1"].value<std::string>() == "physics has no effect: a toy");
   CHECK(table["evolution"]["numbers"]["plan"]["children"].value<int>() == 8);
   CHECK(table["evolution"]["fitness"].value<double>() == running.lineage().individuals[running.lineage().champion()].fitness);
 }

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <trophic/measure/attribution.hpp>
-#include <trophic/measure/attribution_null.hpp>
 #include <unit/measure/catches.hpp>
 #include <vector>
 
@@ -25,17 +24,36 @@ TEST_CASE("who starves or is sacrificed was not caught") {
   CHECK_FALSE(measure::attribution_caught(events, predator));
 }
 
-TEST_CASE("without a catch there is no attribution, and no null of it") {
+TEST_CASE("a log without causes counts all dead prey, and credits each to its body's last killer, whoever that is now") {
+  auto events = three_catches();
+  CHECK(*measure::attribution_died(events, prey) == doctest::Approx(1.0 / 3.0));
+  CHECK(*measure::attribution_credited(events, prey_and_predators, predator) == doctest::Approx(2.0 / 3.0));
+  // Body 0 becomes a prey again and is sacrificed: body 4 once caught it, where a random hunter lives by now.
+  events.push_back(death(8, 5, predator, 0, from_parent, Cause::starved));
+  events.push_back(birth(8, 8, prey, 0, from_parent));
+  events.push_back(birth(8, 9, predator, 4, drawn));
+  events.push_back(death(9, 8, prey, 0, from_parent, Cause::sacrificed));
+  CHECK(*measure::attribution_died(events, prey) == doctest::Approx(2.0 / 4.0));
+  CHECK(*measure::attribution_credited(events, prey_and_predators, predator) == doctest::Approx(2.0 / 4.0));
+  CHECK(*measure::attribution_catches(events, predator) == doctest::Approx(2.0 / 3.0));
+}
+
+TEST_CASE("a body that was never caught is credited to body 1") {
+  const std::vector<EventRow> events{birth(0, 0, prey, 0, drawn), birth(0, 1, predator, 1, from_parent),
+                                     death(9, 0, prey, 0, drawn, Cause::sacrificed)};
+  CHECK(*measure::attribution_credited(events, prey_and_predators, predator) == 1.0);
+  CHECK_FALSE(measure::attribution_credited(events, prey_and_predators, prey));
+}
+
+TEST_CASE("without a catch there is no attribution") {
   const std::vector<EventRow> quiet{birth(0, 0, prey, 0, drawn), birth(0, 1, predator, 1, drawn),
                                     death(9, 1, predator, 1, drawn, Cause::starved)};
   for (const auto& events : {std::vector<EventRow>{}, quiet}) {
     CHECK_FALSE(measure::attribution_caught(events, prey));
     CHECK_FALSE(measure::attribution_catches(events, predator));
     CHECK_FALSE(measure::attribution_catchers(events, predator));
-    const auto null = measure::attribution_null(events, prey);
-    CHECK_FALSE(null.caught);
-    CHECK_FALSE(null.catches);
-    CHECK_FALSE(null.catchers);
+    CHECK_FALSE(measure::attribution_died(events, prey));
+    CHECK_FALSE(measure::attribution_credited(events, prey_and_predators, predator));
   }
 }
 
@@ -55,5 +73,4 @@ TEST_CASE("a species that hunts and is hunted has both attributions, apart from 
   CHECK(*measure::attribution_catches(events, sheep) == 0.0);
   CHECK(*measure::attribution_catches(events, wolf) == 1.0);
   CHECK_FALSE(measure::attribution_catches(events, grass));
-  CHECK(*measure::attribution_null(events, sheep).caught == 0.0);
 }

@@ -23,6 +23,15 @@ TEST_CASE("population and hunger are means over ticks") {
   CHECK_FALSE(measure::population_size({}, prey, Group::all).mean());
 }
 
+TEST_CASE("share of the ticks at an exact number of members") {
+  const std::vector<AgentRow> agents{robot(1, 0, prey, 0, 0), robot(1, 1, predator, 0, 0), robot(2, 0, prey, 0, 0),
+                                     robot(2, 1, prey, 0, 0), robot(3, 0, prey, 0, 0),     robot(3, 1, predator, 0, 0)};
+  CHECK(*measure::ticks_at(agents, predator, 1).mean() == doctest::Approx(2.0 / 3.0));
+  CHECK(*measure::ticks_at(agents, predator, 0).mean() == doctest::Approx(1.0 / 3.0));
+  CHECK(*measure::ticks_at(agents, prey, 3).mean() == 0.0);
+  CHECK_FALSE(measure::ticks_at({}, prey, 1).mean());
+}
+
 TEST_CASE("deaths by cause, in all and per window") {
   const std::vector<EventRow> events{
       death(0, 0, prey, 0, Origin::random, Cause::caught), death(200, 1, prey, 1, Origin::random, Cause::sacrificed),

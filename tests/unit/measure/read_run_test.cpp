@@ -113,3 +113,16 @@ TEST_CASE("a missing table is missing, a missing or foreign manifest is an error
   CHECK_FALSE(run.agents);
   CHECK(run.remarks.size() == 2);
 }
+
+TEST_CASE("a run is cut to its first seconds, one that did not last so long is refused") {
+  const TemporaryFolder folder;
+  auto run = measure::read_run(test::write_run(folder.path() / "run", manifest));
+  measure::cut_to(run, 1.0);
+  CHECK(run.facts.until_s == 1.0);
+  CHECK(run.events->size() == 2);
+  CHECK(run.agents->size() == 2);
+  CHECK(message_of<std::invalid_argument>([&] { measure::cut_to(run, 3000.0); }) ==
+        (folder.path() / "run").string() + ": reached 0 s (status complete): must be >= 3000 s, as --until asks");
+  run.facts.reached_s = 6500.0;
+  CHECK_NOTHROW(measure::cut_to(run, 6500.0));
+}

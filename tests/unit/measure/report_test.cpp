@@ -16,7 +16,7 @@ using test::TemporaryFolder;
 TEST_CASE("metrics.csv is tidy: one value a row, an empty cell for what could not be computed") {
   const TemporaryFolder folder;
   const std::vector runs{test::write_run(folder.path() / "one,two", test::manifest("aa", 5))};
-  const std::array sets{measure::read_set(runs)};
+  const std::array sets{measure::read_shadowed_set(runs)};
   measure::write_metrics(folder.path() / "metrics.csv", sets);
   std::ifstream file{folder.path() / "metrics.csv"};
   const std::string text{std::istreambuf_iterator<char>{file}, {}};
@@ -25,30 +25,54 @@ TEST_CASE("metrics.csv is tidy: one value a row, an empty cell for what could no
     return text.find(std::string{"\npaper,one_two,5,"} + row + "\n") != std::string::npos;
   };
   CHECK(has("attribution_caught,prey,all,,,1,1"));
-  CHECK(has("attribution_caught,prey,all,share_alive,,1,1"));
+  CHECK(has("attribution_caught,prey,all,two_thirds,,0.6666666666666666,1"));
   CHECK(has("wall_sticking,prey,all,,,1,1"));
   CHECK(has("wall_sticking,prey,all,,200,1,1"));
   CHECK(has("velocity,prey,random,,,,m/s"));
   CHECK_THROWS_AS(measure::write_metrics(folder.path() / "metrics.csv", sets), std::runtime_error);
 }
 
-TEST_CASE("summary.json has null for what could not be computed, and no interval of one run") {
+TEST_CASE("a shadow's observations stand beside those of its set as baseline \"shadow\"") {
   const TemporaryFolder folder;
   const std::vector runs{test::write_run(folder.path() / "one", test::manifest("aa", 5))};
-  const auto set = measure::read_set(runs);
-  const auto json = measure::summary_json(set, measure::summarize(set.runs));
+  std::array sets{measure::read_shadowed_set(runs)};
+  sets[0].shadow = measure::read_set(std::vector{test::write_run(folder.path() / "two", test::manifest("bb", 5), "random")});
+  measure::write_metrics(folder.path() / "metrics.csv", sets);
+  std::ifstream file{folder.path() / "metrics.csv"};
+  const std::string text{std::istreambuf_iterator<char>{file}, {}};
+  CHECK(text.find("\npaper,one,5,attribution_catches,predator,all,,,1,1\n") != std::string::npos);
+  CHECK(text.find("\npaper,two,5,attribution_catches,predator,all,shadow,,0,1\n") != std::string::npos);
+  CHECK(text.find("\npaper,two,5,attribution_catches,predator,all,two_thirds") == std::string::npos);
+  CHECK(text.find("\npaper,two,5,wall_sticking,prey,all,shadow,200,1,1\n") != std::string::npos);
+  const auto json = measure::summary_json(sets[0], measure::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
+  CHECK(json["shadow_runs"].size() == 1);
+  CHECK(json["metrics"][0]["baselines"][0]["name"] == "shadow");
+}
+
+TEST_CASE("summary.json has null for what could not be computed, and no interval nor verdict of one run") {
+  const TemporaryFolder folder;
+  const std::vector runs{test::write_run(folder.path() / "one", test::manifest("aa", 5))};
+  const auto set = measure::read_shadowed_set(runs);
+  const auto json = measure::summary_json(set, measure::summarize(set.ours.runs));
   CHECK(json["set"] == "paper");
   CHECK(json["runs"][0]["seed"] == 5);
+  CHECK(json["shadow_runs"].empty());
   for (const auto& metric : json["metrics"]) {
     CHECK(metric["lower"].is_null());
+    CHECK(metric["deviation"].is_null());
     if (metric["metric"] == "velocity") CHECK(metric["mean"].is_null());
     if (metric["metric"] == "attribution_caught") {
       CHECK(metric["mean"] == 1.0);
       CHECK(metric["published"] == 0.65);
-      CHECK(metric["baselines"][0]["verdict"] == "unknown");
+      CHECK(metric["baselines"][0]["role"] == "paper");
+      CHECK(metric["baselines"][0]["verdict"].is_null());
     }
   }
-  const auto differences = measure::differences_json(measure::compare_sets(set.runs, set.runs));
-  CHECK(differences[0]["difference"] == 0.0);
-  CHECK(differences[0]["lower"].is_null());
+  REQUIRE(json["claims"].size() == measure::claims.size());
+  for (const auto& claim : json["claims"]) CHECK(claim["verdict"] == "no verdict");
+  const auto differences = measure::differences_json(measure::compare_sets(set, set));
+  CHECK(differences[0]["raw"]["value"] == 0.0);
+  CHECK(differences[0]["raw"]["lower"].is_null());
+  CHECK(differences[0]["raw"]["differs"].is_null());
+  CHECK(differences[0]["over_shadow"]["value"].is_null());
 }

@@ -33,7 +33,23 @@ TEST_CASE("an empty run has every metric, none with a value but what needs no da
   CHECK(has({"attribution_catchers", "predator", "all", "1"}));
   CHECK_FALSE(has({"attribution_caught", "predator", "all", "1"}));
   CHECK(has({"velocity", "prey", "inherited", "m/s"}));
+  CHECK(has({"velocity_stored", "predator", "all", "m/s"}));
+  CHECK(has({"ticks_at", "predator", "8", "1"}));
+  CHECK_FALSE(has({"ticks_at", "prey", "8", "1"}));
+  CHECK(has({"stuck", "everybody", "all", "1"}));
   CHECK(has({"tag_symmetry", "prey+predator", "inherited", "1"}));
+}
+
+TEST_CASE("only dealt tags are a null of the run itself; what the paper compares with is marked as its own") {
+  for (const Measurement& measurement : measure_run(empty_run()).measurements) {
+    for (const Baseline& baseline : measurement.baselines) {
+      CAPTURE(measurement.name.metric);
+      CHECK((baseline.role == Role::null) == (baseline.name == "dealt_tags"));
+      const bool is_papers = baseline.name == "two_thirds" || baseline.name == "uniform_pairs" ||
+                             (baseline.name == "zero" && measurement.name.unit == "m/s");
+      CHECK((baseline.role == Role::paper) == is_papers);
+    }
+  }
 }
 
 TEST_CASE("three species: each link of the food web is measured") {

@@ -48,6 +48,31 @@ TEST_CASE("runs of other rules are not pooled, nor is one run counted twice") {
         }).find("seed 1 as in " + a.string()) != std::string::npos);
 }
 
+TEST_CASE("runs of different status or duration are not pooled, unless all are cut to what they have") {
+  const TemporaryFolder folder;
+  const auto with_end = [](int seed, const std::string& status, double reached_s) {
+    std::string text = manifest("aa", seed);
+    text.replace(text.find("complete"), 8, status);
+    return text.substr(0, text.size() - 1) + R"(, "result": {"reached_s": )" + std::to_string(reached_s) + "}}";
+  };
+  const auto a = write_run(folder.path() / "a", with_end(1, "complete", 6000.0));
+  const auto b = write_run(folder.path() / "b", with_end(2, "stopped", 100.0));
+  const auto c = write_run(folder.path() / "c", with_end(3, "stopped", 200.0));
+  CHECK(
+      message_of<std::invalid_argument>([&] {
+        static_cast<void>(read_set(Paths{a, b}));
+      }) ==
+      b.string() + ": status \"stopped\" at 100 of 6000 s, but " + a.string() +
+          " has status \"complete\" at 6000 of 6000 s; runs of different length are not pooled: leave some out, or cut all with "
+          "--until");
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(read_set(Paths{b, c}));
+        }).find("at 200 of 6000 s, but ") != std::string::npos);
+  CHECK(read_set(Paths{a, b, c}, 100.0).runs.size() == 3);
+  CHECK(read_set(Paths{a, b, c}, 100.0).facts[1].until_s == 100.0);
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b, c}, 150.0)); }).starts_with(b.string()));
+}
+
 TEST_CASE("a run without manifest is left out, one with a broken table keeps its other metrics") {
   const TemporaryFolder folder;
   const auto good = write_run(folder.path() / "good", manifest("aa", 1));

@@ -8,7 +8,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("rows are cut into ticks, and found in one by individual") {
+TEST_CASE("rows are cut into ticks, and found in one by individual or by body") {
   const std::vector<measure::AgentRow> agents{robot(1, 7, prey, 0, 0), robot(1, 3, prey, 0, 0), robot(4, 3, prey, 5, 0)};
   const auto moments = measure::by_tick(agents);
   REQUIRE(moments.size() == 2);
@@ -18,6 +18,8 @@ TEST_CASE("rows are cut into ticks, and found in one by individual") {
   CHECK(first.find(3) == &agents[1]);
   CHECK(first.find(7) == &agents[0]);
   CHECK(first.find(5) == nullptr);
+  CHECK(first.find_body(3) == &agents[1]);
+  CHECK(first.find_body(0) == nullptr);
   CHECK(measure::by_tick({}).empty());
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <trophic/measure/tag_symmetry.hpp>
 #include <unit/measure/rows.hpp>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -12,6 +13,7 @@ namespace {
 using namespace trophic;
 using namespace trophic::test;
 using measure::AgentRow;
+using measure::dealt_symmetry;
 using measure::fair_coin_symmetry;
 using measure::tag_symmetry;
 
@@ -29,6 +31,8 @@ TEST_CASE("tag symmetry is |sum of the mean tags| of the inherited") {
   };
   const auto symmetry = tag_symmetry(agents, prey, predator);
   CHECK(*symmetry.observed.mean() == doctest::Approx((2.0 / 3.0 + 2.0) / 2.0));
+  // 3 of 5 positive, then none of 2
+  CHECK(*symmetry.dealt.mean() == doctest::Approx((dealt_symmetry(2, 3, 3) + 2.0) / 2.0));
   CHECK(*symmetry.fair_coins.mean() == doctest::Approx((fair_coin_symmetry(2, 3) + fair_coin_symmetry(1, 1)) / 2.0));
 }
 
@@ -40,6 +44,41 @@ TEST_CASE("a species with no inherited member leaves the tick out, or the whole 
   CHECK_FALSE(tag_symmetry(first, prey, predator).observed.mean());
   CHECK_FALSE(tag_symmetry(first, prey, predator).fair_coins.mean());
   CHECK_FALSE(tag_symmetry({}, prey, predator).observed.mean());
+}
+
+TEST_CASE("dealt tags: small cases by hand") {
+  CHECK(dealt_symmetry(1, 1, 1) == doctest::Approx(0.0));
+  CHECK(dealt_symmetry(1, 1, 2) == doctest::Approx(2.0));
+  CHECK(dealt_symmetry(3, 4, 0) == doctest::Approx(2.0));
+  CHECK(dealt_symmetry(1, 2, 1) == doctest::Approx((1.0 * 0.0 + 2.0 * 1.0) / 3.0));  // |1 - 1| or |-1 + 0|
+  CHECK(dealt_symmetry(9, 21, 13) == doctest::Approx(dealt_symmetry(21, 9, 13)));
+  CHECK(dealt_symmetry(9, 21, 13) == doctest::Approx(dealt_symmetry(9, 21, 17)));  // the other tag
+}
+
+TEST_CASE("dealt tags keep everybody's bias, over all numbers of positive ones they are fair coins") {
+  CHECK(dealt_symmetry(10, 10, 19) > 1.7);
+  double expectation = 0.0;
+  for (std::size_t plus = 0; plus <= 12; ++plus) {
+    const auto k = static_cast<double>(plus);
+    const double probability =
+        std::exp(std::lgamma(13.0) - std::lgamma(k + 1.0) - std::lgamma(13.0 - k) - 12.0 * std::numbers::ln2);
+    expectation += probability * dealt_symmetry(5, 7, plus);
+  }
+  CHECK(expectation == doctest::Approx(fair_coin_symmetry(5, 7)));
+}
+
+TEST_CASE("dealt tags agree with a shuffled deck") {
+  Rng rng{8, Stream::null_model};
+  std::vector<int> deck{1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1};
+  measure::Mean sampled;
+  for (int trial = 0; trial < 50'000; ++trial) {
+    for (std::size_t i = deck.size(); i > 1; --i) std::swap(deck[i - 1], deck[rng.index(i)]);
+    double first = 0.0;
+    double second = 0.0;
+    for (std::size_t i = 0; i < deck.size(); ++i) (i < 4 ? first : second) += deck[i];
+    sampled.add(std::abs(first / 4.0 + second / 7.0));
+  }
+  CHECK(*sampled.value() == doctest::Approx(dealt_symmetry(4, 7, 7)).epsilon(0.01));
 }
 
 TEST_CASE("fair coins: small cases by hand") {

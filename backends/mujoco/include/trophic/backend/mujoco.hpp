@@ -34,6 +34,7 @@ class Mujoco {
  public:
   static constexpr std::string_view name = "mujoco";
   [[nodiscard]] static std::string version() { return mj_versionString(); }
+  [[nodiscard]] static std::vector<std::string> remarks(const Physics&) { return {}; }
 
   /// How the robots are divided into MuJoCo models.
   enum class Stepping {
@@ -46,11 +47,13 @@ class Mujoco {
   struct Params {
     Stepping stepping = Stepping::fast;
     std::size_t threads = 1;
+    mujoco::BoxDepth box_depth = mujoco::BoxDepth::engine;
 
     static constexpr auto fields() {
       return std::tuple{
           field("stepping", &Params::stepping, "fast, islands (MuJoCo only) or one_model (the reference)"),
-          field("threads", &Params::threads, between(1, 1024), "threads for fast and islands; results do not depend on it")};
+          field("threads", &Params::threads, between(1, 1024), "threads for fast and islands; results do not depend on it"),
+          field("box_depth", &Params::box_depth, "of a box on the face of another: engine (half, up to MuJoCo 3.3.7) or whole")};
     }
   };
 
@@ -67,6 +70,7 @@ class Mujoco {
       : robot_{checked(robot)},
         arena_{arena},
         physics_{checked(physics, params)},
+        box_depth_{params.box_depth},
         steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
         stepper_{make_stepper(starts.size(), params.stepping, params.threads)},
         states_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_), starts.size()},
@@ -128,7 +132,7 @@ class Mujoco {
   /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
   /// `simulate` opens it; the heights of a height field go into a binary file beside it. Throws std::runtime_error.
   void save_mjcf(const std::filesystem::path& path) const {
-    mujoco::save_mjcf(path, robot_, arena_, physics_, states_, targets_rad_);
+    mujoco::save_mjcf(path, robot_, arena_, physics_, box_depth_, states_, targets_rad_);
   }
 
  private:
@@ -152,8 +156,11 @@ class Mujoco {
 
   [[nodiscard]] Stepper make_stepper(std::size_t robots, Stepping stepping, std::size_t threads) const {
     if (robots == 0) throw std::invalid_argument{"robots = 0: must be >= 1"};
-    if (stepping == Stepping::one_model) return Stepper{std::in_place_type<mujoco::OneModel>, robot_, arena_, physics_, robots};
-    return Stepper{std::in_place_type<mujoco::Islands>, robot_, arena_, physics_, threads, stepping == Stepping::fast};
+    if (stepping == Stepping::one_model) {
+      return Stepper{std::in_place_type<mujoco::OneModel>, robot_, arena_, physics_, robots, box_depth_};
+    }
+    const bool fast = stepping == Stepping::fast;
+    return Stepper{std::in_place_type<mujoco::Islands>, robot_, arena_, physics_, threads, fast, box_depth_};
   }
 
   void check_start(std::size_t robot, const Pose& start) const {
@@ -201,6 +208,7 @@ class Mujoco {
   RobotModel robot_;
   Arena arena_;
   Physics physics_;
+  mujoco::BoxDepth box_depth_;
   std::size_t steps_per_block_;
   Stepper stepper_;
   mujoco::RobotStates states_;

@@ -22,13 +22,15 @@
 #include <trophic/body/validate.hpp>
 #include <trophic/params.hpp>
 #include <utility>
+#include <vector>
 
 namespace trophic::backend {
 
-/// ODE behind the backend contract. Satisfies JointDriven. Steps are semi-implicit Euler on velocities (ODE has no other
-/// integrator) with servos, contacts, friction and joint limits solved implicitly within the step. Boxes touch the floor, the
-/// walls or the height field, other robots, and links of their own robot that no hinge joins to theirs. Links are free bodies
-/// that constraints hold together, so a hinge's anchor drifts by micrometres under load.
+/// ODE behind the backend contract. Satisfies JointDriven. Steps are semi-implicit Euler on velocities, whatever the integrator
+/// that Physics names (ODE has no other; `remarks` says so), with servos, contacts, friction and joint limits solved implicitly
+/// within the step. Boxes touch the floor, the walls or the height field, other robots, and links of their own robot that no
+/// hinge joins to theirs. Links are free bodies that constraints hold together, so a hinge's anchor drifts by micrometres under
+/// load.
 ///
 /// Numbers: SI units. No random draws of ours. Results do not depend on `Params::threads`, bitwise. Errors: std::invalid_argument
 /// on construction; Diverged when ODE complains or a robot leaves the arena or is absurdly fast: the backend then still shows the
@@ -37,11 +39,16 @@ class Ode {
  public:
   static constexpr std::string_view name = "ode";
   [[nodiscard]] static std::string version() { return dODE_VERSION; }
+  [[nodiscard]] static std::vector<std::string> remarks(const Physics& physics) {
+    if (physics.integrator == Integrator::semi_implicit_euler) return {};
+    return {"physics.integrator = " + std::string{enum_name(physics.integrator)} +
+            " has no effect: ode steps by its own semi-implicit Euler method"};
+  }
 
   using Params = ode::Params;
   using State = ode::State;
 
-  /// Throws std::invalid_argument for a number outside its bound, the integrator rk4, no robot, a start pose outside the arena, a
+  /// Throws std::invalid_argument for a number outside its bound, no robot, a start pose outside the arena, a
   /// hinge range above 3 rad, and whatever validate(RobotModel) rejects.
   Ode(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params)
       : setup_{std::make_unique<ode::Setup>(ode::Setup{.robot = robot, .arena = arena, .physics = physics, .params = params})} {
@@ -119,10 +126,6 @@ class Ode {
     trophic::validate(setup.physics, "physics");
     trophic::validate(setup.params, "ode");
     trophic::validate(setup.robot);
-    if (setup.physics.integrator != Integrator::semi_implicit_euler) {
-      throw std::invalid_argument{"physics.integrator = " + std::string{enum_name(setup.physics.integrator)} +
-                                  ": must be semi_implicit_euler, ODE has no other"};
-    }
     for (const Hinge& hinge : setup.robot.hinges) {
       if (hinge.range_rad > ode::Robot::largest_range_rad) {
         throw std::invalid_argument{"robot " + setup.robot.name + ": hinge \"" + hinge.name +

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <trophic/backend/mujoco/box_depth.hpp>
 #include <trophic/backend/mujoco/engine.hpp>
 
 namespace trophic::backend::mujoco {
@@ -26,6 +27,7 @@ struct NamedFile {
   static std::mutex one_at_a_time;  // MuJoCo's compiler is not said to be safe in several threads
   const std::lock_guard lock{one_at_a_time};
   const EngineGuard guard;
+  install_box_test();
 
   struct DeleteFiles {
     void operator()(mjVFS* files) const {

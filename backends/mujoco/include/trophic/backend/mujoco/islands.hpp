@@ -25,8 +25,8 @@ namespace trophic::backend::mujoco {
 class Islands {
  public:
   /// `fast`: groups of up to four robots are stepped by the kernel where it knows all that the model asks for.
-  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast)
-      : robot_{robot}, arena_{arena}, physics_{physics}, pool_{std::make_unique<ThreadPool>(threads)} {
+  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast, BoxDepth box_depth)
+      : robot_{robot}, arena_{arena}, physics_{physics}, box_depth_{box_depth}, pool_{std::make_unique<ThreadPool>(threads)} {
     if (!fast) return;
     if (auto constants = kernel::read_model(model_for({1, true}).model())) lanes_.emplace(std::move(*constants), threads);
   }
@@ -60,7 +60,7 @@ class Islands {
     std::unique_ptr<CompiledModel>& model = models_[key];
     if (!model) {
       const auto collisions = key.first <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
-      const Scene scene{.walls = key.second, .collisions = collisions, .servos = Servos::combined};
+      const Scene scene{.walls = key.second, .collisions = collisions, .servos = Servos::combined, .box_depth = box_depth_};
       model = std::make_unique<CompiledModel>(robot_, arena_, physics_, scene, key.first, pool_->threads());
     }
     return *model;
@@ -126,6 +126,7 @@ class Islands {
   RobotModel robot_;
   Arena arena_;
   Physics physics_;
+  BoxDepth box_depth_;
   std::unique_ptr<ThreadPool> pool_;
   std::map<ModelKey, std::unique_ptr<CompiledModel>> models_;
   std::optional<LaneStepper> lanes_;

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <trophic/arena.hpp>
 #include <trophic/backend/concept.hpp>
+#include <trophic/backend/mujoco/box_depth.hpp>
 #include <trophic/body/robot_model.hpp>
 #include <trophic/params.hpp>
 #include <trophic/units.hpp>
@@ -40,6 +41,7 @@ struct Scene {
   bool walls = true;  ///< the four walls of an arena without height field
   Collisions collisions = Collisions::broadphase;
   Servos servos = Servos::position_and_velocity;
+  BoxDepth box_depth = BoxDepth::engine;
 };
 
 /// Names of robot `robot`'s parts in the model: "robot3", "robot3.link1", "robot3.link1.box0", "robot3.hinge0". Indices are those
@@ -87,6 +89,7 @@ class MjcfWriter {
     set(compiler, "angle", "radian");
     set(compiler, "inertiafromgeom", "false");
     write_option(physics);
+    if (scene.box_depth == BoxDepth::whole) ask_whole_box_depth(root_);
   }
 
   pugi::xml_document write(std::span<const Pose> poses, const std::string& height_file) {

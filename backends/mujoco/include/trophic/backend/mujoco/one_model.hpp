@@ -12,8 +12,8 @@ namespace trophic::backend::mujoco {
 
 class OneModel {
  public:
-  OneModel(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t robots)
-      : all_(robots), compiled_{robot, arena, physics, Scene{}, robots, 1} {
+  OneModel(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t robots, BoxDepth box_depth)
+      : all_(robots), compiled_{robot, arena, physics, Scene{.box_depth = box_depth}, robots, 1} {
     std::iota(all_.begin(), all_.end(), std::size_t{0});
   }
 

@@ -28,13 +28,14 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
 /// One model of all robots, bodies at their present root poses, and the key frame "now" with the whole state. A height field's
 /// heights go to the file `path` with the extension ".hfield", which the model names.
 inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot, const Arena& arena, const Physics& physics,
-                      const RobotStates& states, std::span<const double> targets_rad) {
+                      BoxDepth box_depth, const RobotStates& states, std::span<const double> targets_rad) {
   const std::string height_file = std::filesystem::path{path}.replace_extension(".hfield").filename().string();
   std::vector<Pose> poses;
   std::vector<double> positions;
   std::vector<double> velocities;
   std::vector<double> controls;
-  const CompiledModel compiled{robot, arena, physics, Scene{}, states.robots(), 1};
+  const Scene scene{.box_depth = box_depth};
+  const CompiledModel compiled{robot, arena, physics, scene, states.robots(), 1};
   const Layout& layout = compiled.layout();
   for (std::size_t i = 0; i < states.robots(); ++i) {
     poses.push_back(states.root(i));
@@ -44,7 +45,7 @@ inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot
     controls.resize((i + 1) * layout.controls);
   }
 
-  pugi::xml_document document = write_mjcf(robot, arena, physics, Scene{}, poses, height_file);
+  pugi::xml_document document = write_mjcf(robot, arena, physics, scene, poses, height_file);
   pugi::xml_node root = document.child("mujoco");
   auto size = root.append_child("size");
   size.append_attribute("njmax").set_value(compiled.model().njmax);

@@ -52,9 +52,11 @@ inline void place_geom(mjData& data, std::size_t geom, const PlacedBox& at, cons
 /// Two boxes in a MuJoCo scene of their own, placed anew for each question. One per thread.
 class BoxCollider {
  public:
-  BoxCollider() {
+  explicit BoxCollider(mujoco::BoxDepth depth = mujoco::BoxDepth::engine) {
     pugi::xml_document document;
-    auto world = document.append_child("mujoco").append_child("worldbody");
+    auto root = document.append_child("mujoco");
+    if (depth == mujoco::BoxDepth::whole) mujoco::ask_whole_box_depth(root);
+    auto world = root.append_child("worldbody");
     for (int box = 0; box < 2; ++box) {
       auto geom = world.append_child("geom");
       geom.append_attribute("type") = "box";

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <trophic/backend/mujoco/box_depth.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
@@ -100,6 +101,7 @@ struct KernelModel {
   double timestep_s = 0.0;
   double gravity_m_s2 = 0.0;
   bool runge_kutta = false;
+  mujoco::BoxDepth box_depth = mujoco::BoxDepth::engine;
   bool damped = false;  ///< any joint damping, which Euler's method takes implicitly
   ContactLaw law{};
 };
@@ -116,6 +118,7 @@ class ModelReader {
     kernel_.timestep_s = m_.opt.timestep;
     kernel_.gravity_m_s2 = -m_.opt.gravity[2];
     kernel_.runge_kutta = m_.opt.integrator == mjINT_RK4;
+    if (mujoco::asks_whole_box_depth(m_)) kernel_.box_depth = mujoco::BoxDepth::whole;
     read_law();
     for (int body = 1; body < m_.nbody; ++body) read_link(body);
     for (std::size_t b = 1; b < kernel_.links.size(); ++b) {

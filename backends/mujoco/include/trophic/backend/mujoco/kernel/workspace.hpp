@@ -214,6 +214,7 @@ struct Workspace {
         box_placed(placed_boxes.size()),
         last_gap(placed_boxes.size() * placed_boxes.size()),
         composites(model.links.size()),
+        collider{model.box_depth},
         stage{model},
         sum{model} {
     if (model.field) field_collider.emplace(*model.field->model, model.field->geom);

@@ -18,6 +18,7 @@ class ToyBackend {
  public:
   static constexpr std::string_view name = "toy";
   static std::string version() { return "1"; }
+  static std::vector<std::string> remarks(const Physics&) { return {"physics has no effect: a toy"}; }
   struct Params {
     double breaks_beyond_rad = 100.0;
     static constexpr auto fields() { return std::tuple{field("breaks_beyond_rad", &Params::breaks_beyond_rad, above(0.0))}; }

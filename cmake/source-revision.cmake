@@ -1,0 +1,25 @@
+# cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources, only where
+# it changed. The revision is "unknown" where SOURCE is not the top of a git checkout: an enclosing project's is not ours.
+set(revision unknown)
+find_program(GIT git)
+if(GIT)
+  set(ENV{GIT_OPTIONAL_LOCKS} 0)
+  execute_process(COMMAND ${GIT} rev-parse --show-toplevel WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE top RESULT_VARIABLE failed
+                  OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  file(REAL_PATH ${SOURCE} source)
+  if(NOT failed AND top STREQUAL source)
+    execute_process(COMMAND ${GIT} describe --always --dirty --abbrev=12 WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE found
+                    RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(NOT failed)
+      set(revision ${found})
+    endif()
+  endif()
+endif()
+set(text "extern const char* const source_revision;\nconst char* const source_revision = \"${revision}\";\n")
+set(before "")
+if(EXISTS ${FILE})
+  file(READ ${FILE} before)
+endif()
+if(NOT text STREQUAL before)
+  file(WRITE ${FILE} "${text}")
+endif()

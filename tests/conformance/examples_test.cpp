@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// The rule that examples/03_write_a_rule.cpp shows keeps the contract that it is an example of.
+#include <conformance/death_suite.hpp>
+
+#define main run_example
+#include <examples/03_write_a_rule.cpp>
+#undef main
+
+TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, HungryReach);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// A member before the numbers would keep them from being given: the rule would run with its defaults.
+// expect: the policy in Rules::Senescence has Params but cannot be made from them: it needs `Params params;` as its first member
+#include <trophic/death/old_age.hpp>
+#include <trophic/rules/paper.hpp>
+
+struct Ageing {
+  static constexpr std::string_view name = "ageing";
+  using Params = trophic::death::OldAge::Params;
+#ifndef VALID
+  double days = 1.0;
+#endif
+  Params params;
+  bool dies(const trophic::Individual& one, const trophic::View& view, trophic::Rng&) const {
+    return view.age_s(one) > params.max_age_s;
+  }
+};
+
+int main() {
+  using Rules = trophic::with_senescence<trophic::rules::Paper, Ageing>;
+  return static_cast<int>(trophic::make_policies<Rules>({}).senescence.params.max_age_s);
+}

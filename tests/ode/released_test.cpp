@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The released code's rules, height field and timestep in ODE.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/ode.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/rules/released.hpp>
+#include <vector>
+
+using namespace trophic;
+using ReleasedInOde = Ecology<rules::Released, backend::Ode>;
+
+namespace {
+
+constexpr const char* remark = "physics.integrator = rk4 has no effect: ode steps by its own semi-implicit Euler method";
+
+std::vector<Pose> poses_of(const backend::Ode& backend) {
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < backend.robots(); ++i) poses.push_back(backend.pose(i));
+  return poses;
+}
+
+}  // namespace
+
+TEST_CASE("the released rules run in ODE, with their height field and timestep") {
+  ReleasedInOde ecology;
+  REQUIRE(ecology.params().physics.integrator == Integrator::rk4);
+  REQUIRE(ecology.params().physics.timestep_s == 0.012);
+  const std::vector<Pose> starts = poses_of(ecology.backend());
+  ecology.run_until(30.0);
+  CHECK(ecology.backend().time_s() == doctest::Approx(36.0));  // 1.2 simulated seconds per second of its clock
+
+  const std::vector<Pose> ends = poses_of(ecology.backend());
+  double walked_m = 0.0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    CAPTURE(i);
+    walked_m += (ends[i].position_m - starts[i].position_m).norm() / static_cast<double>(ends.size());
+    CHECK(ends[i].position_m.head(2).cwiseAbs().maxCoeff() < 9.5);  // the slope begins at 9.33 m
+    CHECK(ends[i].position_m.z() > 0.02);
+    CHECK(ends[i].position_m.z() < 0.2);
+  }
+  // At 4 cm/s straight ahead it would be 1.4 m; they also turn and meet.
+  CHECK(walked_m > 0.6);
+  CHECK(walked_m < 1.6);
+}
+
+TEST_CASE("the run's record says which integrator it had") {
+  const test::TemporaryFolder folder;
+  ReleasedInOde ecology;
+  observe::RunFolder files{folder.path() / "run", {}};
+  observe::Progress progress{false};
+  ecology.run_until(2.0, files, progress);
+  const auto manifest = nlohmann::json::parse(std::ifstream{folder.path() / "run" / "manifest.json"});
+  CHECK(manifest["numbers"]["physics"]["integrator"] == "rk4");
+  CHECK(manifest["remarks"] == nlohmann::json::array({remark}));
+  std::ostringstream summary;
+  progress.summary(summary, ecology.view());
+  CHECK(summary.str().find(std::string{"\nremark  "} + remark + "\n") != std::string::npos);
+
+  ReleasedInOde::Params own;
+  own.physics.integrator = Integrator::semi_implicit_euler;
+  CHECK(ReleasedInOde{own}.describe(2.0).remarks.empty());
+}

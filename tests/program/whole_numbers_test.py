@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""whole_numbers_test.py PROGRAM...: no program takes a negative number, or one it reads otherwise than it is written, for an
+unsigned one. The options are those that its --help marks UINT."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolder
+
+PROGRAMS = sys.argv[1:]
+BAD = {
+    "-1": ">= 0",
+    "18446744073709551616": "<= 18446744073709551615",
+    "1.5": "a whole number in decimal digits",
+    "1e3": "a whole number in decimal digits",
+    "0x10": "a whole number in decimal digits",
+    "010": "a whole number in decimal digits",
+    "many": "a whole number in decimal digits",
+}
+
+
+def call(program, *arguments, folder):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, cwd=folder, timeout=60)
+
+
+class WholeNumbers(InFolder):
+    def test_every_unsigned_option_of_every_program(self):
+        self.assertGreaterEqual(len(PROGRAMS), 2)
+        for program in PROGRAMS:
+            name = pathlib.Path(program).name
+            options = re.findall(r"^ *(--[\w-]+) UINT", call(program, "--help", folder=self.folder).stdout, re.MULTILINE)
+            self.assertIn("--seed", options, name)
+            for option in options:
+                for text, must in BAD.items():
+                    with self.subTest(program=name, option=option, text=text):
+                        result = call(program, option, text, folder=self.folder)
+                        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+                        self.assertEqual(result.stderr, f"{name}: {option} {text}: must be {must}\n")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

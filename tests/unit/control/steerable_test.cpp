@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <support/toy_backend.hpp>
+#include <trophic/body/load.hpp>
+#include <trophic/control/gait.hpp>
+#include <trophic/control/steerable.hpp>
+#include <trophic/ecology.hpp>
+#include <trophic/rules/paper.hpp>
+#include <utility>
+
+using namespace trophic;
+using namespace trophic::control;
+
+namespace {
+
+/// The gecko with all hinges at its core.
+RobotModel snake() {
+  RobotModel robot = body::load_robot("gecko");
+  robot.name = "snake";
+  for (Hinge& hinge : robot.hinges) hinge.grid_position.setZero();
+  return robot;
+}
+
+/// Knows no sides.
+struct SlowsAll {
+  static constexpr std::string_view name = "slows_all";
+  void steer(double, std::span<const Side>, std::span<double> targets_rad) const {
+    for (double& target_rad : targets_rad) target_rad *= 0.5;
+  }
+};
+
+/// Adds to each target instead of scaling it.
+struct Leans {
+  static constexpr std::string_view name = "leans";
+  void steer(double target_angle_rad, std::span<const Side>, std::span<double> targets_rad) const {
+    for (double& target_rad : targets_rad) target_rad += 0.1 * target_angle_rad;
+  }
+};
+
+template <class Act>
+std::string refusal(Act&& act) {
+  try {
+    act();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+template <class Rules>
+std::string ecology_refusal(RobotModel robot, Experiment<Rules, test::ToyBackend> params = {}) {
+  params.world.robots = 1;
+  params.rules.community.predators = 1;
+  Habitat habitat{.robot = std::move(robot), .arena = {}, .gait = load_gait("gecko_steered")};
+  return refusal([&] { Ecology<Rules, test::ToyBackend>{params, habitat}; });
+}
+
+}  // namespace
+
+TEST_CASE("steerable: the shipped robots are") {
+  for (const char* name : {"spider", "gecko"}) {
+    CHECK(refusal([&] { check_steerable(body::load_robot(name), TargetedSteering{}); }) == "");
+  }
+}
+
+TEST_CASE("steerable: a robot whose hinges are all in the middle is not, unless the steering needs no sides") {
+  CHECK(refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
+        "world.robot = snake with rules.steering = targeted_steering: cannot be steered, a turn to the right and one to the left "
+        "move the hinges alike (0 left, 0 right, 6 middle)");
+  CHECK(refusal([] { check_steerable(snake(), Leans{}); }) == "");
+}
+
+TEST_CASE("steerable: hinges on one side are enough") {
+  RobotModel robot = snake();
+  robot.hinges.front().grid_position = {2, 1, 0};
+  CHECK(refusal([&] { check_steerable(robot, TargetedSteering{}); }) == "");
+}
+
+TEST_CASE("steerable: a steering that changes nothing, or the same for both turns, steers no robot") {
+  const RobotModel gecko = body::load_robot("gecko");
+  CHECK(refusal([&] { check_steerable(gecko, TargetedSteering{{.exponent = 0.0}}); }).find("cannot be steered") !=
+        std::string::npos);
+  CHECK(refusal([&] { check_steerable(gecko, SlowsAll{}); }).find("rules.steering = slows_all") != std::string::npos);
+}
+
+TEST_CASE("steerable: an ecology of jointed robots refuses before the run") {
+  CHECK(ecology_refusal<rules::Paper>(body::load_robot("gecko")) == "");
+  CHECK(ecology_refusal<rules::Paper>(snake()).starts_with("world.robot = snake with rules.steering = targeted_steering"));
+  CHECK(ecology_refusal<with_steering<rules::Paper, Leans>>(snake()) == "");
+  CHECK(ecology_refusal<with_steering<rules::Paper, SlowsAll>>(body::load_robot("gecko")).find("slows_all") != std::string::npos);
+  Experiment<rules::Paper, test::ToyBackend> params;
+  params.rules.steering.exponent = 0.0;
+  CHECK(ecology_refusal<rules::Paper>(body::load_robot("gecko"), params).find("cannot be steered") != std::string::npos);
+}
