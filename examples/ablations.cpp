@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
       "replicates go to OUT/from_paper/NAME and OUT/from_released/NAME; flip_table OUT says what each flip changes."};
   app.add_option("--from", options.from, "the table whose rules are flipped: paper, released or both (both)")
       ->check(CLI::IsMember({"paper", "released", "both"}));
-  app.add_option("--backend", options.backend, "physics: kinematic, or mujoco where it is built (kinematic)");
+  app.add_option("--backend", options.backend, "physics: kinematic, or mujoco in ablations_mujoco (kinematic)");
   app.add_option("--seed", options.study.plan.master_seed, "the seeds of all replicates follow from it (1)");
   app.add_option("--duration", options.study.duration_s, "length of each run, seconds of the ecology's clock (6000)");
   app.add_option("--replicates", options.replicates, "runs of each set (30; 10 with an engine)");
