@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
   app.add_option("--duration", options.study.duration_s, "length of each run, seconds of the ecology's clock (6000)");
   app.add_option("--replicates", options.replicates, "runs of each set (30; 10 with an engine)");
   app.add_option("--jobs", options.study.plan.jobs, "replicates at a time (1); results do not depend on it");
-  app.add_option("--only", options.only, "these sets only")->check(CLI::IsMember(names()));
+  app.add_option("--only", options.only, "these sets only; flip_table needs base")->check(CLI::IsMember(names()));
   app.add_flag("--shadow", options.study.shadow, "run each set's neutral shadow too, into its folder shadow");
   app.add_flag("--resume", options.study.plan.resume, "run only what OUT lacks");
   app.add_flag("--list", options.list, "list all sets, with what each changes, and stop");

@@ -33,7 +33,9 @@ std::vector<std::string> run_with_shadow(const Experiment<Rules, B>& experiment,
   if (!with_shadow || !unfinished.empty()) return unfinished;
   Plan beside = plan;
   beside.out /= "shadow";
-  return detail::run_and_tell<rules::neutral_shadow<Rules>, B>(rules::shadow_of(experiment), beside, facts, out);
+  unfinished = detail::run_and_tell<rules::neutral_shadow<Rules>, B>(rules::shadow_of(experiment), beside, facts, out);
+  for (std::string& sentence : unfinished) sentence.insert(0, "shadow/");
+  return unfinished;
 }
 
 }  // namespace trophic::replicates
