@@ -16,16 +16,16 @@ CROSS_CHECK, PREDATOR_PREY, FIGURE = (sys.argv.pop(1) for _ in range(3))
 class CrossCheck(InFolderWithSets):
     @classmethod
     def make_sets(cls):
-        for rules, duration in (("paper", 400), ("released", 400), ("paper", 600)):
+        for rules, duration in (("paper", 1200), ("released", 1200), ("paper", 600)):
             made = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", str(duration),
-                                   "--replicates", "6", "--out", f"{rules}-{duration}"], capture_output=True, text=True, cwd=cls.sets)
+                                   "--replicates", "10", "--out", f"{rules}-{duration}"], capture_output=True, text=True, cwd=cls.sets)
             assert made.returncode == 0, made.stderr
 
     def call(self, *arguments):
         return subprocess.run([CROSS_CHECK, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
 
     def test_from_walks_and_runs_to_a_figure(self):
-        paper = self.sets / "paper-400"
+        paper = self.sets / "paper-1200"
         result = self.call("--seconds", 10, "--runs", paper, paper, "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         with open(self.folder / "out/cross_check.csv", newline="") as table:
@@ -47,7 +47,7 @@ class CrossCheck(InFolderWithSets):
 
     def test_refusals(self):
         (self.folder / "there").mkdir()
-        paper = self.sets / "paper-400"
+        paper = self.sets / "paper-1200"
         for arguments, parts in [
             ([], ["--out"]),
             (["--bogus"], ["--bogus"]),
@@ -58,8 +58,8 @@ class CrossCheck(InFolderWithSets):
             (["--out", "new", "--jobs", 0], ["--jobs 0"]),
             (["--out", "new", "--replicates", 2, "--duration", -1], ["world.duration_s = -1", "> 0"]),
             (["--out", "new", "--replicates", 2, "--runs", paper, paper], ["--runs", "--replicates"]),
-            (["--out", "new", "--runs", paper, self.sets / "released-400"], ["released", "must be paper"]),
-            (["--out", "new", "--runs", paper, self.sets / "paper-600"], ["600 s", "must be 400 s"]),
+            (["--out", "new", "--runs", paper, self.sets / "released-1200"], ["released", "must be paper"]),
+            (["--out", "new", "--runs", paper, self.sets / "paper-600"], ["600 s", "must be 1200 s"]),
             (["--out", "new", "--robot", "gecko", "--gait", "spider_published"], ["gait"]),
         ]:
             with self.subTest(arguments=arguments):

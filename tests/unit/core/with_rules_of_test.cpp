@@ -59,7 +59,7 @@ TEST_CASE("all slots of the other table make its rules") {
   }
 }
 
-TEST_CASE("differences are policies and numbers, each once; a policy's numbers go with it, duration does not count") {
+TEST_CASE("differences are policies and numbers, each once, and duration does not count") {
   const auto all = rules::differences<Paper, Aged>();
   REQUIRE(all.size() == 3);
   CHECK(all[0].name == "floor.floor");

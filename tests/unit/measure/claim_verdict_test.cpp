@@ -21,7 +21,7 @@ std::vector<double> spread(std::size_t count, double mean, double deviation) {
 
 }  // namespace
 
-TEST_CASE("within the margin is reproduced, even where the interval leaves the value out; beyond it is not") {
+TEST_CASE("within the margin is reproduced, even where the interval leaves the value out, and beyond it is not") {
   CHECK(judge(tags, spread(10, 0.43, 0.05)).verdict == Reproduction::reproduced);
   CHECK(judge(tags, spread(10, 0.46, 0.01)).verdict == Reproduction::reproduced);
   CHECK(judge(tags, spread(10, 0.55, 0.05)).verdict == Reproduction::not_reproduced);

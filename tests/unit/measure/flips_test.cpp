@@ -66,7 +66,7 @@ TEST_CASE("the table has what is decided and nothing else") {
   CHECK(out.str().find("attribution") == std::string::npos);
 }
 
-TEST_CASE("shares: flips into the first table, and out of the second with the sign turned; what is lacking has no sum") {
+TEST_CASE("shares: flips into the first table, and out of the second with the sign turned, and what is lacking has no sum") {
   const ShadowedSet second{set_around(0.5, 14.0), base.shadow};
   const auto effects = [](const std::string& flip, const ShadowedSet& from, double hunger) {
     auto found = effects_of(flip, compare_sets(from, {set_around(0.5, hunger), base.shadow}));

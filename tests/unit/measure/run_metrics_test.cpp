@@ -40,7 +40,7 @@ TEST_CASE("an empty run has every metric, none with a value but what needs no da
   CHECK(has({"tag_symmetry", "prey+predator", "inherited", "1"}));
 }
 
-TEST_CASE("only dealt tags are a null of the run itself; what the paper compares with is marked as its own") {
+TEST_CASE("only dealt tags are a null of the run itself, and what the paper compares with is marked as its own") {
   for (const Measurement& measurement : measure_run(empty_run()).measurements) {
     for (const Baseline& baseline : measurement.baselines) {
       CAPTURE(measurement.name.metric);

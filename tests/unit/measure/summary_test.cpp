@@ -31,7 +31,7 @@ std::vector<RunMetrics> runs_around(double value, double null, std::size_t count
 
 }  // namespace
 
-TEST_CASE("only nulls get a difference and a verdict; the paper's baseline is shown") {
+TEST_CASE("only nulls get a difference and a verdict, and the paper's baseline is shown") {
   const auto rows = summarize(runs_around(0.50, 0.40));
   REQUIRE(rows.size() == 1);
   CHECK(*rows[0].ours.mean == doctest::Approx(0.50));
