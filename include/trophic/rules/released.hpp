@@ -24,10 +24,10 @@ namespace trophic::rules {
 /// What the released code does where it differs from the text, rule by rule; the alias of a rule that does not differ, or only in
 /// numbers, is that of `Paper`. Read off the code at the commits of the published runs (22 and 23 June 2023).
 ///
-/// Not done, each because it cannot change who lives or dies by more than rounding:
-/// - ticks of 2.007 s (a wall clock polled at control calls), and what happens within a tick taking wall time;
-/// - control calls on the grid of the physics (12 or 24 ms apart) while the CPG always integrates 1/60 s;
-/// - the genome's five biases, which mutate and are never added;
+/// Not done:
+/// - ticks of 2.007 s on average, with what happens within a tick taking wall time: a wall clock cannot be reproduced;
+/// - control calls on the grid of the physics, 12 or 24 ms apart, while the CPG always integrates 1/60 s: the mean rate is the same;
+/// - the genome's five biases, which mutate and are never added: they have no effect;
 /// - an activated newborn's age counts from the tick before; no rule reads the age of prey.
 /// Of its analysis: published velocities include adversaries stored while a robot was blind (metric velocity_stored).
 struct Released {
