@@ -26,7 +26,7 @@ namespace trophic::rules {
 ///
 /// Not done:
 /// - ticks of 2.007 s on average, with what happens within a tick taking wall time: a wall clock cannot be reproduced;
-/// - control calls on the grid of the physics, 12 or 24 ms apart, while the CPG always integrates 1/60 s: the mean rate is the same;
+/// - control calls on the grid of the physics, 12 or 24 ms apart, while the CPG always integrates 1/60 s: same mean rate;
 /// - the genome's five biases, which mutate and are never added: they have no effect;
 /// - an activated newborn's age counts from the tick before; no rule reads the age of prey.
 /// Of its analysis: published velocities include adversaries stored while a robot was blind (metric velocity_stored).
