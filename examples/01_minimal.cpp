@@ -2,7 +2,7 @@
 // The shortest complete experiment: the paper's rules, one run, a folder with its data.
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/rules/paper.hpp>

@@ -2,12 +2,12 @@
 // One rule of the paper swapped for another: what if offspring shared their parent's genome, as in the released code?
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/reproduction/shared_copy.hpp>
+#include <trophic/reproduction/heredity/shared_copy.hpp>
 #include <trophic/rules/paper.hpp>
 
-using Rules = trophic::with_heredity<trophic::rules::Paper, trophic::reproduction::SharedCopy>;
+using Rules = trophic::with_heredity<trophic::rules::Paper, trophic::reproduction::heredity::SharedCopy>;
 
 int main() {
   trophic::Ecology<Rules, trophic::backend::Kinematic> ecology({.seed = 42});

@@ -3,7 +3,7 @@
 // it.
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/rules/paper.hpp>
 

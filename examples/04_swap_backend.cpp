@@ -3,7 +3,7 @@
 #include <iostream>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/rules/paper.hpp>
 

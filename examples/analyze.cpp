@@ -10,14 +10,14 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/measure/claim_verdict.hpp>
-#include <trophic/measure/compare_sets.hpp>
-#include <trophic/measure/report.hpp>
-#include <trophic/measure/shadow.hpp>
-#include <trophic/measure/summary.hpp>
-#include <trophic/measure/text_table.hpp>
+#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/report/claim_verdict.hpp>
+#include <trophic/analysis/report/compare_sets.hpp>
+#include <trophic/analysis/report/report.hpp>
+#include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/report/text_table.hpp>
 #include <trophic/observe/run_folder.hpp>
-#include <trophic/params.hpp>
+#include <trophic/params/params.hpp>
 #include <trophic/version.hpp>
 #include <vector>
 
@@ -25,7 +25,7 @@
 
 namespace {
 
-namespace measure = trophic::measure;
+namespace analysis = trophic::analysis;
 
 struct Options {
   std::vector<std::filesystem::path> runs;
@@ -43,56 +43,56 @@ void write_json(const std::filesystem::path& path, const nlohmann::ordered_json&
   if (!file) throw std::runtime_error{"cannot write " + path.string()};
 }
 
-void tell(const measure::ShadowedSet& set) {
+void tell(const analysis::ShadowedSet& set) {
   for (const std::string& remark : set.ours.remarks) std::cerr << "analyze: " << remark << "\n";
   if (!set.shadow) return;
   for (const std::string& remark : set.shadow->remarks) std::cerr << "analyze: " << remark << "\n";
 }
 
-void finish(const std::filesystem::path& out, std::span<const measure::ShadowedSet> sets, const nlohmann::ordered_json& json) {
-  measure::write_metrics(out / "metrics.csv", sets);
+void finish(const std::filesystem::path& out, std::span<const analysis::ShadowedSet> sets, const nlohmann::ordered_json& json) {
+  analysis::write_metrics(out / "metrics.csv", sets);
   write_json(out / "summary.json", json);
   std::cout << "files   " << out.string() << "/{metrics.csv,summary.json}" << std::endl;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
 }
 
-nlohmann::ordered_json json_of(std::span<const measure::ShadowedSet> sets) {
+nlohmann::ordered_json json_of(std::span<const analysis::ShadowedSet> sets) {
   nlohmann::ordered_json json;
   json["trophic"] = trophic::version;
-  for (const measure::ShadowedSet& set : sets) {
-    json["sets"].push_back(measure::summary_json(set, measure::summarize(set.ours.runs, set.shadow_runs())));
+  for (const analysis::ShadowedSet& set : sets) {
+    json["sets"].push_back(analysis::summary_json(set, analysis::summarize(set.ours.runs, set.shadow_runs())));
   }
   return json;
 }
 
 void analyze(const Options& options) {
-  const std::array sets{measure::read_shadowed_set(options.runs, options.shadow, options.until_s)};
+  const std::array sets{analysis::read_shadowed_set(options.runs, options.shadow, options.until_s)};
   const auto out = trophic::observe::make_new_folder(options.out);
   tell(sets[0]);
   if (options.published) {
-    measure::print_claims(std::cout, sets[0].ours, measure::judge_claims(sets[0].ours.runs));
+    analysis::print_claims(std::cout, sets[0].ours, analysis::judge_claims(sets[0].ours.runs));
   } else {
-    measure::print_table(std::cout, sets[0], measure::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
+    analysis::print_table(std::cout, sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
   }
   finish(out, sets, json_of(sets));
 }
 
 void compare(const Options& options) {
   const auto read = [&](std::size_t i) {
-    return measure::read_shadowed_set(std::span{options.compare}.subspan(i, 1), {}, options.until_s);
+    return analysis::read_shadowed_set(std::span{options.compare}.subspan(i, 1), {}, options.until_s);
   };
   std::array sets{read(0), read(1)};
-  measure::check_comparable(sets[0].ours.facts.front(), sets[1].ours.facts.front());
+  analysis::check_comparable(sets[0].ours.facts.front(), sets[1].ours.facts.front());
   if (sets[0].ours.label == sets[1].ours.label) {
     sets[0].ours.label += " (a)";
     sets[1].ours.label += " (b)";
   }
   const auto out = trophic::observe::make_new_folder(options.out);
-  for (const measure::ShadowedSet& set : sets) tell(set);
-  const auto differences = measure::compare_sets(sets[0], sets[1]);
-  measure::print_differences(std::cout, sets[0], sets[1], differences);
+  for (const analysis::ShadowedSet& set : sets) tell(set);
+  const auto differences = analysis::compare_sets(sets[0], sets[1]);
+  analysis::print_differences(std::cout, sets[0], sets[1], differences);
   nlohmann::ordered_json json = json_of(sets);
-  json["differences"] = measure::differences_json(differences);
+  json["differences"] = analysis::differences_json(differences);
   finish(out, sets, json);
 }
 

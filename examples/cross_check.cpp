@@ -14,7 +14,7 @@
 #include <thread>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
-#include <trophic/habitat.hpp>
+#include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>
 #include <trophic/replicates/run.hpp>

@@ -9,14 +9,14 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <trophic/body/load.hpp>
-#include <trophic/config.hpp>
-#include <trophic/evolve/archive.hpp>
-#include <trophic/evolve/pre_experiment.hpp>
-#include <trophic/evolve/tables.hpp>
+#include <trophic/gait_evolution/archive.hpp>
+#include <trophic/gait_evolution/pre_experiment.hpp>
+#include <trophic/gait_evolution/tables.hpp>
+#include <trophic/load/robot.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/params/toml.hpp>
 #include <vector>
 #ifdef TROPHIC_WITH_MUJOCO
 #include <trophic/backend/mujoco.hpp>
@@ -29,7 +29,7 @@
 
 namespace {
 
-namespace evolve = trophic::evolve;
+namespace gait_evolution = trophic::gait_evolution;
 namespace observe = trophic::observe;
 
 /// Everything that the command line says. What it leaves out comes from the configuration file, then from the table.
@@ -62,27 +62,27 @@ constexpr const char* default_backend = "ode";
 #endif
 
 template <class Table, class Backend>
-std::string settings_text(const evolve::Numbers<Table, Backend>& numbers) {
+std::string settings_text(const gait_evolution::Numbers<Table, Backend>& numbers) {
   return "rule_table = \"" + std::string{Table::name} + "\"\nfitness_rule = \"" + std::string{Table::Fitness::name} +
          "\"\nengine = \"" + std::string{Backend::name} + "\"\n" + trophic::toml_text(trophic::settings_of(numbers));
 }
 
 template <class Table, class Backend>
-void report(const evolve::PreExperiment<Table, Backend>& experiment, std::size_t evaluations, double elapsed_s) {
-  const evolve::Lineage& lineage = experiment.lineage();
-  const std::vector<double> fitness = evolve::fitness_after(lineage, lineage.generations - 1);
+void report(const gait_evolution::PreExperiment<Table, Backend>& experiment, std::size_t evaluations, double elapsed_s) {
+  const gait_evolution::Lineage& lineage = experiment.lineage();
+  const std::vector<double> fitness = gait_evolution::fitness_after(lineage, lineage.generations - 1);
   const double a_generation_s =
       elapsed_s / static_cast<double>(evaluations) * static_cast<double>(experiment.numbers().plan.children);
   const auto to_go = static_cast<double>(experiment.numbers().plan.generations + 1 - lineage.generations);
   std::cout << "generation " << lineage.generations - 1 << " of " << experiment.numbers().plan.generations << "  best "
-            << fitness.front() << "  median " << evolve::median(fitness) << "  "
+            << fitness.front() << "  median " << gait_evolution::median(fitness) << "  "
             << observe::short_text(static_cast<double>(evaluations) / elapsed_s) << " evaluations/s  "
             << observe::duration_text(a_generation_s * to_go) << " left" << std::endl;
 }
 
 template <class Table, class Backend>
 int run(const Options& options, const toml::table& config) {
-  evolve::Numbers<Table, Backend> numbers;
+  gait_evolution::Numbers<Table, Backend> numbers;
   trophic::read_numbers(numbers, config);
   for (const std::string& assignment : options.assignments) trophic::read_numbers(numbers, trophic::read_assignment(assignment));
   if (options.robot) numbers.robot = *options.robot;
@@ -94,22 +94,22 @@ int run(const Options& options, const toml::table& config) {
     if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
     return 0;
   }
-  evolve::PreExperiment<Table, Backend> experiment{numbers, trophic::body::load_robot(numbers.robot)};
+  gait_evolution::PreExperiment<Table, Backend> experiment{numbers, trophic::load_robot(numbers.robot)};
   std::filesystem::path folder = options.resume;
   if (options.resume.empty()) {
     if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
     folder = observe::make_new_folder(options.out);
     trophic::detail::replace_file(folder / "settings.toml", settings_text(numbers));
   } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
-    evolve::resume(experiment, folder);
+    gait_evolution::resume(experiment, folder);
   }
 
   const observe::StopOnSignal stop;
   const observe::Stopwatch watch;
   const std::size_t before = experiment.lineage().individuals.size();
-  evolve::save(experiment, folder);
+  gait_evolution::save(experiment, folder);
   while (!experiment.done() && experiment.next_generation(options.threads, [&] { return stop.keep_running(); })) {
-    evolve::save(experiment, folder);
+    gait_evolution::save(experiment, folder);
     report(experiment, experiment.lineage().individuals.size() - before, watch.elapsed_s());
   }
   const std::size_t evaluations = experiment.lineage().individuals.size() - before;
@@ -141,9 +141,9 @@ int run_on(const std::string& backend, const Options& options, const toml::table
 
 template <class Table>
 int run_table(const std::string& fitness, const std::string& backend, const Options& options, const toml::table& config) {
-  if (fitness == evolve::DisplacementMinusX::name) return run_on<Table>(backend, options, config);
-  if (fitness == evolve::SteeredDisplacement::name) {
-    return run_on<evolve::with_fitness<Table, evolve::SteeredDisplacement>>(backend, options, config);
+  if (fitness == gait_evolution::DisplacementMinusX::name) return run_on<Table>(backend, options, config);
+  if (fitness == gait_evolution::SteeredDisplacement::name) {
+    return run_on<gait_evolution::with_fitness<Table, gait_evolution::SteeredDisplacement>>(backend, options, config);
   }
   throw std::invalid_argument{"--fitness " + fitness + ": must be displacement_minus_x or steered_displacement"};
 }
@@ -165,8 +165,8 @@ int run_program(const Options& options) {
   const std::string fitness = options.fitness.value_or(configured_fitness.value_or("displacement_minus_x"));
   const std::string backend = options.backend.value_or(configured_backend.value_or(default_backend));
   if (options.threads == 0) throw std::invalid_argument{"--threads 0: must be >= 1"};
-  if (table == evolve::Paper::name) return run_table<evolve::Paper>(fitness, backend, options, config);
-  if (table == evolve::Released::name) return run_table<evolve::Released>(fitness, backend, options, config);
+  if (table == gait_evolution::Paper::name) return run_table<gait_evolution::Paper>(fitness, backend, options, config);
+  if (table == gait_evolution::Released::name) return run_table<gait_evolution::Released>(fitness, backend, options, config);
   throw std::invalid_argument{"--table " + table + ": must be paper or released"};
 }
 

@@ -11,9 +11,9 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/measure/compare_sets.hpp>
-#include <trophic/measure/flips.hpp>
-#include <trophic/measure/shadow.hpp>
+#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/report/compare_sets.hpp>
+#include <trophic/analysis/report/flips.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>
@@ -26,7 +26,7 @@
 namespace {
 
 namespace examples = trophic::examples;
-namespace measure = trophic::measure;
+namespace analysis = trophic::analysis;
 
 struct Options {
   std::filesystem::path runs;
@@ -34,15 +34,15 @@ struct Options {
   std::filesystem::path out = "flips";
 };
 
-measure::ShadowedSet read(const std::filesystem::path& folder) {
-  return measure::read_shadowed_set(std::array{folder});
+analysis::ShadowedSet read(const std::filesystem::path& folder) {
+  return analysis::read_shadowed_set(std::array{folder});
 }
 
 /// All flips of one table against its base.
 struct Direction {
   std::string name;
-  std::optional<measure::ShadowedSet> base;
-  std::vector<measure::FlipEffect> effects;
+  std::optional<analysis::ShadowedSet> base;
+  std::vector<analysis::FlipEffect> effects;
 };
 
 /// The sets beside the base: every folder with a list of replicates, by name.
@@ -56,9 +56,9 @@ std::vector<std::string> flips_in(const std::filesystem::path& folder) {
   return names;
 }
 
-void check_complete(const measure::ShadowedSet& set) {
-  const auto check = [](const measure::RunSet& runs) {
-    for (const measure::RunFacts& facts : runs.facts) {
+void check_complete(const analysis::ShadowedSet& set) {
+  const auto check = [](const analysis::RunSet& runs) {
+    for (const analysis::RunFacts& facts : runs.facts) {
       if (facts.status != "complete") {
         throw std::invalid_argument{facts.folder.string() + ": status \"" + facts.status + "\": must be complete"};
       }
@@ -73,34 +73,34 @@ Direction read_direction(const std::filesystem::path& folder, std::size_t jobs) 
   Direction direction{folder.filename().string(), read(folder / examples::base_name), {}};
   check_complete(*direction.base);
   const std::vector<std::string> names = flips_in(folder);
-  std::vector<std::vector<measure::FlipEffect>> parts(names.size());
+  std::vector<std::vector<analysis::FlipEffect>> parts(names.size());
   const auto compare = [&](std::size_t i) {
-    const measure::ShadowedSet flipped = read(folder / names[i]);
+    const analysis::ShadowedSet flipped = read(folder / names[i]);
     check_complete(flipped);
-    measure::check_comparable(direction.base->ours.facts.front(), flipped.ours.facts.front());
+    analysis::check_comparable(direction.base->ours.facts.front(), flipped.ours.facts.front());
     if (direction.base->shadow.has_value() != flipped.shadow.has_value()) {
       throw std::invalid_argument{(folder / names[i]).string() + ": one of it and its base has a shadow, the other has none"};
     }
-    parts[i] = measure::effects_of(names[i], measure::compare_sets(*direction.base, flipped));
+    parts[i] = analysis::effects_of(names[i], analysis::compare_sets(*direction.base, flipped));
   };
   const auto attempts = trophic::replicates::in_parallel(names.size(), jobs, compare, [] { return true; });
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!attempts[i].error.empty()) throw std::invalid_argument{names[i] + ": " + attempts[i].error};
     direction.effects.insert(direction.effects.end(), parts[i].begin(), parts[i].end());
   }
-  measure::adjust_together(direction.effects);
+  analysis::adjust_together(direction.effects);
   return direction;
 }
 
-void write_rows(trophic::observe::CsvFile& file, const std::string& direction, std::span<const measure::FlipEffect> effects) {
-  for (const measure::FlipEffect& effect : effects) {
-    const measure::Difference& d = effect.difference;
-    const auto bound = [&](double measure::Interval::*which) {
+void write_rows(trophic::observe::CsvFile& file, const std::string& direction, std::span<const analysis::FlipEffect> effects) {
+  for (const analysis::FlipEffect& effect : effects) {
+    const analysis::Difference& d = effect.difference;
+    const auto bound = [&](double analysis::Interval::*which) {
       return d.interval ? std::optional{(*d.interval).*which} : std::nullopt;
     };
     file.row(effect.flip, direction, effect.name.metric, effect.name.species, effect.name.group, effect.name.unit,
              effect.over_shadow ? "over_shadow" : "raw", effect.base.runs, effect.flipped.runs, effect.base.mean,
-             effect.flipped.mean, d.value, bound(&measure::Interval::lower), bound(&measure::Interval::upper), d.p, d.adjusted,
+             effect.flipped.mean, d.value, bound(&analysis::Interval::lower), bound(&analysis::Interval::upper), d.p, d.adjusted,
              !d.adjusted   ? ""
              : d.differs() ? "yes"
                            : "no");
@@ -126,20 +126,20 @@ void write(const Options& options) {
   for (const Direction& direction : directions) {
     write_rows(csv, direction.name, direction.effects);
     text << "## " << direction.name << "\n\n";
-    measure::print_decided(text, direction.effects);
+    analysis::print_decided(text, direction.effects);
     text << "\np: corrected for all flips and metrics of this direction; intervals are those of single comparisons.\n\n";
   }
   if (directions.size() == 2) {
     const auto& [paper, released] = std::pair{&directions[0], &directions[1]};
-    measure::check_comparable(paper->base->ours.facts.front(), released->base->ours.facts.front());
-    auto whole = measure::effects_of("released", measure::compare_sets(*paper->base, *released->base));
-    measure::adjust_together(whole);
+    analysis::check_comparable(paper->base->ours.facts.front(), released->base->ours.facts.front());
+    auto whole = analysis::effects_of("released", analysis::compare_sets(*paper->base, *released->base));
+    analysis::adjust_together(whole);
     write_rows(csv, "paper_to_released", whole);
     std::vector<std::string> groups;
     for (const examples::SlotGroup& group : examples::slot_groups) groups.emplace_back(group.name);
     text << "## Together\n\nFirst: paper. Second: released. Each group of rules alone put into the first, and taken out of the "
             "second.\n\n";
-    measure::print_shares(text, whole, paper->effects, released->effects, groups);
+    analysis::print_shares(text, whole, paper->effects, released->effects, groups);
     text << "\n*: decided in its direction. Sums that miss the whole difference show that the groups act on each other.\n";
   }
   text.close();

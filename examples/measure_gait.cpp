@@ -5,18 +5,18 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/control/gait.hpp>
-#include <trophic/evolve/measure_walk.hpp>
-#include <trophic/evolve/trial.hpp>
-#include <trophic/params.hpp>
+#include <trophic/gait_evolution/measure_walk.hpp>
+#include <trophic/gait_evolution/trial.hpp>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/params/params.hpp>
 #include <vector>
 
 #include "command.hpp"
 
 namespace {
 
-namespace evolve = trophic::evolve;
+namespace gait_evolution = trophic::gait_evolution;
 using Backend = trophic::backend::Mujoco;
 
 /// Of the paper and of its released code.
@@ -28,11 +28,11 @@ void complain(const trophic::Physics& how, const trophic::Diverged& error) {
 }
 
 /// The [walk] of a robot file.
-void print_walk(const trophic::RobotModel& robot, const trophic::control::Gait& gait, double duration_s) {
+void print_walk(const trophic::RobotModel& robot, const trophic::Gait& gait, double duration_s) {
   for (const trophic::Physics& how : physics) {
     try {
-      const trophic::MeasuredWalk walk = evolve::measure_walk<Backend>(robot, gait, trophic::control::TargetedSteering{},
-                                                                       {.duration_s = duration_s}, how, {}, 8);
+      const trophic::MeasuredWalk walk = gait_evolution::measure_walk<Backend>(
+          robot, gait, trophic::control::steering::TargetedSteering{}, {.duration_s = duration_s}, how, {}, 8);
       std::cout << "# " << robot.name << " with " << gait.name << ", MuJoCo, " << enum_name(how.integrator) << " "
                 << how.timestep_s << " s\n[walk]\nspeed_m_s = " << walk.speed_m_s
                 << "\nturn_rate_per_rad = " << walk.turn_rate_per_rad << std::endl;
@@ -42,16 +42,16 @@ void print_walk(const trophic::RobotModel& robot, const trophic::control::Gait& 
   }
 }
 
-void print_table(const trophic::RobotModel& robot, const trophic::control::Gait& gait, double duration_s) {
+void print_table(const trophic::RobotModel& robot, const trophic::Gait& gait, double duration_s) {
   std::cout << "robot,gait,integrator,timestep_s,target_angle_rad,displacement_m,forward_m_s,left_m_s,turn_rate_rad_s\n";
   for (const trophic::Physics& how : physics) {
     for (const double target_angle_rad : {0.7, 0.0, -0.7}) {
       std::cout << robot.name << "," << gait.name << "," << enum_name(how.integrator) << "," << how.timestep_s << ","
                 << target_angle_rad << ",";
       try {
-        const evolve::Track track =
-            evolve::try_out<Backend>(robot, gait, trophic::control::TargetedSteering{}, {.duration_s = duration_s}, how, {},
-                                     evolve::steady(target_angle_rad));
+        const gait_evolution::Track track =
+            gait_evolution::try_out<Backend>(robot, gait, trophic::control::steering::TargetedSteering{},
+                                             {.duration_s = duration_s}, how, {}, gait_evolution::steady(target_angle_rad));
         const auto [forward_m_s, left_m_s] = track.forward_and_left_m_s();
         std::cout << track.displacement_m() << "," << forward_m_s << "," << left_m_s << "," << track.turn_rate_rad_s()
                   << std::endl;
@@ -64,9 +64,9 @@ void print_table(const trophic::RobotModel& robot, const trophic::control::Gait&
 }
 
 void measure(const std::string& robot_name, const std::string& gait_name, double duration_s, bool walk) {
-  const trophic::RobotModel robot = trophic::body::load_robot(robot_name);
-  const trophic::control::Gait gait = trophic::control::load_gait(gait_name.empty() ? robot.gait : gait_name);
-  trophic::control::check_fit(gait, robot);
+  const trophic::RobotModel robot = trophic::load_robot(robot_name);
+  const trophic::Gait gait = trophic::load_gait(gait_name.empty() ? robot.gait : gait_name);
+  trophic::check_fit(gait, robot);
   (walk ? print_walk : print_table)(robot, gait, duration_s);
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
 }

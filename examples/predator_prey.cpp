@@ -11,11 +11,11 @@
 #include <string>
 #include <thread>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/config.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/params/toml.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>

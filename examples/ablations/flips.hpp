@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/rules/with_rules_of.hpp>

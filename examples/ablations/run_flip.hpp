@@ -7,9 +7,9 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <trophic/config.hpp>
-#include <trophic/control/cognitive_brain_with_biases.hpp>
-#include <trophic/experiment.hpp>
+#include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/ecology/experiment.hpp>
+#include <trophic/params/toml.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
 #include <utility>
 #include <vector>
@@ -64,7 +64,7 @@ std::vector<std::string> run_flip(const std::string& name, const Study& study) {
     return {};
   }
   if (name == biases_name) {
-    Experiment<with_brain<Base, control::CognitiveBrainWithBiases>, B> experiment;
+    Experiment<with_brain<Base, control::brain::CognitiveBrainWithBiases>, B> experiment;
     const auto plain = RuleNumbers<Base>{}.brain;
     experiment.rules.brain = {.turn_angle_rad = plain.turn_angle_rad, .zero_turns_right = plain.zero_turns_right};
     return detail::run_table(name, std::move(experiment), study);
@@ -74,7 +74,7 @@ std::vector<std::string> run_flip(const std::string& name, const Study& study) {
   if (name == slot_groups[2].name) return detail::run_group<Base, Other, B, 2>(name, study);
   if (name == slot_groups[3].name) return detail::run_group<Base, Other, B, 3>(name, study);
   static_assert(slot_groups.size() == 4);
-#define TROPHIC_RUN_FLIP(Slot, member, Concept, sentence)                                                                 \
+#define TROPHIC_RUN_FLIP(Slot, member, kind, Contract)                                                                    \
   if constexpr (!std::same_as<typename Base::Slot, typename Other::Slot>) {                                               \
     if (name == #member) {                                                                                                \
       return detail::run_table(name, Experiment<rules::with_rules_of<Base, Other, rules::slots({#member})>, B>{}, study); \

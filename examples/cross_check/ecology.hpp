@@ -11,10 +11,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/measure/equivalence.hpp>
-#include <trophic/measure/run_set.hpp>
-#include <trophic/measure/summary.hpp>
-#include <trophic/params.hpp>
+#include <trophic/analysis/data/run_set.hpp>
+#include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/statistics/equivalence.hpp>
+#include <trophic/params/params.hpp>
 
 #include "report.hpp"
 
@@ -37,14 +37,14 @@ inline constexpr std::array margins{Margin{"attribution_caught", "all", 0.05},  
 
 /// Two sets of replicates that may be compared.
 struct Ecologies {
-  trophic::measure::RunSet first;
-  trophic::measure::RunSet second;
+  trophic::analysis::RunSet first;
+  trophic::analysis::RunSet second;
 };
 
 /// Reads two folders of replicates. Throws std::invalid_argument if their rule tables or durations differ, and as
-/// measure::read_set does.
+/// analysis::read_set does.
 [[nodiscard]] inline Ecologies read_ecologies(const std::filesystem::path& first, const std::filesystem::path& second) {
-  Ecologies sets{trophic::measure::read_set(std::span{&first, 1}), trophic::measure::read_set(std::span{&second, 1})};
+  Ecologies sets{trophic::analysis::read_set(std::span{&first, 1}), trophic::analysis::read_set(std::span{&second, 1})};
   const auto& a = sets.first.facts.front();
   const auto& b = sets.second.facts.front();
   if (a.rules != b.rules) {
@@ -59,7 +59,7 @@ struct Ecologies {
 
 /// Prints a verdict per metric and adds a line per metric and engine to the CSV.
 inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
-  namespace measure = trophic::measure;
+  namespace analysis = trophic::analysis;
   const auto& facts = sets.first.facts.front();
   std::cout << "\n"
             << "rules " << facts.rules << ": first " << facts.backend << ", " << sets.first.runs.size() << " runs; second "
@@ -67,15 +67,15 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
             << std::left << std::setw(40) << "metric" << std::setw(26) << "first [95 %]" << std::setw(26) << "second [95 %]"
             << std::setw(9) << "margin" << std::setw(26) << "difference [90 %]"
             << "verdict\n";
-  for (const measure::Measurement& measured : sets.first.runs.front().measurements) {
-    const measure::MetricName& name = measured.name;
+  for (const analysis::Measurement& measured : sets.first.runs.front().measurements) {
+    const analysis::MetricName& name = measured.name;
     const auto margin =
         std::ranges::find_if(margins, [&](const Margin& m) { return m.metric == name.metric && m.group == name.group; });
     if (margin == margins.end()) continue;
-    const std::array values{measure::values_of(sets.first.runs, name), measure::values_of(sets.second.runs, name)};
-    const double first_mean = std::max(1.0, measure::mean_of(values[0]).value_or(1.0));
+    const std::array values{analysis::values_of(sets.first.runs, name), analysis::values_of(sets.second.runs, name)};
+    const double first_mean = std::max(1.0, analysis::mean_of(values[0]).value_or(1.0));
     const double allowed = margin->is_share_of_first ? margin->margin * first_mean : margin->margin;
-    const auto test = measure::test_equivalence(values[0], values[1], allowed);
+    const auto test = analysis::test_equivalence(values[0], values[1], allowed);
     const bool is_velocity = name.unit == "m/s";
     const double unit = is_velocity ? 100.0 : 1.0;
     const int decimals = margin->is_share_of_first ? 1 : is_velocity ? 2 : 3;
@@ -83,7 +83,7 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
               << name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")") +
                      (is_velocity ? ", cm/s" : "");
     for (std::size_t i = 0; i < 2; ++i) {
-      const auto estimate = measure::estimate(values[i]);
+      const auto estimate = analysis::estimate(values[i]);
       std::cout << std::setw(26) << text(estimate.mean, estimate.interval, unit, decimals);
       const std::string& engine = (i == 0 ? sets.first : sets.second).facts.front().backend;
       const Subject subject{"ecology", engine, {}, {}, {}, name.metric, name.species, name.group, name.unit};

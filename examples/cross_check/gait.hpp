@@ -10,12 +10,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/backend/concept.hpp>
-#include <trophic/body/ground_pose.hpp>
-#include <trophic/control/cpg.hpp>
-#include <trophic/control/targeted_steering.hpp>
-#include <trophic/evolve/trial.hpp>
-#include <trophic/habitat.hpp>
+#include <trophic/backend/contract.hpp>
+#include <trophic/control/steering/targeted_steering.hpp>
+#include <trophic/gait_evolution/trial.hpp>
+#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/locomotion/cpg.hpp>
 #include <vector>
 
 namespace cross_check {
@@ -75,11 +75,11 @@ template <trophic::JointDriven B>
   constexpr int controls_per_sample = static_cast<int>(sample_s * control_hz);
   const trophic::RobotModel& robot = habitat.robot;
   const std::size_t hinges = robot.hinges.size();
-  const auto sides = trophic::control::sides_of(robot);
-  const trophic::control::TargetedSteering steering{};
-  const trophic::control::Cpg cpg{habitat.gait};
+  const auto sides = trophic::sides_of(robot);
+  const trophic::control::steering::TargetedSteering steering{};
+  const trophic::locomotion::Cpg cpg{habitat.gait};
   const std::vector<trophic::Pose> starts = twelve_starts(robot);
-  B backend{robot, trophic::evolve::endless_floor(), starts, {.timestep_s = condition.timestep_s}, params};
+  B backend{robot, trophic::gait_evolution::endless_floor(), starts, {.timestep_s = condition.timestep_s}, params};
   Eigen::MatrixXd states = cpg.initial_states();
   std::vector<double> targets_rad(hinges);
   std::vector<double> before_rad(starts.size() * hinges, 0.0);

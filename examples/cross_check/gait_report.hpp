@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/measure/equivalence.hpp>
-#include <trophic/measure/summary.hpp>
+#include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/observe/csv.hpp>
 #include <vector>
 
@@ -75,7 +75,7 @@ class GaitReport {
     const Outcome& reference = outcomes.front();
     if (scales_.empty()) {
       for (const Quantity& quantity : quantities) {
-        scales_.push_back(std::max(std::abs(*trophic::measure::mean_of(values_of(reference, quantity))), smallest_scale));
+        scales_.push_back(std::max(std::abs(*trophic::analysis::mean_of(values_of(reference, quantity))), smallest_scale));
       }
     }
     for (const Outcome& outcome : outcomes) {
@@ -87,7 +87,7 @@ class GaitReport {
   static constexpr double smallest_scale = 1e-3;
 
   void add(const Outcome& outcome, const Outcome& reference, const Outcome& mujoco, const Outcome& own) {
-    namespace measure = trophic::measure;
+    namespace analysis = trophic::analysis;
     const Condition& c = outcome.condition;
     std::cout << std::setw(7) << c.engine << std::setw(13) << c.settings << std::setw(8) << text(1e3 * c.timestep_s, 1)
               << std::setw(6) << text(c.target_angle_rad, 1);
@@ -98,8 +98,8 @@ class GaitReport {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const Quantity& quantity = quantities[i];
       const auto values = values_of(outcome, quantity);
-      const auto estimate = measure::estimate(values);
-      const auto test = measure::test_equivalence(values_of(reference, quantity), values, margin_share * scales_[i]);
+      const auto estimate = analysis::estimate(values);
+      const auto test = analysis::test_equivalence(values_of(reference, quantity), values, margin_share * scales_[i]);
       csv_.add(subject(quantity.name, quantity.unit), estimate, test);
       const bool is_judged = quantity.columns > 20;
       std::cout << std::setw(quantity.columns)
@@ -111,7 +111,7 @@ class GaitReport {
       differences += cell.str();
     }
     for (const auto& [name, other] : {std::pair{"distance_to_mujoco_m", &mujoco}, std::pair{"distance_to_own_m", &own}}) {
-      const auto estimate = measure::estimate(distances_m(outcome, *other));
+      const auto estimate = analysis::estimate(distances_m(outcome, *other));
       csv_.add(subject(name, "m"), estimate);
       std::cout << std::setw(9) << text(100.0 * *estimate.mean, 2);
     }

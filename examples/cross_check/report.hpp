@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <trophic/measure/equivalence.hpp>
-#include <trophic/measure/summary.hpp>
+#include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/observe/csv.hpp>
 
 namespace cross_check {
@@ -35,11 +35,11 @@ class Csv {
               "difference_lower,difference_upper,verdict"} {}
 
   /// Mean and 95 % interval over n robots or runs; `against_mujoco`: MuJoCo's at its default timestep are the test's first set.
-  void add(const Subject& subject, const trophic::measure::Estimate& estimate,
-           const std::optional<trophic::measure::EquivalenceTest>& against_mujoco = {}) {
+  void add(const Subject& subject, const trophic::analysis::Estimate& estimate,
+           const std::optional<trophic::analysis::EquivalenceTest>& against_mujoco = {}) {
     const auto lower = [](const auto& interval) { return interval ? std::optional{interval->lower} : std::nullopt; };
     const auto upper = [](const auto& interval) { return interval ? std::optional{interval->upper} : std::nullopt; };
-    const auto test = against_mujoco.value_or(trophic::measure::EquivalenceTest{});
+    const auto test = against_mujoco.value_or(trophic::analysis::EquivalenceTest{});
     file_.row(subject.part, subject.engine, subject.settings, subject.timestep_s, subject.target_angle_rad, subject.quantity,
               subject.species, subject.group, subject.unit, estimate.mean, lower(estimate.interval), upper(estimate.interval),
               estimate.runs, against_mujoco ? std::optional{test.margin} : std::nullopt, test.difference, lower(test.interval),
@@ -59,7 +59,7 @@ class Csv {
 
 /// "mean [lower, upper]", as much of it as there is.
 [[nodiscard]] inline std::string text(const std::optional<double>& mean,
-                                      const std::optional<trophic::measure::Interval>& interval, double unit, int decimals) {
+                                      const std::optional<trophic::analysis::Interval>& interval, double unit, int decimals) {
   std::string all = mean ? text(unit * *mean, decimals) : "none";
   if (interval) all += " [" + text(unit * interval->lower, decimals) + ", " + text(unit * interval->upper, decimals) + "]";
   return all;

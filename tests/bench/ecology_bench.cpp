@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/agent_log.hpp>
 #include <trophic/observe/event_log.hpp>
 #include <trophic/observe/genome_log.hpp>

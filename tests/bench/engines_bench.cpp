@@ -22,7 +22,7 @@ constexpr std::size_t robots = 30;
 
 template <class B>
 B world(const typename B::Params& params) {
-  const trophic::RobotModel spider = trophic::body::load_robot("spider");
+  const trophic::RobotModel spider = trophic::load_robot("spider");
   const auto starts = trophic::test::lattice(spider, robots, 3.0);
   B backend{spider, trophic::load_arena("walled_square"), starts, trophic::Physics{}, params};
   trophic::test::walk(backend, 0.5);

@@ -16,8 +16,8 @@
 #include <mujoco/worlds.hpp>
 #include <optional>
 #include <string>
-#include <trophic/control/cpg.hpp>
-#include <trophic/control/gait.hpp>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/locomotion/cpg.hpp>
 #include <tuple>
 #include <vector>
 
@@ -74,7 +74,7 @@ trophic::Arena arena_for(std::size_t robots) {
 class World {
  public:
   World(std::size_t robots, Stepping stepping, std::size_t threads) {
-    trophic::control::Gait gait = trophic::control::load_gait("spider_published");
+    trophic::Gait gait = trophic::load_gait("spider_published");
     for (std::size_t i = 0; i < robots; ++i) {
       trophic::Rng rng{5, trophic::Stream::user, i};
       for (double& weight : gait.internal) weight = rng.uniform(-1.0, 1.0);
@@ -87,7 +87,7 @@ class World {
       cpgs_.emplace_back(gait);
       states_.push_back(cpgs_.back().initial_states());
     }
-    const trophic::RobotModel spider = trophic::body::load_robot("spider");
+    const trophic::RobotModel spider = trophic::load_robot("spider");
     const trophic::Arena arena = arena_for(robots);
     const double spacing_m = (2.0 * arena.half_side_m - 1.0) / std::ceil(std::sqrt(static_cast<double>(robots)));
     std::vector<trophic::Pose> starts = trophic::test::lattice(spider, robots, spacing_m);
@@ -120,7 +120,7 @@ class World {
   [[nodiscard]] double bytes() const { return bytes_; }
 
  private:
-  std::vector<trophic::control::Cpg> cpgs_;
+  std::vector<trophic::locomotion::Cpg> cpgs_;
   std::vector<Eigen::MatrixXd> states_;
   std::optional<Mujoco> backend_;
   std::size_t ticks_ = 0;

@@ -11,11 +11,11 @@
 #include <cstddef>
 #include <numbers>
 #include <support/temporary_folder.hpp>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/body/build.hpp>
-#include <trophic/body/load.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/robot.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -56,7 +56,7 @@ std::vector<Pose> one_at(double z_m) {
 
 template <class B>
 double fallen_m() {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   B backend{robot, load_arena("walled_square"), one_at(2.0), Physics{}, {}};
   backend.advance_to(0.5);
   return 2.0 - backend.pose(0).position_m.z();
@@ -64,7 +64,7 @@ double fallen_m() {
 
 template <class B>
 double resting_m() {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   B backend{robot, load_arena("walled_square"), one_at(robot.rest_height_m), Physics{}, {}};
   backend.advance_to(2.0);
   return backend.pose(0).position_m.z();
@@ -121,7 +121,7 @@ struct Collision {
 /// Two robots without weight kick each other.
 template <class B>
 Collision collide(double timestep_s) {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   const std::vector<Pose> starts{{.position_m = {0.0, 0.0, 2.0}}, {.position_m = {0.25, 0.05, 2.08}}};
   B backend{robot, load_arena("walled_square"), starts, with_step(timestep_s, 0.0), {}};
   const auto common_m = [&] { return 0.5 * (centre_of_mass_m(backend, robot, 0) + centre_of_mass_m(backend, robot, 1)); };
@@ -183,7 +183,7 @@ TEST_CASE("resting height") {
 }
 
 TEST_CASE("contact forces carry the weight: MuJoCo's from its solver") {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   Mujoco backend{robot, load_arena("walled_square"), one_at(robot.rest_height_m), Physics{}, {}};
   backend.advance_to(3.0);
   const test::TemporaryFolder folder;
@@ -207,7 +207,7 @@ TEST_CASE("contact forces carry the weight: MuJoCo's from its solver") {
 TEST_CASE("contact forces carry the weight: ODE's from how far its springs are pressed") {
   // With the default of 8 sweeps the springs are pressed 23 % less than the weight asks for: the solver has not converged.
   const Ode::Params params{.sweeps = 100};
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   Ode backend{robot, load_arena("walled_square"), one_at(robot.rest_height_m), Physics{}, params};
   backend.advance_to(3.0);
   const auto frames = link_frames(robot, backend.pose(0), backend.joint_angles(0));

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <span>
 #include <string>
-#include <trophic/arena.hpp>
-#include <trophic/backend/concept.hpp>
-#include <trophic/body/robot_model.hpp>
+#include <trophic/backend/contract.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
 #include <utility>
 #include <vector>
 

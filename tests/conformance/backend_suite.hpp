@@ -14,12 +14,13 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/arena_load.hpp>
-#include <trophic/backend/concept.hpp>
-#include <trophic/body/ground_pose.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/control/cpg.hpp>
-#include <trophic/control/gait.hpp>
+#include <trophic/backend/contract.hpp>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/locomotion/cpg.hpp>
 #include <vector>
 
 namespace trophic::conformance {
@@ -27,7 +28,7 @@ namespace trophic::conformance {
 /// The spider in the walled square, with one backend and its default Params. Robots stand far from each other.
 template <Backend B>
 struct World {
-  RobotModel robot = body::load_robot("spider");
+  RobotModel robot = load_robot("spider");
   Arena arena = load_arena("walled_square");
   Physics physics;
   typename B::Params params;
@@ -48,7 +49,7 @@ struct World {
 /// exactly as the original would.
 class Driver {
  public:
-  explicit Driver(std::size_t robots) : cpg_{control::load_gait("spider_published")}, states_{cpg_.initial_states(robots)} {}
+  explicit Driver(std::size_t robots) : cpg_{load_gait("spider_published")}, states_{cpg_.initial_states(robots)} {}
 
   template <Backend B>
   void drive(B& backend, double until_s) {
@@ -69,7 +70,7 @@ class Driver {
   }
 
  private:
-  control::Cpg cpg_;
+  locomotion::Cpg cpg_;
   Eigen::MatrixXd states_;
   std::size_t tick_ = 0;
 };

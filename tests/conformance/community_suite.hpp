@@ -3,7 +3,7 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <trophic/community/concept.hpp>
+#include <trophic/community/contract.hpp>
 
 TEST_CASE_TEMPLATE_DEFINE("community", Policy, trophic_community_suite) {
   using namespace trophic;

@@ -5,8 +5,10 @@
 
 #include <conformance/policy_suite.hpp>
 #include <numbers>
-#include <trophic/control/concept.hpp>
-#include <trophic/rule_error.hpp>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/control/decision_order/contract.hpp>
+#include <trophic/control/steering/contract.hpp>
+#include <trophic/support/rule_error.hpp>
 #include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
@@ -41,7 +43,6 @@ TEST_CASE_TEMPLATE_DEFINE("decision order", Policy, trophic_decision_order_suite
 
 TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
   using namespace trophic;
-  using control::Side;
   static_assert(control::Steering<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();

@@ -7,7 +7,14 @@
 #include <functional>
 #include <optional>
 #include <set>
-#include <trophic/death/concept.hpp>
+#include <trophic/death/activation/contract.hpp>
+#include <trophic/death/capture/contract.hpp>
+#include <trophic/death/floor/contract.hpp>
+#include <trophic/death/reprieve/contract.hpp>
+#include <trophic/death/rescue/contract.hpp>
+#include <trophic/death/senescence/contract.hpp>
+#include <trophic/death/starvation/contract.hpp>
+#include <trophic/death/starvation_schedule/contract.hpp>
 #include <utility>
 #include <vector>
 

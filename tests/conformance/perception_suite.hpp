@@ -7,7 +7,12 @@
 #include <conformance/policy_suite.hpp>
 #include <numbers>
 #include <optional>
-#include <trophic/perception/concept.hpp>
+#include <trophic/perception/blind_rule/contract.hpp>
+#include <trophic/perception/heading/contract.hpp>
+#include <trophic/perception/newborn_tag/contract.hpp>
+#include <trophic/perception/sensors/contract.hpp>
+#include <trophic/perception/tag_switch/contract.hpp>
+#include <trophic/perception/visibility/contract.hpp>
 
 TEST_CASE_TEMPLATE_DEFINE("heading", Policy, trophic_heading_suite) {
   using namespace trophic;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <trophic/placement/concept.hpp>
+#include <trophic/placement/contract.hpp>
 #include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("placement", Policy, trophic_placement_suite) {

@@ -15,10 +15,10 @@
 #include <stdexcept>
 #include <string_view>
 #include <support/hand_population.hpp>
-#include <trophic/params.hpp>
-#include <trophic/rng.hpp>
-#include <trophic/rules.hpp>
-#include <trophic/units.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/rules/table.hpp>
+#include <trophic/support/rng.hpp>
+#include <trophic/support/units.hpp>
 #include <type_traits>
 #include <utility>
 

@@ -6,7 +6,11 @@
 #include <conformance/policy_suite.hpp>
 #include <memory>
 #include <optional>
-#include <trophic/reproduction/concept.hpp>
+#include <trophic/reproduction/genome_source/contract.hpp>
+#include <trophic/reproduction/heredity/contract.hpp>
+#include <trophic/reproduction/initial_genome/contract.hpp>
+#include <trophic/reproduction/mutation/contract.hpp>
+#include <trophic/reproduction/parent/contract.hpp>
 #include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite) {

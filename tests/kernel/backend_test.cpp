@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -72,7 +72,7 @@ double largest_difference(const Mujoco& a, const Mujoco& b) {
 /// Largest difference of any coordinate after a walk, between fast stepping and one model.
 double disagreement(const std::string& name, std::size_t robots, double side_m, double duration_s, double half_side_m = 10.0,
                     BoxDepth depth = BoxDepth::engine) {
-  const RobotModel robot = body::load_robot(name);
+  const RobotModel robot = load_robot(name);
   Arena arena;
   arena.half_side_m = half_side_m;
   arena.extent_m = 2 * half_side_m;
@@ -113,7 +113,7 @@ namespace {
 /// Walks 14 robots with several numbers of threads, and from a saved state.
 void check_threads_and_restore(const std::string& name, const Arena& arena, const Physics& physics,
                                BoxDepth depth = BoxDepth::engine) {
-  const RobotModel robot = body::load_robot(name);
+  const RobotModel robot = load_robot(name);
   const std::vector<Pose> starts = square(robot, 14, 2.5);
   Mujoco one{robot, arena, starts, physics, {.threads = 1, .box_depth = depth}};
   const Mujoco::State expected = walk(one, robot.hinges.size(), 2.0);

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <trophic/backend/mujoco/lane_step.hpp>
-#include <trophic/body/load.hpp>
+#include <trophic/load/robot.hpp>
 
 #include "kernel/reference.hpp"
 
@@ -43,7 +43,7 @@ struct Tally {
 /// Companies of `robots` in lanes 1, 2, ... beside a robot of another company in lane 0.
 Tally compare_companies(const std::string& name, const Physics& physics, std::size_t robots, std::size_t companies,
                         BoxDepth depth = BoxDepth::engine) {
-  const RobotModel robot = body::load_robot(name);
+  const RobotModel robot = load_robot(name);
   const Arena arena;
   Reference one{robot, arena, physics, 0.0, depth};
   CompiledModel compiled{robot,
@@ -130,7 +130,7 @@ TEST_CASE("so they do with the whole depth between boxes") {
 
 TEST_CASE("lanes are filled with whole groups, each robot once") {
   Rng rng{32, Stream::user};
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   CompiledModel model{robot, Arena{}, Physics{}, reference_scene(), 1, 1};
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<std::vector<std::size_t>> groups;

@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <trophic/backend/mujoco/kernel/box_contact.hpp>
 #include <trophic/backend/mujoco/kernel/symmetric_system.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -4,8 +4,8 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <trophic/arena_load.hpp>
-#include <trophic/body/load.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/robot.hpp>
 #include <vector>
 
 #include "kernel/reference.hpp"
@@ -50,7 +50,7 @@ struct Differences {
 
 Differences compare_random_states(const std::string& name, const Physics& physics, std::size_t groups) {
   const Arena arena = load_arena("height_field");
-  const RobotModel robot = body::load_robot(name);
+  const RobotModel robot = load_robot(name);
   Reference reference{robot, arena, physics};
   const kernel::KernelModel& model = reference.constants;
   kernel::Workspace work{model};
@@ -107,7 +107,7 @@ TEST_CASE("contacts of a robot's boxes with a height field are those of mj_colli
   const Arena arena = load_arena("height_field");
   std::size_t total = 0;
   for (const std::string name : {"spider_released", "gecko"}) {
-    const RobotModel robot = body::load_robot(name);
+    const RobotModel robot = load_robot(name);
     Reference reference{robot, arena, {}};
     const mjModel& model = reference.model;
     kernel::FieldCollider collider{model, reference.constants.field.value().geom};
@@ -150,7 +150,7 @@ TEST_CASE("contacts of a robot's boxes with a height field are those of mj_colli
 
 TEST_CASE("the highest node near a point bounds the ground there") {
   const Arena arena = load_arena("height_field");
-  const RobotModel robot = body::load_robot("gecko");
+  const RobotModel robot = load_robot("gecko");
   const Reference reference{robot, arena, {}};
   const kernel::FieldCollider collider{reference.model, reference.constants.field.value().geom};
   CHECK(collider.highest_m(0.0, 0.0, 0.1) == 0.0);
@@ -162,7 +162,7 @@ TEST_CASE("the highest node near a point bounds the ground there") {
 
 TEST_CASE("a box that lies along the world's axes is left to MuJoCo where it touches the height field") {
   const Arena arena = load_arena("height_field");
-  const RobotModel robot = body::load_robot("gecko");
+  const RobotModel robot = load_robot("gecko");
   Reference reference{robot, arena, {}};
   kernel::Workspace work{reference.constants};
   kernel::LaneState lanes{reference.constants};

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <trophic/body/load.hpp>
+#include <trophic/load/robot.hpp>
 
 #include "kernel/random_robot.hpp"
 #include "kernel/reference.hpp"
@@ -81,7 +81,7 @@ void compare_random_states(const RobotModel& robot, const Physics& physics, std:
 void check_robot(const std::string& name, const Physics& physics, std::size_t groups, double joint_damping = 0.0) {
   Rng rng{1, Stream::user};
   Comparison comparison;
-  compare_random_states(body::load_robot(name), physics, groups, rng, comparison, joint_damping);
+  compare_random_states(load_robot(name), physics, groups, rng, comparison, joint_damping);
   comparison.report(name);
   CHECK(comparison.agrees());
   CHECK(comparison.steps > groups * 3);

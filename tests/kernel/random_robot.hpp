@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <trophic/body/build.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/support/rng.hpp>
 
 namespace trophic::test {
 

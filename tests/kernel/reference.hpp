@@ -8,12 +8,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <trophic/arena.hpp>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
-#include <trophic/body/robot_model.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 namespace trophic::test {

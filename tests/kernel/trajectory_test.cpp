@@ -2,7 +2,7 @@
 // The kernel against mj_step over whole walks, and what must not change them.
 #include <doctest/doctest.h>
 
-#include <trophic/body/load.hpp>
+#include <trophic/load/robot.hpp>
 
 #include "kernel/reference.hpp"
 
@@ -93,7 +93,7 @@ std::vector<Gait> random_gaits(const RobotModel& robot, std::size_t n, std::uint
 }
 
 void compare_walks(const std::string& name, std::size_t robots, double duration_s) {
-  const RobotModel robot = body::load_robot(name);
+  const RobotModel robot = load_robot(name);
   const std::vector<Gait> gaits = random_gaits(robot, robots, 11);
   const auto ticks = static_cast<int>(duration_s * 60.0);
   Walk walk{robot, gaits};
@@ -131,7 +131,7 @@ TEST_CASE("a long walk is MuJoCo's") {
 }
 
 TEST_CASE("neither company nor instruction set nor lane changes a bit of a robot's walk") {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   const std::vector<Gait> gaits = random_gaits(robot, 13, 12);
   Walk together{robot, gaits};
   Walk shuffled{robot, gaits};
@@ -154,7 +154,7 @@ TEST_CASE("neither company nor instruction set nor lane changes a bit of a robot
 }
 
 TEST_CASE("the first guess of the rows that push changes no bit of a robot's walk") {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   const std::vector<Gait> gaits = random_gaits(robot, 12, 13);
   Walk usual{robot, gaits};
   Walk forgetful{robot, gaits};

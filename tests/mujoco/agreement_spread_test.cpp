@@ -6,7 +6,7 @@
 using trophic::backend::Mujoco;
 
 TEST_CASE("30 robots that never touch move alike in islands and in one model for 20 s") {
-  const trophic::RobotModel spider = trophic::body::load_robot("spider");
+  const trophic::RobotModel spider = trophic::load_robot("spider");
   const trophic::Arena arena = trophic::load_arena("walled_square");
   std::vector<trophic::Pose> starts = trophic::test::lattice(spider, 30, 3.1);
   starts[29] = trophic::test::standing(spider, 9.85, -9.8, 0.4);  // walks against two walls

@@ -14,9 +14,9 @@
 #include <span>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -11,7 +11,7 @@ using backend::Mujoco;
 
 namespace {
 
-const RobotModel spider = body::load_robot("spider");
+const RobotModel spider = load_robot("spider");
 const Arena square = load_arena("walled_square");
 
 std::vector<Mujoco::Params> all_ways() {

@@ -4,12 +4,13 @@
 
 #include <cmath>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/evolve/measure_walk.hpp>
-#include <trophic/habitat.hpp>
+#include <trophic/gait_evolution/measure_walk.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/load/gait.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 
-namespace evolve = trophic::evolve;
+namespace gait_evolution = trophic::gait_evolution;
 
 namespace {
 
@@ -20,9 +21,9 @@ constexpr double turn_tolerance = 0.08;
 /// Holds the walk of a world's robot file against one measured with the world's gait and physics.
 void check_walk(const trophic::World& world, const trophic::Physics& physics) {
   const trophic::Habitat habitat = trophic::load_habitat(world);
-  CHECK(habitat.gait.name == trophic::control::load_gait(habitat.robot.gait).name);
-  const trophic::MeasuredWalk measured = evolve::measure_walk<trophic::backend::Mujoco>(
-      habitat.robot, habitat.gait, trophic::control::TargetedSteering{},
+  CHECK(habitat.gait.name == trophic::load_gait(habitat.robot.gait).name);
+  const trophic::MeasuredWalk measured = gait_evolution::measure_walk<trophic::backend::Mujoco>(
+      habitat.robot, habitat.gait, trophic::control::steering::TargetedSteering{},
       {.control_hz = world.control_hz, .cpg_integration = world.cpg_integration}, physics, {}, 8);
   MESSAGE(habitat.robot.name << ": " << measured.speed_m_s << " m/s, " << measured.turn_rate_per_rad << " rad/s per rad");
   const trophic::MeasuredWalk& stated = habitat.robot.walk;

@@ -33,7 +33,7 @@ engine::ModelPtr load(const std::filesystem::path& path) {
 TEST_CASE("masses, centres of mass and inertias in MuJoCo are the robot's") {
   for (const char* name : {"spider", "spider_released", "gecko"}) {
     CAPTURE(name);
-    const RobotModel robot = body::load_robot(name);
+    const RobotModel robot = load_robot(name);
     const engine::CompiledModel compiled{robot, load_arena("walled_square"), {}, {}, 2, 1};
     const mjModel& model = compiled.model();
     double whole_kg = 0.0;
@@ -55,7 +55,7 @@ TEST_CASE("masses, centres of mass and inertias in MuJoCo are the robot's") {
 }
 
 TEST_CASE("physics and contacts are as stated") {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   const Physics physics{.timestep_s = 0.012, .integrator = Integrator::rk4, .gravity_m_s2 = 1.62};
   Arena arena = load_arena("walled_square");
   arena.friction = 0.7;
@@ -80,7 +80,7 @@ TEST_CASE("physics and contacts are as stated") {
 }
 
 TEST_CASE("pairs and MuJoCo's own sweep, combined and separate servos give the same motion") {
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   const Arena arena = load_arena("walled_square");
   engine::CompiledModel one{robot, arena, {}, {.collisions = engine::Collisions::pairs, .servos = engine::Servos::combined},
                             2,     1};
@@ -101,7 +101,7 @@ TEST_CASE("pairs and MuJoCo's own sweep, combined and separate servos give the s
 
 TEST_CASE("a saved world opens in MuJoCo and goes on as ours") {
   const test::TemporaryFolder folder;
-  const RobotModel robot = body::load_robot("gecko");
+  const RobotModel robot = load_robot("gecko");
   for (const char* arena_name : {"walled_square", "height_field"}) {
     CAPTURE(arena_name);
     const Arena arena = load_arena(arena_name);
@@ -136,7 +136,7 @@ TEST_CASE("MuJoCo's height field is the arena's") {
   HeightField& field = *arena.height_field;
   field.height_m[3 * field.nodes + 5] = 2.5;  // row y 3, column x 5
   for (double& height_m : field.height_m) height_m += 0.5;
-  const RobotModel robot = body::load_robot("spider");
+  const RobotModel robot = load_robot("spider");
   const engine::CompiledModel compiled{robot, arena, {}, {}, 1, 1};
   const mjModel& model = compiled.model();
   REQUIRE(model.nhfield == 1);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 #include <trophic/backend/clusters.hpp>
-#include <trophic/backend/thread_pool.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/support/rng.hpp>
+#include <trophic/support/thread_pool.hpp>
 #include <vector>
 
 using namespace trophic::backend;

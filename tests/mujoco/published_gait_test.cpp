@@ -5,31 +5,32 @@
 
 #include <string>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/evolve/tables.hpp>
-#include <trophic/evolve/trial.hpp>
+#include <trophic/gait_evolution/tables.hpp>
+#include <trophic/gait_evolution/trial.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/load/robot.hpp>
 
-namespace evolve = trophic::evolve;
+namespace gait_evolution = trophic::gait_evolution;
 
 namespace {
 
-using Numbers = evolve::Numbers<evolve::Released, trophic::backend::Mujoco>;
+using Numbers = gait_evolution::Numbers<gait_evolution::Released, trophic::backend::Mujoco>;
 
 /// Mean fitness, m, of starts up to 1 mm above the floor: the height at which the released code begins is not recorded, and
 /// contacts make walking chaotic (standard deviation 13 mm).
 double mean_fitness(const std::string& robot_name, double exponent, int starts) {
-  trophic::RobotModel robot = trophic::body::load_robot(robot_name);
+  trophic::RobotModel robot = trophic::load_robot(robot_name);
   const double rest_height_m = robot.rest_height_m;
-  const trophic::control::Gait gait = trophic::control::load_gait("spider_published");
+  const trophic::Gait gait = trophic::load_gait("spider_published");
   const Numbers numbers;
-  const evolve::DisplacementMinusX fitness{numbers.fitness};
-  const trophic::control::TargetedSteering steering{{.exponent = exponent}};
+  const gait_evolution::DisplacementMinusX fitness{numbers.fitness};
+  const trophic::control::steering::TargetedSteering steering{{.exponent = exponent}};
   double sum_m = 0.0;
   for (int start = 0; start < starts; ++start) {
     robot.rest_height_m = rest_height_m + 0.001 * start / starts;
-    sum_m += fitness.fitness([&](const evolve::Pilot& pilot, double start_turn_rad) {
-      return evolve::try_out<trophic::backend::Mujoco>(robot, gait, steering, numbers.trial, numbers.physics, numbers.backend,
-                                                       pilot, start_turn_rad);
+    sum_m += fitness.fitness([&](const gait_evolution::Pilot& pilot, double start_turn_rad) {
+      return gait_evolution::try_out<trophic::backend::Mujoco>(robot, gait, steering, numbers.trial, numbers.physics,
+                                                               numbers.backend, pilot, start_turn_rad);
     });
   }
   const double mean_m = sum_m / starts;

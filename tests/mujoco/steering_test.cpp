@@ -6,11 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/body/ground_pose.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/control/locomotion.hpp>
+#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/locomotion/locomotion.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -28,12 +29,12 @@ struct Walk {
 constexpr std::array<double, 3> target_angles_rad{-0.7, 0.0, 0.7};
 
 std::array<Walk, 3> walk_60_s(const char* robot_name, const Physics& physics) {
-  const RobotModel robot = body::load_robot(robot_name);
+  const RobotModel robot = load_robot(robot_name);
   std::vector<Pose> starts(3);
   for (std::size_t i = 0; i < 3; ++i) starts[i].position_m = {0.0, 6.0 * (static_cast<double>(i) - 1.0), robot.rest_height_m};
   backend::Mujoco backend{robot, load_arena("walled_square"), starts, physics, {}};
-  control::Locomotion<control::TargetedSteering> locomotion{robot, control::load_gait("spider_published"), {}, 3,
-                                                            60.0,  control::CpgIntegration::exact};
+  locomotion::Locomotion<control::steering::TargetedSteering> locomotion{robot, load_gait("spider_published"),    {}, 3,
+                                                                         60.0,  locomotion::CpgIntegration::exact};
 
   constexpr std::size_t samples = 600;  // every 0.1 s
   constexpr std::size_t window = 100;   // 10 s

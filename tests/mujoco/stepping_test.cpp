@@ -8,7 +8,7 @@ using backend::Mujoco;
 
 namespace {
 
-const RobotModel spider = body::load_robot("spider");
+const RobotModel spider = load_robot("spider");
 const Arena square = load_arena("walled_square");
 constexpr Physics released{.timestep_s = 0.012, .integrator = Integrator::rk4};
 
@@ -77,7 +77,7 @@ TEST_CASE("RK4 at 0.012 s moves alike both ways") {
 }
 
 TEST_CASE("the released physics on the released height field") {
-  const RobotModel heavy = body::load_robot("spider_released");
+  const RobotModel heavy = load_robot("spider_released");
   const Arena slopes = load_arena("height_field");
   std::vector<Pose> starts = test::lattice(heavy, 9, 2.0);
   starts[8] = test::standing(heavy, 9.1, 3.0, 0.0);  // near the foot of the slope

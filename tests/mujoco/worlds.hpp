@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <numbers>
 #include <span>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 namespace trophic::test {

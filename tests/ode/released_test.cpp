@@ -9,7 +9,7 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/ode.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/rules/released.hpp>

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <trophic/backend/ode/compliance.hpp>
 #include <trophic/backend/ode/robot.hpp>
-#include <trophic/body/load.hpp>
+#include <trophic/load/robot.hpp>
 #include <vector>
 
 namespace ode = trophic::backend::ode;
@@ -16,7 +16,7 @@ TEST_CASE("bodies have the model's masses and inertias to 1e-9") {
   const ode::EngineGuard guard;
   for (const char* name : {"spider", "gecko"}) {
     CAPTURE(name);
-    const trophic::RobotModel model = trophic::body::load_robot(name);
+    const trophic::RobotModel model = trophic::load_robot(name);
     const ode::WorldPtr world{dWorldCreate()};
     const ode::Robot robot{world.get(), model, {}, 0.0012};
     REQUIRE(robot.bodies().size() == model.links.size());
@@ -38,7 +38,7 @@ TEST_CASE("bodies have the model's masses and inertias to 1e-9") {
 
 TEST_CASE("boxes stand where the model says") {
   const ode::EngineGuard guard;
-  const trophic::RobotModel model = trophic::body::load_robot("gecko");
+  const trophic::RobotModel model = trophic::load_robot("gecko");
   const ode::WorldPtr world{dWorldCreate()};
   ode::Robot robot{world.get(), model, {}, 0.0012};
   const trophic::Pose root{.position_m = {1.0, -2.0, 0.5},
@@ -74,7 +74,7 @@ TEST_CASE("boxes stand where the model says") {
 
 TEST_CASE("links that a hinge joins do not touch each other, all others may") {
   const ode::EngineGuard guard;
-  const trophic::RobotModel model = trophic::body::load_robot("spider");
+  const trophic::RobotModel model = trophic::load_robot("spider");
   const ode::WorldPtr world{dWorldCreate()};
   const ode::Robot robot{world.get(), model, {}, 0.0012};
   CHECK(robot.geoms().size() == 17);

@@ -5,19 +5,19 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/ode.hpp>
-#include <trophic/body/load.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/robot.hpp>
 #include <vector>
 
 namespace trophic::test {
 
 struct OdeWorld {
-  RobotModel robot = body::load_robot("spider");
+  RobotModel robot = load_robot("spider");
   Arena arena = load_arena("walled_square");
   Physics physics;
   backend::Ode::Params params;
-  std::vector<Pose> starts{{.position_m = {0.0, 0.0, body::load_robot("spider").rest_height_m}}};
+  std::vector<Pose> starts{{.position_m = {0.0, 0.0, load_robot("spider").rest_height_m}}};
 
   [[nodiscard]] backend::Ode make() const { return backend::Ode{robot, arena, starts, physics, params}; }
 };

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <trophic/settings.hpp>
+#include <trophic/params/settings.hpp>
 #include <vector>
 
 namespace trophic::test {

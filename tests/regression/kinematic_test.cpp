@@ -6,7 +6,7 @@
 #include <regression/golden.hpp>
 #include <string>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>

@@ -7,7 +7,7 @@
 #include <limits>
 #include <regression/golden.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/event_log.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>

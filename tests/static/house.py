@@ -34,7 +34,7 @@ def engine_free_core():
 
 def rule_free_backends():
     """A backend knows bodies and arenas, never a rule of the ecology."""
-    named = r"\b(predator|prey|starv\w*|hunger|(perception|reproduction|death|rules|measure)(::|/\w+\.hpp)|ecology\.hpp|population\.hpp)"
+    named = r"\b(predator|prey|starv\w*|hunger|(perception|reproduction|death|rules|analysis)(::|/[\w/]+\.hpp)|ecology\.hpp|population\.hpp)"
     return lines_with(named, [path for path in sources("backends") if "tests" not in path.parts])
 
 
@@ -65,8 +65,8 @@ def header_start():
 def policies_have_tests():
     """Each policy and each metric has a test file of its name."""
     tests = {path.name for path in (ROOT / "tests").rglob("*_test.cpp")}
-    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "measure")]
-    policies = [path for path in sources(*folders) if path.stem != "concept" and "detail" not in path.parts]
+    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "analysis")]
+    policies = [path for path in sources(*folders) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
     return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
 
 

@@ -9,12 +9,12 @@
 #include <numbers>
 #include <optional>
 #include <span>
-#include <trophic/arena.hpp>
-#include <trophic/food_web.hpp>
-#include <trophic/individual.hpp>
-#include <trophic/rng.hpp>
-#include <trophic/units.hpp>
-#include <trophic/view.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/population/food_web.hpp>
+#include <trophic/population/individual.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/support/rng.hpp>
+#include <trophic/support/units.hpp>
 #include <utility>
 #include <vector>
 

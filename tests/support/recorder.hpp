@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 #include <trophic/observe/event.hpp>
-#include <trophic/params.hpp>
-#include <trophic/view.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/population/view.hpp>
 #include <vector>
 
 namespace trophic::test {

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <vector>
 
 namespace trophic::test {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
-#include <trophic/spatial_grid.hpp>
+#include <trophic/population/spatial_grid.hpp>
 #include <vector>
 
 namespace trophic::backend {

@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/arena.hpp>
-#include <trophic/backend/concept.hpp>
-#include <trophic/body/ground_pose.hpp>
-#include <trophic/body/robot_model.hpp>
-#include <trophic/params.hpp>
-#include <trophic/units.hpp>
+#include <trophic/backend/contract.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/units.hpp>
 #include <tuple>
 #include <vector>
 

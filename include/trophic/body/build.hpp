@@ -11,9 +11,9 @@
 #include <string>
 #include <string_view>
 #include <trophic/body/module.hpp>
-#include <trophic/body/robot_model.hpp>
-#include <trophic/body/validate.hpp>
-#include <trophic/params.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/habitat/validate_robot.hpp>
+#include <trophic/params/params.hpp>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/params.hpp>
+#include <trophic/params/params.hpp>
 #include <tuple>
 #include <vector>
 

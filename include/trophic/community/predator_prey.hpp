@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/community/concept.hpp>
-#include <trophic/params.hpp>
+#include <trophic/community/contract.hpp>
+#include <trophic/params/params.hpp>
 #include <tuple>
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <trophic/observe/csv.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
 
 namespace trophic::observe {
 

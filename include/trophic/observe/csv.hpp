@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/params.hpp>
+#include <trophic/params/params.hpp>
 #include <type_traits>
 
 namespace trophic::observe {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <trophic/individual.hpp>
+#include <trophic/population/individual.hpp>
 
 namespace trophic::observe {
 

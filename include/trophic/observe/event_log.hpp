@@ -6,7 +6,7 @@
 #include <optional>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/event.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
 
 namespace trophic::observe {
 

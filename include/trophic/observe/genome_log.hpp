@@ -8,7 +8,7 @@
 #include <string>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/event.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
 
 namespace trophic::observe {
 

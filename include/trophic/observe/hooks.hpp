@@ -5,7 +5,7 @@
 #include <string_view>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/run.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
 #include <tuple>
 #include <utility>
 

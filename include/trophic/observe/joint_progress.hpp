@@ -14,7 +14,7 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/tally.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
 #include <utility>
 
 namespace trophic::observe {

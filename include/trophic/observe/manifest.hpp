@@ -12,8 +12,8 @@
 #include <string_view>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/tally.hpp>
+#include <trophic/population/view.hpp>
 #include <trophic/version.hpp>
-#include <trophic/view.hpp>
 #include <utility>
 #include <variant>
 #include <vector>

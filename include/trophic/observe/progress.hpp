@@ -12,7 +12,7 @@
 #include <string_view>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/tally.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
 
 namespace trophic::observe {
 

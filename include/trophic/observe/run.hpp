@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <trophic/settings.hpp>
+#include <trophic/params/settings.hpp>
 #include <utility>
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numeric>
 #include <trophic/observe/event.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
 
 namespace trophic::observe {
 

@@ -3,9 +3,18 @@
 #pragma once
 
 #include <optional>
-#include <trophic/perception/concept.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/support/units.hpp>
 
 namespace trophic::perception {
+
+/// An individual's adversary: the closest opponent that it perceives (Sec. "Inputs").
+struct Sighting {
+  BodyIndex self = 0;
+  BodyIndex adversary = 0;
+  double distance_m = 0.0;
+  double bearing_rad = 0.0;  ///< 0 ahead, positive to the right, in [-pi, pi)
+};
 
 /// The adversary of `self`: "the closest observable robot of the opposite species" (Sec. "Inputs"); with more than two
 /// species, of any species that eats its own or that its own eats. On equal distance the lower body

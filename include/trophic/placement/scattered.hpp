@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/params.hpp>
-#include <trophic/placement/concept.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/placement/contract.hpp>
 #include <vector>
 
 namespace trophic::placement {

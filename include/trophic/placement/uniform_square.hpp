@@ -6,8 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
-#include <trophic/params.hpp>
-#include <trophic/placement/concept.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/placement/contract.hpp>
 #include <tuple>
 #include <vector>
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <trophic/rng.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 namespace trophic::replicates {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>

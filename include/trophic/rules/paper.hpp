@@ -3,37 +3,37 @@
 #pragma once
 
 #include <string_view>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/community/predator_prey.hpp>
-#include <trophic/control/cognitive_brain.hpp>
-#include <trophic/control/decide_together.hpp>
-#include <trophic/control/targeted_steering.hpp>
-#include <trophic/death/active_away_from_hunters.hpp>
-#include <trophic/death/catch_within_reach.hpp>
-#include <trophic/death/crowding_interval.hpp>
-#include <trophic/death/hungriest_starves.hpp>
-#include <trophic/death/near_perceived_victim.hpp>
-#include <trophic/death/no_senescence.hpp>
-#include <trophic/death/sacrifice_random_victim.hpp>
-#include <trophic/death/victim_floor.hpp>
-#include <trophic/perception/blind_sees_nothing.hpp>
-#include <trophic/perception/distance_over_terrain.hpp>
-#include <trophic/perception/forward_axis_heading.hpp>
-#include <trophic/perception/keeps_body_tag.hpp>
-#include <trophic/perception/same_tag.hpp>
-#include <trophic/perception/side_of_adversary.hpp>
-#include <trophic/perception/tag_cool_down.hpp>
-#include <trophic/perception/tag_ratio_of_all.hpp>
+#include <trophic/control/brain/cognitive_brain.hpp>
+#include <trophic/control/decision_order/decide_together.hpp>
+#include <trophic/control/steering/targeted_steering.hpp>
+#include <trophic/death/activation/active_away_from_hunters.hpp>
+#include <trophic/death/capture/catch_within_reach.hpp>
+#include <trophic/death/floor/victim_floor.hpp>
+#include <trophic/death/reprieve/near_perceived_victim.hpp>
+#include <trophic/death/rescue/sacrifice_random_victim.hpp>
+#include <trophic/death/senescence/no_senescence.hpp>
+#include <trophic/death/starvation/hungriest_starves.hpp>
+#include <trophic/death/starvation_schedule/crowding_interval.hpp>
+#include <trophic/ecology/world.hpp>
+#include <trophic/perception/blind_rule/blind_sees_nothing.hpp>
+#include <trophic/perception/heading/forward_axis_heading.hpp>
+#include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
+#include <trophic/perception/sensors/distance_over_terrain.hpp>
+#include <trophic/perception/sensors/side_of_adversary.hpp>
+#include <trophic/perception/sensors/tag_ratio_of_all.hpp>
+#include <trophic/perception/tag_switch/tag_cool_down.hpp>
+#include <trophic/perception/visibility/same_tag.hpp>
 #include <trophic/placement/scattered.hpp>
-#include <trophic/reproduction/killer.hpp>
-#include <trophic/reproduction/nearest_victim.hpp>
-#include <trophic/reproduction/no_parent.hpp>
-#include <trophic/reproduction/normal_mutation.hpp>
-#include <trophic/reproduction/own_copy.hpp>
-#include <trophic/reproduction/random_or_inherited.hpp>
-#include <trophic/reproduction/uniform_weights.hpp>
-#include <trophic/rules.hpp>
-#include <trophic/world.hpp>
+#include <trophic/reproduction/genome_source/random_or_inherited.hpp>
+#include <trophic/reproduction/heredity/own_copy.hpp>
+#include <trophic/reproduction/initial_genome/uniform_weights.hpp>
+#include <trophic/reproduction/mutation/normal_mutation.hpp>
+#include <trophic/reproduction/parent/killer.hpp>
+#include <trophic/reproduction/parent/nearest_victim.hpp>
+#include <trophic/reproduction/parent/no_parent.hpp>
+#include <trophic/rules/table.hpp>
 
 namespace trophic::rules {
 
@@ -49,35 +49,35 @@ struct Paper {
   using Community = community::PredatorPrey;
   using Placement = placement::Scattered;
 
-  using Heading = perception::ForwardAxisHeading;
-  using Visibility = perception::SameTag;
-  using AngleInput = perception::SideOfAdversary;
-  using DistanceInput = perception::DistanceOverTerrain;
-  using TagRatioInput = perception::TagRatioOfAll;
-  using BlindRule = perception::BlindSeesNothing;
-  using NewbornTag = perception::KeepsBodyTag;
-  using TagSwitch = perception::TagCoolDown;
-  using Brain = control::CognitiveBrain;
-  using DecisionOrder = control::DecideTogether;
-  using Steering = control::TargetedSteering;
+  using Heading = perception::heading::ForwardAxisHeading;
+  using Visibility = perception::visibility::SameTag;
+  using AngleInput = perception::sensors::SideOfAdversary;
+  using DistanceInput = perception::sensors::DistanceOverTerrain;
+  using TagRatioInput = perception::sensors::TagRatioOfAll;
+  using BlindRule = perception::blind_rule::BlindSeesNothing;
+  using NewbornTag = perception::newborn_tag::KeepsBodyTag;
+  using TagSwitch = perception::tag_switch::TagCoolDown;
+  using Brain = control::brain::CognitiveBrain;
+  using DecisionOrder = control::decision_order::DecideTogether;
+  using Steering = control::steering::TargetedSteering;
 
-  using InitialGenome = reproduction::UniformWeights;
-  using GenomeSource = reproduction::RandomOrInherited;
-  using CaptureParent = reproduction::Killer;
-  using StarvationParent = reproduction::NearestVictim;
-  using RescueParent = reproduction::NoParent;
-  using Heredity = reproduction::OwnCopy;
-  using Mutation = reproduction::NormalMutation;
+  using InitialGenome = reproduction::initial_genome::UniformWeights;
+  using GenomeSource = reproduction::genome_source::RandomOrInherited;
+  using CaptureParent = reproduction::parent::Killer;
+  using StarvationParent = reproduction::parent::NearestVictim;
+  using RescueParent = reproduction::parent::NoParent;
+  using Heredity = reproduction::heredity::OwnCopy;
+  using Mutation = reproduction::mutation::NormalMutation;
 
-  using Activation = death::ActiveAwayFromHunters;
-  using Capture = death::CatchWithinReach;
-  using Floor = death::VictimFloor;
-  using StarvationSchedule = death::CrowdingInterval;
-  using Reprieve = death::NearPerceivedVictim;
-  using Starvation = death::HungriestStarves;
-  using Rescue = death::SacrificeRandomVictim;
-  using Senescence = death::NoSenescence;
-  using SenescenceParent = reproduction::NoParent;
+  using Activation = death::activation::ActiveAwayFromHunters;
+  using Capture = death::capture::CatchWithinReach;
+  using Floor = death::floor::VictimFloor;
+  using StarvationSchedule = death::starvation_schedule::CrowdingInterval;
+  using Reprieve = death::reprieve::NearPerceivedVictim;
+  using Starvation = death::starvation::HungriestStarves;
+  using Rescue = death::rescue::SacrificeRandomVictim;
+  using Senescence = death::senescence::NoSenescence;
+  using SenescenceParent = reproduction::parent::NoParent;
 
   static World world() { return {}; }
   static Physics physics() { return {}; }

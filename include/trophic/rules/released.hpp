@@ -3,20 +3,20 @@
 #pragma once
 
 #include <string_view>
-#include <trophic/control/decide_in_turn.hpp>
-#include <trophic/death/catch_closest.hpp>
-#include <trophic/death/near_remembered_adversary.hpp>
-#include <trophic/perception/blind_keeps_outputs.hpp>
-#include <trophic/perception/distance_over_scale.hpp>
-#include <trophic/perception/root_yaw_heading.hpp>
-#include <trophic/perception/side_away_from_hunter.hpp>
-#include <trophic/perception/tag_ratio_of_active.hpp>
-#include <trophic/perception/tag_sampling.hpp>
+#include <trophic/control/decision_order/decide_in_turn.hpp>
+#include <trophic/death/capture/catch_closest.hpp>
+#include <trophic/death/reprieve/near_remembered_adversary.hpp>
+#include <trophic/perception/blind_rule/blind_keeps_outputs.hpp>
+#include <trophic/perception/heading/root_yaw_heading.hpp>
+#include <trophic/perception/sensors/distance_over_scale.hpp>
+#include <trophic/perception/sensors/side_away_from_hunter.hpp>
+#include <trophic/perception/sensors/tag_ratio_of_active.hpp>
+#include <trophic/perception/tag_switch/tag_sampling.hpp>
 #include <trophic/placement/uniform_square.hpp>
-#include <trophic/reproduction/last_killer.hpp>
-#include <trophic/reproduction/last_seen_victim.hpp>
-#include <trophic/reproduction/shared_copy.hpp>
-#include <trophic/reproduction/uniform_mutation.hpp>
+#include <trophic/reproduction/heredity/shared_copy.hpp>
+#include <trophic/reproduction/mutation/uniform_mutation.hpp>
+#include <trophic/reproduction/parent/last_killer.hpp>
+#include <trophic/reproduction/parent/last_seen_victim.hpp>
 #include <trophic/rules/paper.hpp>
 
 namespace trophic::rules {
@@ -36,42 +36,42 @@ struct Released {
   using Community = community::PredatorPrey;
   using Placement = placement::UniformSquare;
 
-  using Heading = perception::RootYawHeading;
-  using Visibility = perception::SameTag;
-  using AngleInput = perception::SideAwayFromHunter;
-  using DistanceInput = perception::DistanceOverScale;
-  using TagRatioInput = perception::TagRatioOfActive;
-  using BlindRule = perception::BlindKeepsOutputs;
-  using NewbornTag = perception::KeepsBodyTag;
-  using TagSwitch = perception::TagSampling;
-  using Brain = control::CognitiveBrain;
+  using Heading = perception::heading::RootYawHeading;
+  using Visibility = perception::visibility::SameTag;
+  using AngleInput = perception::sensors::SideAwayFromHunter;
+  using DistanceInput = perception::sensors::DistanceOverScale;
+  using TagRatioInput = perception::sensors::TagRatioOfActive;
+  using BlindRule = perception::blind_rule::BlindKeepsOutputs;
+  using NewbornTag = perception::newborn_tag::KeepsBodyTag;
+  using TagSwitch = perception::tag_switch::TagSampling;
+  using Brain = control::brain::CognitiveBrain;
   static constexpr Brain::Params brain{.zero_turns_right = true};
-  using DecisionOrder = control::DecideInTurn;
-  using Steering = control::TargetedSteering;
+  using DecisionOrder = control::decision_order::DecideInTurn;
+  using Steering = control::steering::TargetedSteering;
 
-  using InitialGenome = reproduction::UniformWeights;
-  using GenomeSource = reproduction::RandomOrInherited;
+  using InitialGenome = reproduction::initial_genome::UniformWeights;
+  using GenomeSource = reproduction::genome_source::RandomOrInherited;
   static constexpr GenomeSource::Params genome_source{.random_share = 0.34, .orphans_labelled_inherited = true};
-  using CaptureParent = reproduction::Killer;
-  using StarvationParent = reproduction::LastSeenVictim;
-  using RescueParent = reproduction::LastKiller;
-  using Heredity = reproduction::SharedCopy;
-  using Mutation = reproduction::UniformMutation;
+  using CaptureParent = reproduction::parent::Killer;
+  using StarvationParent = reproduction::parent::LastSeenVictim;
+  using RescueParent = reproduction::parent::LastKiller;
+  using Heredity = reproduction::heredity::SharedCopy;
+  using Mutation = reproduction::mutation::UniformMutation;
 
-  using Activation = death::ActiveAwayFromHunters;
+  using Activation = death::activation::ActiveAwayFromHunters;
   static constexpr Activation::Params activation{.restarts_age = true};
-  using Capture = death::CatchClosest;
-  using Floor = death::VictimFloor;
+  using Capture = death::capture::CatchClosest;
+  using Floor = death::floor::VictimFloor;
   static constexpr Floor::Params floor{.floor = 6};
-  using StarvationSchedule = death::CrowdingInterval;
+  using StarvationSchedule = death::starvation_schedule::CrowdingInterval;
   static constexpr StarvationSchedule::Params starvation_schedule{.only_above = 7, .reevaluated = true};
-  using Reprieve = death::NearRememberedAdversary;
-  using Starvation = death::HungriestStarves;
+  using Reprieve = death::reprieve::NearRememberedAdversary;
+  using Starvation = death::starvation::HungriestStarves;
   static constexpr Starvation::Params starvation{.even_if_all_spared = true};
-  using Rescue = death::SacrificeRandomVictim;
+  using Rescue = death::rescue::SacrificeRandomVictim;
   static constexpr Rescue::Params rescue{.below = 8};
-  using Senescence = death::NoSenescence;
-  using SenescenceParent = reproduction::NoParent;
+  using Senescence = death::senescence::NoSenescence;
+  using SenescenceParent = reproduction::parent::NoParent;
 
   /// All timers of the released code ran on the wall clock, about 1.2 simulated seconds per second. The gait is the published
   /// one, the robot's own, as in `Paper`.
@@ -82,7 +82,7 @@ struct Released {
             .robot = "spider_released",
             .arena = "height_field",
             .gait = {},
-            .cpg_integration = control::CpgIntegration::rk4};
+            .cpg_integration = locomotion::CpgIntegration::rk4};
   }
   static Physics physics() { return {.timestep_s = 0.012, .integrator = Integrator::rk4}; }
 };

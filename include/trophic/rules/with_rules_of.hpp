@@ -10,15 +10,15 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/params.hpp>
-#include <trophic/rules.hpp>
-#include <trophic/settings.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/params/settings.hpp>
+#include <trophic/rules/table.hpp>
 #include <type_traits>
 #include <vector>
 
 namespace trophic::rules {
 
-#define TROPHIC_SLOT_NAME(Slot, member, Concept, sentence) std::string_view{#member},
+#define TROPHIC_SLOT_NAME(Slot, member, kind, Contract) std::string_view{#member},
 /// The slots of a rule table, in order.
 inline constexpr std::array slot_names{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_NAME)};
 #undef TROPHIC_SLOT_NAME
@@ -52,7 +52,7 @@ static_assert(slot_names.size() <= 64);
 /// Base with the policies and numbers that Other has in the slots of a set; world and physics are those of Base.
 template <class Base, class Other, SlotSet set>
 struct with_rules_of : Base {
-#define TROPHIC_SLOT_OF(Slot, member, Concept, sentence)                                 \
+#define TROPHIC_SLOT_OF(Slot, member, kind, Contract)                                    \
   using Slot = typename std::conditional_t<set.contains(#member), Other, Base>::Slot;    \
   inline static const ParamsOf<Slot> member = [] {                                       \
     return RuleNumbers<std::conditional_t<set.contains(#member), Other, Base>>{}.member; \
@@ -63,7 +63,7 @@ struct with_rules_of : Base {
   /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; numbers are in the manifest.
   static std::string swapped_name() {
     std::string swaps;
-#define TROPHIC_NAME_SWAP(Slot, member, Concept, sentence)                                                 \
+#define TROPHIC_NAME_SWAP(Slot, member, kind, Contract)                                                    \
   if constexpr (!std::same_as<typename Base::Slot, typename with_rules_of::Slot>) {                        \
     swaps.append(swaps.empty() ? " with " : ", ").append(#member " = ").append(with_rules_of::Slot::name); \
   }
@@ -99,7 +99,7 @@ void append_differences(std::string_view path, const P& here, const P& there, st
 template <class Base, class Other>
 [[nodiscard]] std::vector<RuleDifference> differences() {
   std::vector<RuleDifference> all;
-#define TROPHIC_DIFFERENCE(Slot, member, Concept, sentence)                                            \
+#define TROPHIC_DIFFERENCE(Slot, member, kind, Contract)                                               \
   if constexpr (std::same_as<typename Base::Slot, typename Other::Slot>) {                             \
     detail::append_differences(#member, RuleNumbers<Base>{}.member, RuleNumbers<Other>{}.member, all); \
   } else {                                                                                             \

@@ -2,7 +2,7 @@
 // An observer whose only hook is misspelt would see nothing.
 // expect: an observer needs at least one hook
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Watcher {

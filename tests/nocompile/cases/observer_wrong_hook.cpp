@@ -2,7 +2,7 @@
 // A hook that cannot be called would never be.
 // expect: the observer's on_tick must be callable as void on_tick(const View&)
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Watcher {

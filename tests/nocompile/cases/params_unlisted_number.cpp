@@ -2,7 +2,7 @@
 // Numbers that are written to a manifest, of whatever kind, are all of them.
 // expect: Params must list every number in fields()
 #include <string>
-#include <trophic/settings.hpp>
+#include <trophic/params/settings.hpp>
 #include <tuple>
 
 struct Numbers {

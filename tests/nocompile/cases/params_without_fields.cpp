@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A number that fields() does not list would be neither checked nor written to the manifest.
-// expect: Params must be empty or list every number in fields(); see trophic/params.hpp
-#include <trophic/params.hpp>
+// expect: Params must be empty or list every number in fields(); see trophic/params/params.hpp
+#include <trophic/params/params.hpp>
 #include <tuple>
 
 struct Params {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A rule whose constructor takes no Params would run with its defaults, whatever was set.
 // expect: the policy in Rules::Senescence has Params but cannot be made from them: it needs `Params params;` as its first member
-#include <trophic/death/old_age.hpp>
+#include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Ageing {
   static constexpr std::string_view name = "ageing";
-  using Params = trophic::death::OldAge::Params;
+  using Params = trophic::death::senescence::OldAge::Params;
   Ageing() = default;
 #ifdef VALID
   explicit Ageing(const Params& given) : params{given} {}

@@ -2,7 +2,7 @@
 // A rule that changes itself would make a run depend on who asked before.
 // expect: the policy in Rules::Senescence needs bool dies(const Individual&, const View&, Rng&) const
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct EveryTenth {

@@ -2,7 +2,7 @@
 // A rule's number that fields() does not list would be missing from configuration and manifest.
 // expect: the Params of the policy in Rules::Senescence need static constexpr auto fields(), listing every number
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Ageing {

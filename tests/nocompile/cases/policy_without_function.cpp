@@ -2,7 +2,7 @@
 // A policy that lacks what its slot asks for.
 // expect: the policy in Rules::GenomeSource needs bool inherits(Rng&) const and Origin without_parent() const
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct AlwaysInherits {

@@ -2,7 +2,7 @@
 // A policy that manifests cannot name.
 // expect: the policy in Rules::Senescence needs static constexpr std::string_view name
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Immortal {

@@ -2,7 +2,7 @@
 // A function of the right name that takes other arguments than the ecology gives.
 // expect: the policy in Rules::Senescence needs bool dies(const Individual&, const View&, Rng&) const
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Ageing {

@@ -2,7 +2,7 @@
 // A table that leaves out a rule has no experiment to run.
 // expect: the rule table has no slot Mutation; write `using Mutation = ...;`
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Table {

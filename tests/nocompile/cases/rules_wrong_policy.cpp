@@ -2,7 +2,7 @@
 // A policy of another kind in a slot of a table that is written out.
 // expect: the policy in Rules::Reprieve needs bool spared(BodyIndex hunter, const View&) const
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Table : trophic::rules::Paper {

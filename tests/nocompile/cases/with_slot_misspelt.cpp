@@ -2,14 +2,14 @@
 // A misspelt slot would leave the rule that was to be swapped in place.
 // expect: did you mean
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
-#include <trophic/reproduction/uniform_mutation.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/reproduction/mutation/uniform_mutation.hpp>
 #include <trophic/rules/paper.hpp>
 
 #ifdef VALID
-using Rules = trophic::with_mutation<trophic::rules::Paper, trophic::reproduction::UniformMutation>;
+using Rules = trophic::with_mutation<trophic::rules::Paper, trophic::reproduction::mutation::UniformMutation>;
 #else
-using Rules = trophic::with_mutatoin<trophic::rules::Paper, trophic::reproduction::UniformMutation>;
+using Rules = trophic::with_mutatoin<trophic::rules::Paper, trophic::reproduction::mutation::UniformMutation>;
 #endif
 
 int main() {

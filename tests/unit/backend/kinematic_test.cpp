@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <numbers>
 #include <support/temporary_folder.hpp>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/body/load.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/robot.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -25,7 +25,7 @@ constexpr MeasuredWalk slow{.speed_m_s = 0.05, .turn_rate_per_rad = 0.1};
 
 Kinematic world(const std::vector<Pose>& starts, const Kinematic::Params& params = {}, const MeasuredWalk& walk = slow,
                 const char* robot_name = "spider") {
-  RobotModel robot = body::load_robot(robot_name);
+  RobotModel robot = load_robot(robot_name);
   robot.walk = walk;
   return {robot, load_arena("walled_square"), starts, Physics{}, params};
 }
@@ -41,7 +41,7 @@ TEST_CASE("without a target angle a robot walks straight along its forward axis"
   CHECK(at.x_m == doctest::Approx(2.0).epsilon(1e-12));
   CHECK(at.y_m == doctest::Approx(2.0).epsilon(1e-12));
   CHECK(std::abs(at.heading_rad) < 1e-12);
-  CHECK(backend.pose(0).position_m.z() == body::load_robot("spider").rest_height_m);
+  CHECK(backend.pose(0).position_m.z() == load_robot("spider").rest_height_m);
 }
 
 TEST_CASE("a positive target angle turns right on an exact circle") {
@@ -111,7 +111,7 @@ TEST_CASE("bad numbers name field, value and bound") {
 
 TEST_CASE("the rule tables' robots walk as their files say") {
   for (const char* name : {"spider", "spider_released"}) {
-    const RobotModel robot = body::load_robot(name);
+    const RobotModel robot = load_robot(name);
     Kinematic backend = world({standing(0.0, 0.0, -robot.forward_rad)}, {}, robot.walk, name);
     backend.set_target_angle(0, 0.7);
     backend.advance_to(0.1);

@@ -3,7 +3,7 @@
 
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/arena_load.hpp>
+#include <trophic/load/arena.hpp>
 
 using namespace trophic;
 

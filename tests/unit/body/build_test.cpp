@@ -4,8 +4,8 @@
 
 #include <map>
 #include <string>
-#include <trophic/body/load.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -30,7 +30,7 @@ Eigen::Vector3d axis_in_root(const RobotModel& robot, std::size_t hinge) {
 }  // namespace
 
 TEST_CASE("spider: masses of the module table") {
-  const RobotModel spider = body::load_robot("spider");
+  const RobotModel spider = load_robot("spider");
   REQUIRE(spider.links.size() == 5);
   CHECK(spider.links[0].mass_kg == doctest::Approx(0.250 + 4 * 0.011).epsilon(1e-14));
   for (std::size_t leg = 1; leg < 5; ++leg) {
@@ -46,7 +46,7 @@ TEST_CASE("spider: masses of the module table") {
 }
 
 TEST_CASE("spider: inertias by the parallel axis theorem") {
-  const RobotModel spider = body::load_robot("spider");
+  const RobotModel spider = load_robot("spider");
   check_near(spider.links[0].centre_of_mass_m, {0, 0, 0});
   check_near(spider.links[0].inertia_kgm2.diagonal(), {0.00031281775349006083, 0.00031281775349006083, 0.000462823030104485},
              1e-16);
@@ -63,7 +63,7 @@ TEST_CASE("spider: inertias by the parallel axis theorem") {
 }
 
 TEST_CASE("spider: hinges in the order front, back, left, right") {
-  const RobotModel spider = body::load_robot("spider");
+  const RobotModel spider = load_robot("spider");
   REQUIRE(spider.hinges.size() == 4);
   const std::vector<std::string> names{"front", "back", "left", "right"};
   const std::vector<Eigen::Vector3i> cells{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
@@ -88,7 +88,7 @@ TEST_CASE("spider: hinges in the order front, back, left, right") {
 }
 
 TEST_CASE("spider: places of the boxes") {
-  const RobotModel spider = body::load_robot("spider");
+  const RobotModel spider = load_robot("spider");
   const Link& core = spider.links[0];
   check_near(core.boxes[0].half_extents_m, {0.0445, 0.0445, 0.03015});
   check_near(core.boxes[1].centre_m, {0.0535, 0, 0});   // front hinge frame
@@ -102,7 +102,7 @@ TEST_CASE("spider: places of the boxes") {
 }
 
 TEST_CASE("spider: size and forward axis") {
-  const RobotModel spider = body::load_robot("spider");
+  const RobotModel spider = load_robot("spider");
   // The bricks of the sweeping legs lie on their side: half of 0.06288625.
   CHECK(spider.rest_height_m == doctest::Approx(0.031443125).epsilon(1e-12));
   CHECK(spider.bounding_radius_m == doctest::Approx(0.1992323788243805).epsilon(1e-12));
@@ -111,8 +111,8 @@ TEST_CASE("spider: size and forward axis") {
 }
 
 TEST_CASE("released spider: root link by density, legs unchanged") {
-  const RobotModel released = body::load_robot("spider_released");
-  const RobotModel spider = body::load_robot("spider");
+  const RobotModel released = load_robot("spider_released");
+  const RobotModel spider = load_robot("spider");
   // 1000 kg/m^3 * (0.089 * 0.089 * 0.0603 + 4 * 0.018 * 0.053 * 0.0165891)
   CHECK(released.links[0].mass_kg == doctest::Approx(0.5409403056).epsilon(1e-12));
   CHECK(released.mass_kg() == doctest::Approx(0.9729403056).epsilon(1e-12));
@@ -125,7 +125,7 @@ TEST_CASE("released spider: root link by density, legs unchanged") {
 }
 
 TEST_CASE("gecko: six hinges, two of them in the spine") {
-  const RobotModel gecko = body::load_robot("gecko");
+  const RobotModel gecko = load_robot("gecko");
   const std::vector<std::string> names{
       "back", "back.front.front", "back.front.front.front.left", "back.front.front.front.right", "left", "right"};
   const std::vector<Eigen::Vector3i> cells{{-1, 0, 0}, {-3, 0, 0}, {-4, -1, 0}, {-4, 1, 0}, {0, 1, 0}, {0, -1, 0}};
@@ -149,7 +149,7 @@ TEST_CASE("gecko: six hinges, two of them in the spine") {
 TEST_CASE("no box point leaves the bounding sphere, whatever the angles") {
   Rng rng{1, Stream::user};
   for (const char* name : {"spider", "gecko"}) {
-    const RobotModel robot = body::load_robot(name);
+    const RobotModel robot = load_robot(name);
     double farthest_m = 0.0;
     for (int sample = 0; sample < 2000; ++sample) {
       std::vector<Eigen::Isometry3d> frames(robot.links.size(), Eigen::Isometry3d::Identity());

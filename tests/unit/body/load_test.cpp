@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/body/load.hpp>
+#include <trophic/load/robot.hpp>
 
 using namespace trophic;
 using trophic::test::message_of;
@@ -21,7 +21,7 @@ const TemporaryFolder& folder() {
 template <class Error>
 std::string complaint(std::string_view content) {
   const std::string file = folder().file("robot.toml", content);
-  const std::string message = message_of<Error>([&] { (void)body::load_robot(file); });
+  const std::string message = message_of<Error>([&] { (void)load_robot(file); });
   CAPTURE(message);
   REQUIRE(message.starts_with(file + ":"));
   return message.substr(file.size() + 1);
@@ -43,7 +43,7 @@ walk = { speed_m_s = 0.03, turn_rate_per_rad = 0.04 }
 part_mass_kg = { servo_body = 0.1, servo_plate = 0.2, brick = 0.3 }
 core.left = { module = "hinge", rotation_deg = -90, front = { module = "brick", rotation_deg = 180 } }
 )");
-  const RobotModel robot = body::load_robot(file);
+  const RobotModel robot = load_robot(file);
   CHECK(robot.name == "full");
   CHECK(robot.forward_rad == doctest::Approx(-std::numbers::pi / 2));
   CHECK(robot.friction == 0.5);
@@ -58,7 +58,7 @@ core.left = { module = "hinge", rotation_deg = -90, front = { module = "brick", 
 }
 
 TEST_CASE("a core alone is a robot without hinges") {
-  const RobotModel robot = body::load_robot(folder().file("core.toml", "name = \"stone\"\ncore = {}\n"));
+  const RobotModel robot = load_robot(folder().file("core.toml", "name = \"stone\"\ncore = {}\n"));
   CHECK(robot.links.size() == 1);
   CHECK(robot.hinges.empty());
   CHECK(robot.walk.speed_m_s == 0.0);
@@ -66,7 +66,7 @@ TEST_CASE("a core alone is a robot without hinges") {
 }
 
 TEST_CASE("files that are not there or not TOML") {
-  CHECK(message_of<std::runtime_error>([] { (void)body::load_robot("./no/such.toml"); }) ==
+  CHECK(message_of<std::runtime_error>([] { (void)load_robot("./no/such.toml"); }) ==
         "no robot \"./no/such.toml\"; searched: ./no/such.toml");
   CHECK(complaint<std::runtime_error>("name = \n").starts_with("1:"));
   CHECK(complaint<std::runtime_error>(leg + "[core.left]\nmodule = \"brick\"\n").starts_with("6:"));

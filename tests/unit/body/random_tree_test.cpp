@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 #include <trophic/body/build.hpp>
-#include <trophic/control/targeted_steering.hpp>
+#include <trophic/control/steering/targeted_steering.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -138,8 +138,8 @@ TEST_CASE("the mirror image of a tree is the mirror image of the robot") {
     // What slows down for a right turn of one slows down for a left turn of the other.
     std::size_t left = 0;
     std::size_t right = 0;
-    for (const control::Side side : control::sides_of(robot)) left += side == control::Side::left;
-    for (const control::Side side : control::sides_of(image)) right += side == control::Side::right;
+    for (const Side side : sides_of(robot)) left += side == Side::left;
+    for (const Side side : sides_of(image)) right += side == Side::right;
     RC_ASSERT(left == right);
   }));
 }

@@ -5,15 +5,15 @@
 #include <limits>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/body/validate.hpp>
+#include <trophic/habitat/validate_robot.hpp>
+#include <trophic/load/robot.hpp>
 
 using namespace trophic;
 
 namespace {
 
 std::string broken(const std::function<void(RobotModel&)>& change) {
-  RobotModel robot = body::load_robot("spider");
+  RobotModel robot = load_robot("spider");
   change(robot);
   return test::message_of<std::invalid_argument>([&] { validate(robot); });
 }
@@ -21,7 +21,7 @@ std::string broken(const std::function<void(RobotModel&)>& change) {
 }  // namespace
 
 TEST_CASE("a valid robot passes") {
-  CHECK_NOTHROW(validate(body::load_robot("gecko")));
+  CHECK_NOTHROW(validate(load_robot("gecko")));
 }
 
 TEST_CASE("each broken invariant names robot, field, value and rule") {

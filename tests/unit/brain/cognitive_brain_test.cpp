@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <trophic/control/cognitive_brain.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/control/brain/cognitive_brain.hpp>
+#include <trophic/support/rng.hpp>
 #include <utility>
 #include <vector>
 
 using namespace trophic;
-using control::CognitiveBrain;
+using control::brain::CognitiveBrain;
 using perception::BrainInputs;
 
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <trophic/control/cognitive_brain_with_biases.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;
-using control::CognitiveBrainWithBiases;
+using control::brain::CognitiveBrainWithBiases;
 using perception::BrainInputs;
 
 namespace {

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numbers>
 #include <support/temporary_folder.hpp>
-#include <trophic/control/cpg.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/locomotion/cpg.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;
-using namespace trophic::control;
+using namespace trophic::locomotion;
 
 namespace {
 

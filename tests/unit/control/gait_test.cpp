@@ -5,11 +5,12 @@
 #include <functional>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/control/gait.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/load/robot.hpp>
 
 using namespace trophic;
-using trophic::control::Gait;
+using trophic::Gait;
+using trophic::load_gait;
 using trophic::test::message_of;
 using trophic::test::TemporaryFolder;
 
@@ -25,14 +26,14 @@ double cppn(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
 std::string complaint(std::string_view content) {
   const TemporaryFolder folder;
   const std::string file = folder.file("gait.toml", content);
-  const std::string message = message_of<std::invalid_argument>([&] { (void)control::load_gait(file); });
+  const std::string message = message_of<std::invalid_argument>([&] { (void)load_gait(file); });
   return message.starts_with(file) ? message.substr(file.size()) : message;
 }
 
 std::string misfit(const std::function<void(Gait&)>& change) {
-  Gait gait = control::load_gait("spider_published");
+  Gait gait = load_gait("spider_published");
   change(gait);
-  return message_of<std::invalid_argument>([&] { control::check_fit(gait, body::load_robot("spider")); });
+  return message_of<std::invalid_argument>([&] { check_fit(gait, load_robot("spider")); });
 }
 
 const std::string two = "name = \"g\"\nrobot = \"r\"\nhinges = [\"a\", \"b\"]\ninternal = [1, 2.5]\n";
@@ -40,7 +41,7 @@ const std::string two = "name = \"g\"\nrobot = \"r\"\nhinges = [\"a\", \"b\"]\ni
 }  // namespace
 
 TEST_CASE("the published gait has the weights of the released code") {
-  const Gait gait = control::load_gait("spider_published");
+  const Gait gait = load_gait("spider_published");
   const std::vector<double> internal{-1.0000, -1.0000, 0.9749, 0.9748};
   const std::vector<std::vector<double>> coupling{
       {0, -0.9409, -0.9988, -0.9221}, {0, 0, -0.9222, -0.9988}, {0, 0, 0, 0.9757}, {}};
@@ -54,9 +55,9 @@ TEST_CASE("the published gait has the weights of the released code") {
 }
 
 TEST_CASE("the published gait is its CPPN at the spider's grid positions, to full precision") {
-  const Gait gait = control::load_gait("spider_published");
-  const RobotModel robot = body::load_robot("spider");
-  REQUIRE_NOTHROW(control::check_fit(gait, robot));
+  const Gait gait = load_gait("spider_published");
+  const RobotModel robot = load_robot("spider");
+  REQUIRE_NOTHROW(check_fit(gait, robot));
   CHECK(gait.name == "spider_published");
   CHECK(gait.robot == "spider");
   for (std::size_t i = 0; i < robot.hinges.size(); ++i) {
@@ -69,27 +70,27 @@ TEST_CASE("the published gait is its CPPN at the spider's grid positions, to ful
             doctest::Approx(cppn(cell, robot.hinges[j].grid_position)).epsilon(1e-13));
     }
   }
-  CHECK_NOTHROW(control::check_fit(gait, body::load_robot("spider_released")));
+  CHECK_NOTHROW(check_fit(gait, load_robot("spider_released")));
 }
 
 TEST_CASE("save and load give the same gait, bit for bit") {
   const TemporaryFolder folder;
-  Gait gait = control::load_gait("gecko_paper");
+  Gait gait = load_gait("gecko_paper");
   gait.name = "quotes \" and \\ and\nlines";
   gait.internal << 0.1, 1.0 / 3.0, -1e-300, 5e300, 3.0, -0.0;
-  control::save_gait(gait, folder.path() / "gait.toml");
-  const Gait again = control::load_gait((folder.path() / "gait.toml").string());
+  save_gait(gait, folder.path() / "gait.toml");
+  const Gait again = load_gait((folder.path() / "gait.toml").string());
   CHECK(again == gait);
   CHECK(std::signbit(again.internal[5]));
-  CHECK(control::to_toml(again) == control::to_toml(gait));
+  CHECK(to_toml(again) == to_toml(gait));
 }
 
 TEST_CASE("a gait file is never overwritten") {
   const TemporaryFolder folder;
   const std::string file = folder.file("gait.toml", "");
-  const Gait gait = control::load_gait("spider_published");
-  CHECK(message_of<std::runtime_error>([&] { control::save_gait(gait, file); }) == file + ": exists, not overwritten");
-  CHECK(message_of<std::runtime_error>([&] { control::save_gait(gait, "/no/such/folder/gait.toml"); }) ==
+  const Gait gait = load_gait("spider_published");
+  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, file); }) == file + ": exists, not overwritten");
+  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, "/no/such/folder/gait.toml"); }) ==
         "/no/such/folder/gait.toml: cannot be written");
 }
 
@@ -118,11 +119,11 @@ TEST_CASE("a gait that does not fit a robot says where") {
   CHECK(misfit([](Gait& g) { g.hinges[1] = "tail"; }) ==
         "gait spider_published does not fit robot spider: hinge 1 is \"tail\", the robot's is \"back\"");
   CHECK(misfit([](Gait& g) { g.coupling(0, 1) = 3.0; }) == "gait spider_published: coupling: must be antisymmetric");
-  CHECK(misfit([](Gait& g) { g = control::load_gait("gecko_paper"); }) ==
+  CHECK(misfit([](Gait& g) { g = load_gait("gecko_paper"); }) ==
         "gait gecko_paper does not fit robot spider: 6 hinges, the robot has 4");
-  Gait far = control::load_gait("gecko_paper");
+  Gait far = load_gait("gecko_paper");
   far.coupling(0, 2) = 1.0;
   far.coupling(2, 0) = -1.0;
-  CHECK(message_of<std::invalid_argument>([&] { control::check_fit(far, body::load_robot("gecko")); }) ==
+  CHECK(message_of<std::invalid_argument>([&] { check_fit(far, load_robot("gecko")); }) ==
         "gait gecko_paper does not fit robot gecko: \"back\" and \"back.front.front.front.left\" are coupled but no neighbours");
 }

@@ -6,21 +6,22 @@
 #include <string>
 #include <string_view>
 #include <support/toy_backend.hpp>
-#include <trophic/body/load.hpp>
-#include <trophic/control/gait.hpp>
-#include <trophic/control/steerable.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/locomotion/steerable.hpp>
 #include <trophic/rules/paper.hpp>
 #include <utility>
 
 using namespace trophic;
-using namespace trophic::control;
+using namespace trophic::control::steering;
+using namespace trophic::locomotion;
 
 namespace {
 
 /// The gecko with all hinges at its core.
 RobotModel snake() {
-  RobotModel robot = body::load_robot("gecko");
+  RobotModel robot = load_robot("gecko");
   robot.name = "snake";
   for (Hinge& hinge : robot.hinges) hinge.grid_position.setZero();
   return robot;
@@ -64,7 +65,7 @@ std::string ecology_refusal(RobotModel robot, Experiment<Rules, test::ToyBackend
 
 TEST_CASE("steerable: the shipped robots are") {
   for (const char* name : {"spider", "gecko"}) {
-    CHECK(refusal([&] { check_steerable(body::load_robot(name), TargetedSteering{}); }) == "");
+    CHECK(refusal([&] { check_steerable(load_robot(name), TargetedSteering{}); }) == "");
   }
 }
 
@@ -82,18 +83,18 @@ TEST_CASE("steerable: hinges on one side are enough") {
 }
 
 TEST_CASE("steerable: a steering that changes nothing, or the same for both turns, steers no robot") {
-  const RobotModel gecko = body::load_robot("gecko");
+  const RobotModel gecko = load_robot("gecko");
   CHECK(refusal([&] { check_steerable(gecko, TargetedSteering{{.exponent = 0.0}}); }).find("cannot be steered") !=
         std::string::npos);
   CHECK(refusal([&] { check_steerable(gecko, SlowsAll{}); }).find("rules.steering = slows_all") != std::string::npos);
 }
 
 TEST_CASE("steerable: an ecology of jointed robots refuses before the run") {
-  CHECK(ecology_refusal<rules::Paper>(body::load_robot("gecko")) == "");
+  CHECK(ecology_refusal<rules::Paper>(load_robot("gecko")) == "");
   CHECK(ecology_refusal<rules::Paper>(snake()).starts_with("world.robot = snake with rules.steering = targeted_steering"));
   CHECK(ecology_refusal<with_steering<rules::Paper, Leans>>(snake()) == "");
-  CHECK(ecology_refusal<with_steering<rules::Paper, SlowsAll>>(body::load_robot("gecko")).find("slows_all") != std::string::npos);
+  CHECK(ecology_refusal<with_steering<rules::Paper, SlowsAll>>(load_robot("gecko")).find("slows_all") != std::string::npos);
   Experiment<rules::Paper, test::ToyBackend> params;
   params.rules.steering.exponent = 0.0;
-  CHECK(ecology_refusal<rules::Paper>(body::load_robot("gecko"), params).find("cannot be steered") != std::string::npos);
+  CHECK(ecology_refusal<rules::Paper>(load_robot("gecko"), params).find("cannot be steered") != std::string::npos);
 }

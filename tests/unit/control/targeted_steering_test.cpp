@@ -3,19 +3,19 @@
 
 #include <cmath>
 #include <numbers>
-#include <trophic/body/load.hpp>
-#include <trophic/control/targeted_steering.hpp>
+#include <trophic/control/steering/targeted_steering.hpp>
+#include <trophic/load/robot.hpp>
 #include <vector>
 
 using namespace trophic;
-using namespace trophic::control;
+using namespace trophic::control::steering;
 
 TEST_CASE("spider: x - y < 0 is left, x - y > 0 right") {
-  CHECK(sides_of(body::load_robot("spider")) == std::vector<Side>{Side::right, Side::left, Side::left, Side::right});
+  CHECK(sides_of(load_robot("spider")) == std::vector<Side>{Side::right, Side::left, Side::left, Side::right});
 }
 
 TEST_CASE("gecko: legs by their place on the robot, the spine on no side") {
-  CHECK(sides_of(body::load_robot("gecko")) ==
+  CHECK(sides_of(load_robot("gecko")) ==
         std::vector<Side>{Side::middle, Side::middle, Side::right, Side::left, Side::left, Side::right});
 }
 

@@ -13,15 +13,15 @@
 #include <support/hand_population.hpp>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/body/ground_pose.hpp>
-#include <trophic/control/decide_in_turn.hpp>
-#include <trophic/death/old_age.hpp>
-#include <trophic/ecology.hpp>
-#include <trophic/perception/blind_keeps_outputs.hpp>
-#include <trophic/perception/tag_sampling.hpp>
-#include <trophic/reproduction/nearest_conspecific.hpp>
-#include <trophic/rule_error.hpp>
+#include <trophic/control/decision_order/decide_in_turn.hpp>
+#include <trophic/death/senescence/old_age.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/perception/blind_rule/blind_keeps_outputs.hpp>
+#include <trophic/perception/tag_switch/tag_sampling.hpp>
+#include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/paper.hpp>
+#include <trophic/support/rule_error.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -140,13 +140,13 @@ TEST_CASE("ecology: starvation, then rescue, then perception in the same tick") 
 }
 
 TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's body") {
-  auto params = scene<with_mutation<Scene, reproduction::NormalMutation>>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
+  auto params = scene<with_mutation<Scene, reproduction::mutation::NormalMutation>>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
   params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   params.rules.capture.reach_m = 7.6;
   Places::poses = {{.x_m = 8.0}, {.x_m = 0.5}, {.x_m = 0.5}};
   params.rules.activation.distance_m = 0.2;  // body 1 stands on the predator and stays inactive
-  Kinematics<with_mutation<Scene, reproduction::NormalMutation>> ecology{params};
+  Kinematics<with_mutation<Scene, reproduction::mutation::NormalMutation>> ecology{params};
   ecology.run_until(0.0);
   const auto robots = ecology.view().robots;
   CHECK(robots[0].parent == 2);
@@ -312,7 +312,7 @@ TEST_CASE("ecology: everybody perceives the same moment, before the first tag ch
 }
 
 TEST_CASE("ecology: in turn, who decides later sees the tags that earlier ones have just taken") {
-  using Rules = with_decision_order<with_brain<Scene, AlwaysMinus>, control::DecideInTurn>;
+  using Rules = with_decision_order<with_brain<Scene, AlwaysMinus>, control::decision_order::DecideInTurn>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
@@ -333,7 +333,7 @@ TEST_CASE("ecology: a sampled tag's clock starts again without a switch, a cool-
     ecology.run_until(until_s);
     return ecology.view().robots[0].tag_since_s;
   };
-  using Sampled = with_tag_switch<Brain, perception::TagSampling>;
+  using Sampled = with_tag_switch<Brain, perception::tag_switch::TagSampling>;
   CHECK(clocks(std::type_identity<Sampled>{}, 98.0) == 0.0);
   CHECK(clocks(std::type_identity<Sampled>{}, 150.0) == 100.0);
   CHECK(clocks(std::type_identity<Sampled>{}, 250.0) == 200.0);  // the tag was -1 already
@@ -360,7 +360,7 @@ TEST_CASE("ecology: the heading that rules see is the table's") {
 }
 
 TEST_CASE("ecology: a remembered prey is renewed only when another body becomes the closest") {
-  using Rules = with_senescence<Scene, death::OldAge>;
+  using Rules = with_senescence<Scene, death::senescence::OldAge>;
   auto params = scene<Rules>({{.x_m = 3.0}, {.x_m = 0.0}});
   params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
@@ -385,7 +385,7 @@ TEST_CASE("ecology: without adversary the brain decides or keeps still, by the r
   CHECK_FALSE(asked.view().robots[0].adversary);
   CHECK(std::isnan(asked.view().robots[0].adversary_distance_m));
 
-  using Keeps = with_blind_rule<Scene, perception::BlindKeepsOutputs>;
+  using Keeps = with_blind_rule<Scene, perception::blind_rule::BlindKeepsOutputs>;
   auto keeps_params = scene<Keeps>({{.x_m = 0.0}});
   keeps_params.rules.community.predators = 0;
   Kinematics<Keeps> kept{keeps_params};
@@ -395,7 +395,7 @@ TEST_CASE("ecology: without adversary the brain decides or keeps still, by the r
 }
 
 TEST_CASE("ecology: death of old age leaves the body to its species") {
-  using Rules = with_senescence<Scene, death::OldAge>;
+  using Rules = with_senescence<Scene, death::senescence::OldAge>;
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
@@ -409,8 +409,8 @@ TEST_CASE("ecology: death of old age leaves the body to its species") {
 }
 
 TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species or none") {
-  using Ageing = with_senescence<Scene, death::OldAge>;
-  using Nearest = with_senescence_parent<Ageing, reproduction::NearestConspecific>;
+  using Ageing = with_senescence<Scene, death::senescence::OldAge>;
+  using Nearest = with_senescence_parent<Ageing, reproduction::parent::NearestConspecific>;
   const auto heir = [](auto rules) {
     using Rules = typename decltype(rules)::type;
     auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 5.0}, {.x_m = 0.0}});
@@ -431,7 +431,7 @@ TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species o
 }
 
 TEST_CASE("ecology: a parent of another species than the heir is refused") {
-  using Rules = with_senescence_parent<with_senescence<Scene, death::OldAge>, reproduction::NearestVictim>;
+  using Rules = with_senescence_parent<with_senescence<Scene, death::senescence::OldAge>, reproduction::parent::NearestVictim>;
   auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 0.0}});
   params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;

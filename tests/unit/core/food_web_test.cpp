@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <support/hand_population.hpp>
-#include <trophic/food_web.hpp>
+#include <trophic/population/food_web.hpp>
 
 using namespace trophic;
 using namespace trophic::test;

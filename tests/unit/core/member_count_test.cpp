@@ -6,14 +6,14 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/detail/member_count.hpp>
-#include <trophic/evolve/tables.hpp>
-#include <trophic/experiment.hpp>
+#include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/world.hpp>
+#include <trophic/gait_evolution/tables.hpp>
+#include <trophic/params/detail/member_count.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <trophic/world.hpp>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -129,5 +129,5 @@ TEST_CASE("member count: everything that a manifest echoes lists all its numbers
   CHECK(lists_all<RuleNumbers<rules::Paper>>());
   CHECK(lists_all<RuleNumbers<rules::Released>>());
   CHECK(lists_all<Experiment<rules::Paper, backend::Kinematic>>());
-  CHECK(lists_all<evolve::Numbers<evolve::Paper, backend::Kinematic>>());
+  CHECK(lists_all<gait_evolution::Numbers<gait_evolution::Paper, backend::Kinematic>>());
 }

@@ -8,9 +8,9 @@
 #include <optional>
 #include <set>
 #include <support/hand_population.hpp>
-#include <trophic/population.hpp>
-#include <trophic/reproduction/killer.hpp>
-#include <trophic/reproduction/no_parent.hpp>
+#include <trophic/population/population.hpp>
+#include <trophic/reproduction/parent/killer.hpp>
+#include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -41,7 +41,7 @@ struct Row {
   /// The predator in body 2 catches the prey in body 0.
   void catch_first(std::int64_t tick) {
     const auto succession =
-        population.succession({.body = 0, .cause = Cause::caught, .killer = 2}, reproduction::Killer{}, view(tick));
+        population.succession({.body = 0, .cause = Cause::caught, .killer = 2}, reproduction::parent::Killer{}, view(tick));
     population.succeed(0, predator, succession, view(tick));
   }
 
@@ -157,7 +157,7 @@ TEST_CASE("population: a random newcomer has a genome of its own and no parent")
 TEST_CASE("population: who should inherit but finds no parent is random, labelled as the rule says") {
   const auto orphan = [](auto row) {
     const reproduction::Vacancy vacancy{.body = 2, .cause = Cause::starved, .killer = {}};
-    const auto succession = row.population.succession(vacancy, reproduction::NoParent{}, row.view(3));
+    const auto succession = row.population.succession(vacancy, reproduction::parent::NoParent{}, row.view(3));
     CHECK(succession.inherits);
     CHECK_FALSE(succession.parent);
     row.population.succeed(2, prey, succession, row.view(3));
@@ -195,8 +195,8 @@ TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag, di
 TEST_CASE("population: succession changes nobody and gives the same answer again") {
   Row<rules::Paper> row;
   const reproduction::Vacancy vacancy{.body = 0, .cause = Cause::caught, .killer = 3};
-  const auto first = row.population.succession(vacancy, reproduction::Killer{}, row.view(1));
-  const auto second = row.population.succession(vacancy, reproduction::Killer{}, row.view(1));
+  const auto first = row.population.succession(vacancy, reproduction::parent::Killer{}, row.view(1));
+  const auto second = row.population.succession(vacancy, reproduction::parent::Killer{}, row.view(1));
   CHECK(first.inherits == second.inherits);
   CHECK(row.population.next_id() == 4);
   CHECK(row.population[0].id == 0);

@@ -5,8 +5,8 @@
 #include <string>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
-#include <trophic/perception/random_tag.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <utility>
@@ -28,54 +28,54 @@ struct WastefulPlacement : placement::UniformSquare {
     return placed;
   }
 };
-struct WastefulTag : perception::RandomTag {
+struct WastefulTag : perception::newborn_tag::RandomTag {
   [[nodiscard]] int tag(std::optional<int> body_tag, Rng& rng) const {
     const int drawn = RandomTag::tag(body_tag, rng);
     draw_three(rng);
     return drawn;
   }
 };
-struct WastefulWeights : reproduction::UniformWeights {
+struct WastefulWeights : reproduction::initial_genome::UniformWeights {
   void draw(std::span<double> weights, Rng& rng) const {
     UniformWeights::draw(weights, rng);
     draw_three(rng);
   }
 };
-struct WastefulSource : reproduction::RandomOrInherited {
+struct WastefulSource : reproduction::genome_source::RandomOrInherited {
   [[nodiscard]] bool inherits(Rng& rng) const {
     const bool drawn = RandomOrInherited::inherits(rng);
     draw_three(rng);
     return drawn;
   }
 };
-struct WastefulMutation : reproduction::NormalMutation {
+struct WastefulMutation : reproduction::mutation::NormalMutation {
   void mutate(std::span<double> weights, Rng& rng) const {
     NormalMutation::mutate(weights, rng);
     draw_three(rng);
   }
 };
-struct WastefulCapture : death::CatchClosest {
+struct WastefulCapture : death::capture::CatchClosest {
   [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng& rng) const {
     auto drawn = CatchClosest::captures(view, rng);
     draw_three(rng);
     return drawn;
   }
 };
-struct WastefulRescue : death::SacrificeRandomVictim {
+struct WastefulRescue : death::rescue::SacrificeRandomVictim {
   [[nodiscard]] std::vector<death::Sacrifice> sacrifices(const View& view, Rng& rng) const {
     auto drawn = SacrificeRandomVictim::sacrifices(view, rng);
     draw_three(rng);
     return drawn;
   }
 };
-struct WastefulParent : reproduction::NearestVictim {
+struct WastefulParent : reproduction::parent::NearestVictim {
   [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy& vacancy, const View& view, Rng& rng) const {
     draw_three(rng);
     return NearestVictim::parent(vacancy, view, rng);
   }
 };
 /// Draws three numbers first, so that its own mutations are others.
-struct OtherMutation : reproduction::NormalMutation {
+struct OtherMutation : reproduction::mutation::NormalMutation {
   void mutate(std::span<double> weights, Rng& rng) const {
     draw_three(rng);
     NormalMutation::mutate(weights, rng);
@@ -85,8 +85,8 @@ struct OtherMutation : reproduction::NormalMutation {
 /// Paper with every rule that draws random numbers doing so at each chance.
 struct Frugal : rules::Paper {
   using Placement = placement::UniformSquare;
-  using NewbornTag = perception::RandomTag;
-  using Capture = death::CatchClosest;
+  using NewbornTag = perception::newborn_tag::RandomTag;
+  using Capture = death::capture::CatchClosest;
 };
 struct Wasteful : rules::Paper {
   using Placement = WastefulPlacement;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <support/statistics.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <trophic/death/no_reprieve.hpp>
-#include <trophic/death/old_age.hpp>
-#include <trophic/rule_error.hpp>
+#include <trophic/death/reprieve/no_reprieve.hpp>
+#include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/support/rule_error.hpp>
 #include <utility>
 #include <vector>
 
@@ -20,7 +20,7 @@ namespace {
 /// Takes its numbers and keeps its own.
 struct Deaf {
   static constexpr std::string_view name = "deaf";
-  using Params = death::OldAge::Params;
+  using Params = death::senescence::OldAge::Params;
   Deaf() = default;
   explicit Deaf(const Params&) {}
   bool dies(const Individual& one, const View& view, Rng&) const { return view.age_s(one) > params.max_age_s; }
@@ -30,7 +30,7 @@ struct Deaf {
 /// The first member takes the numbers, the one that is used does not.
 struct Misplaced {
   static constexpr std::string_view name = "misplaced";
-  using Params = death::OldAge::Params;
+  using Params = death::senescence::OldAge::Params;
   Params spare;
   Params params{};
   bool dies(const Individual& one, const View& view, Rng&) const { return view.age_s(one) > params.max_age_s; }
@@ -38,7 +38,7 @@ struct Misplaced {
 
 struct Kept {
   static constexpr std::string_view name = "kept";
-  using Params = death::OldAge::Params;
+  using Params = death::senescence::OldAge::Params;
   explicit Kept(const Params& given) : params{given} {}
   bool dies(const Individual& one, const View& view, Rng&) const { return view.age_s(one) > params.max_age_s; }
   Params params;
@@ -117,8 +117,8 @@ TEST_CASE("rules: the released code's numbers") {
 }
 
 TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their numbers") {
-  using Swapped = with_mutation<rules::Released, reproduction::NormalMutation>;
-  static_assert(std::same_as<Swapped::Mutation, reproduction::NormalMutation>);
+  using Swapped = with_mutation<rules::Released, reproduction::mutation::NormalMutation>;
+  static_assert(std::same_as<Swapped::Mutation, reproduction::mutation::NormalMutation>);
   static_assert(std::same_as<Swapped::Capture, rules::Released::Capture>);
   const RuleNumbers<Swapped> numbers;
   CHECK(numbers.mutation.sd == 0.05);
@@ -129,16 +129,16 @@ TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their num
 
 TEST_CASE("rules: a swapped rule starts at the policy's own numbers, not at those of the table it came from") {
   CHECK_FALSE(RuleNumbers<with_activation<rules::Released, rules::Released::Activation>>{}.activation.restarts_age);
-  CHECK(RuleNumbers<with_floor<rules::Released, death::VictimFloor>>{}.floor.floor == 7);
+  CHECK(RuleNumbers<with_floor<rules::Released, death::floor::VictimFloor>>{}.floor.floor == 7);
 }
 
 TEST_CASE("rules: swaps can be stacked and the table's name tells them") {
-  using Twice = with_senescence<with_reprieve<rules::Paper, death::NoReprieve>, death::OldAge>;
-  static_assert(std::same_as<Twice::Reprieve, death::NoReprieve>);
-  static_assert(std::same_as<Twice::Senescence, death::OldAge>);
+  using Twice = with_senescence<with_reprieve<rules::Paper, death::reprieve::NoReprieve>, death::senescence::OldAge>;
+  static_assert(std::same_as<Twice::Reprieve, death::reprieve::NoReprieve>);
+  static_assert(std::same_as<Twice::Senescence, death::senescence::OldAge>);
   CHECK(table_name<rules::Paper>() == "paper");
   CHECK(table_name<Twice>() == "paper with reprieve = no_reprieve with senescence = old_age");
-  using Back = with_reprieve<Twice, death::NearPerceivedVictim>;
+  using Back = with_reprieve<Twice, death::reprieve::NearPerceivedVictim>;
   static_assert(std::same_as<Back::Reprieve, rules::Paper::Reprieve>);
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("rules: numbers given at run time reach the policies") {
 }
 
 TEST_CASE("rules: a policy that does not hold the numbers it was made from is refused by name and slot") {
-  CHECK(made_with_50_s<death::OldAge>() == "50");
+  CHECK(made_with_50_s<death::senescence::OldAge>() == "50");
   CHECK(made_with_50_s<Kept>() == "50");
   CHECK(made_with_50_s<Deaf>() == "the policy deaf in rules.senescence holds another max_age_s than it was made from");
   CHECK(made_with_50_s<Misplaced>() == "the policy misplaced in rules.senescence holds another max_age_s than it was made from");

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <string>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
+#include <trophic/ecology/world.hpp>
+#include <trophic/params/settings.hpp>
 #include <trophic/rules/released.hpp>
-#include <trophic/settings.hpp>
-#include <trophic/world.hpp>
 
 using namespace trophic;
 

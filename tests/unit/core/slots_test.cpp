@@ -7,7 +7,7 @@
 #include <concepts>
 #include <string>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <utility>
@@ -42,7 +42,7 @@ std::pair<std::string, std::string> run(typename Ecology<Rules, backend::Kinemat
 
 }  // namespace
 
-#define TROPHIC_FLIP(Slot, member, Concept, sentence)                                                                 \
+#define TROPHIC_FLIP(Slot, member, kind, Contract)                                                                    \
   template <class Base, class Other>                                                                                  \
   void flip_##member() {                                                                                              \
     constexpr bool same = std::same_as<typename Base::Slot, typename Other::Slot>;                                    \
@@ -70,9 +70,9 @@ TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, dura
   Paper::Params wider;
   wider.rules.capture.reach_m = 1.25;
   CHECK(fingerprint(wider) != paper);
-  using Same = with_floor<rules::Paper, death::VictimFloor>;
+  using Same = with_floor<rules::Paper, death::floor::VictimFloor>;
   CHECK(Ecology<Same, backend::Kinematic>{}.describe(1.0).fingerprint == paper);
-  using Other = with_mutation<rules::Paper, reproduction::UniformMutation>;
+  using Other = with_mutation<rules::Paper, reproduction::mutation::UniformMutation>;
   CHECK(Ecology<Other, backend::Kinematic>{}.describe(1.0).fingerprint != paper);
   Habitat quicker = load_habitat(Paper::Params{}.world);
   Paper::Params own_gait;

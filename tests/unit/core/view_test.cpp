@@ -4,8 +4,8 @@
 #include <numbers>
 #include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/units.hpp>
-#include <trophic/view.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/support/units.hpp>
 
 using namespace trophic;
 using namespace trophic::test;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <concepts>
 #include <string>
-#include <trophic/death/old_age.hpp>
+#include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with_rules_of.hpp>
@@ -19,10 +19,10 @@ using rules::with_rules_of;
 namespace {
 
 /// Paper with one policy, one number and one number of World changed.
-struct Aged : with_senescence<Paper, death::OldAge> {
+struct Aged : with_senescence<Paper, death::senescence::OldAge> {
   static constexpr std::string_view name = "aged";
-  inline static const death::OldAge::Params senescence{.max_age_s = 77.0};
-  static constexpr death::VictimFloor::Params floor{.floor = 5};
+  inline static const death::senescence::OldAge::Params senescence{.max_age_s = 77.0};
+  static constexpr death::floor::VictimFloor::Params floor{.floor = 5};
   static World world() {
     World slower = Paper::world();
     slower.duration_s = 1.0;
@@ -35,7 +35,7 @@ struct Aged : with_senescence<Paper, death::OldAge> {
 
 TEST_CASE("slots of another table bring its policies and numbers, the others stay") {
   using Both = with_rules_of<Paper, Aged, slots({"senescence", "floor"})>;
-  static_assert(std::same_as<Both::Senescence, death::OldAge>);
+  static_assert(std::same_as<Both::Senescence, death::senescence::OldAge>);
   static_assert(std::same_as<Both::Heredity, Paper::Heredity>);
   const RuleNumbers<Both> numbers;
   CHECK(numbers.senescence.max_age_s == 77.0);

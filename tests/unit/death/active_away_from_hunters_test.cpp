@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <support/hand_population.hpp>
-#include <trophic/death/active_away_from_hunters.hpp>
+#include <trophic/death/activation/active_away_from_hunters.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::ActiveAwayFromHunters;
+using death::activation::ActiveAwayFromHunters;
 
 TEST_CASE("active away from hunters: farther than 5 m from every predator, exactly 5 m is not enough") {
   const ActiveAwayFromHunters rule;

@@ -8,14 +8,14 @@
 #include <set>
 #include <support/hand_population.hpp>
 #include <support/statistics.hpp>
-#include <trophic/death/catch_closest.hpp>
+#include <trophic/death/capture/catch_closest.hpp>
 #include <utility>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
 using death::Capture;
-using death::CatchClosest;
+using death::capture::CatchClosest;
 using Captures = std::vector<Capture>;
 
 namespace {

@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <set>
 #include <support/hand_population.hpp>
-#include <trophic/death/catch_within_reach.hpp>
+#include <trophic/death/capture/catch_within_reach.hpp>
 #include <utility>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
 using death::Capture;
-using death::CatchWithinReach;
+using death::capture::CatchWithinReach;
 using Captures = std::vector<Capture>;
 
 namespace {

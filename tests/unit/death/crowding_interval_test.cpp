@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <support/hand_population.hpp>
-#include <trophic/death/crowding_interval.hpp>
+#include <trophic/death/starvation_schedule/crowding_interval.hpp>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::CrowdingInterval;
 using death::StarvationClock;
+using death::starvation_schedule::CrowdingInterval;
 
 namespace {
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/death/hungriest_starves.hpp>
+#include <trophic/death/starvation/hungriest_starves.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::HungriestStarves;
+using death::starvation::HungriestStarves;
 
 namespace {
 

@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/near_perceived_victim.hpp>
+#include <trophic/death/reprieve/near_perceived_victim.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::NearPerceivedVictim;
+using death::reprieve::NearPerceivedVictim;
 
 TEST_CASE("near perceived victim: spared at exactly 5 m from a prey that it perceives, not beyond") {
   const NearPerceivedVictim rule;

@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/near_remembered_adversary.hpp>
+#include <trophic/death/reprieve/near_remembered_adversary.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::NearRememberedAdversary;
+using death::reprieve::NearRememberedAdversary;
 
 TEST_CASE("near remembered adversary: the stored distance decides, not where anybody stands now") {
   const NearRememberedAdversary rule;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/no_senescence.hpp>
+#include <trophic/death/senescence/no_senescence.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
@@ -11,6 +11,6 @@ TEST_CASE("no senescence: nobody dies of age") {
   HandPopulation robots{{{.species = predator}, {.species = prey}}};
   Rng rng{1, Stream::senescence};
   robots.at_tick(1'000'000);
-  CHECK_FALSE(death::NoSenescence{}.dies(robots.individuals[0], robots.view(), rng));
-  CHECK_FALSE(death::NoSenescence{}.dies(robots.individuals[1], robots.view(), rng));
+  CHECK_FALSE(death::senescence::NoSenescence{}.dies(robots.individuals[0], robots.view(), rng));
+  CHECK_FALSE(death::senescence::NoSenescence{}.dies(robots.individuals[1], robots.view(), rng));
 }

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/old_age.hpp>
+#include <trophic/death/senescence/old_age.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
@@ -10,7 +10,7 @@ using namespace trophic::test;
 TEST_CASE("old age: dies from exactly max_age on") {
   HandPopulation robots{{{.species = prey, .age_from_s = 100.0}}};
   Rng rng{1, Stream::senescence};
-  const auto dies = [&](std::int64_t tick, const death::OldAge& rule) {
+  const auto dies = [&](std::int64_t tick, const death::senescence::OldAge& rule) {
     robots.at_tick(tick);
     return rule.dies(robots.individuals[0], robots.view(), rng);
   };

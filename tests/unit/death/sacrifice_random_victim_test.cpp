@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <support/hand_population.hpp>
 #include <support/statistics.hpp>
-#include <trophic/death/sacrifice_random_victim.hpp>
+#include <trophic/death/rescue/sacrifice_random_victim.hpp>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
 using death::Sacrifice;
-using death::SacrificeRandomVictim;
+using death::rescue::SacrificeRandomVictim;
 
 namespace {
 

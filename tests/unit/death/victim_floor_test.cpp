@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <support/hand_population.hpp>
-#include <trophic/death/victim_floor.hpp>
+#include <trophic/death/floor/victim_floor.hpp>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::VictimFloor;
+using death::floor::VictimFloor;
 
 TEST_CASE("victim floor: nobody dies while only 7 are left, inactive newborn counted") {
   std::vector<Robot> list(20, Robot{.species = predator});

@@ -2,13 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/perception/distance_over_terrain.hpp>
+#include <trophic/perception/sensors/distance_over_terrain.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("distance over terrain: the arena's extent is 1 and all beyond it") {
-  const perception::DistanceOverTerrain rule;
+  const perception::sensors::DistanceOverTerrain rule;
   HandPopulation robots{{}};
   const auto input = [&](double distance_m) { return rule.input({.distance_m = distance_m}, robots.view()); };
   CHECK(input(0.0) == 0.0);

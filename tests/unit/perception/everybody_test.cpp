@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/perception/everybody.hpp>
+#include <trophic/perception/visibility/everybody.hpp>
 
 using namespace trophic;
 
 TEST_CASE("everybody: perceives whoever is active, whatever the tags") {
-  const perception::Everybody rule;
+  const perception::visibility::Everybody rule;
   Individual self;
   Individual other;
   for (const int tag : {-1, 1}) {

@@ -3,12 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
-#include <trophic/perception/forward_axis_heading.hpp>
+#include <trophic/perception/heading/forward_axis_heading.hpp>
 
 using namespace trophic;
 
 TEST_CASE("forward axis heading: where the forward axis points, also for a robot on its back or on a slope") {
-  const perception::ForwardAxisHeading rule;
+  const perception::heading::ForwardAxisHeading rule;
   constexpr double quarter = std::numbers::pi / 2.0;
   const auto heading_rad = [&](const Eigen::Quaterniond& orientation) {
     return rule.heading_rad({.position_m = {}, .orientation = orientation}, quarter / 2.0);

@@ -2,17 +2,17 @@
 #include <doctest/doctest.h>
 
 #include <optional>
-#include <trophic/perception/keeps_body_tag.hpp>
+#include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
 
 using namespace trophic;
 
 TEST_CASE("keeps body tag: a newborn shows what the body showed, a founder +1 or as set") {
   Rng rng{1, Stream::newborn_tag};
-  const perception::KeepsBodyTag rule;
+  const perception::newborn_tag::KeepsBodyTag rule;
   CHECK(rule.tag(1, rng) == 1);
   CHECK(rule.tag(-1, rng) == -1);
   CHECK(rule.tag(std::nullopt, rng) == 1);
-  const perception::KeepsBodyTag negative{{.founders_positive = false}};
+  const perception::newborn_tag::KeepsBodyTag negative{{.founders_positive = false}};
   CHECK(negative.tag(1, rng) == 1);
   CHECK(negative.tag(-1, rng) == -1);
   CHECK(negative.tag(std::nullopt, rng) == -1);
@@ -21,6 +21,6 @@ TEST_CASE("keeps body tag: a newborn shows what the body showed, a founder +1 or
 TEST_CASE("keeps body tag: draws nothing") {
   Rng rng{1, Stream::newborn_tag};
   Rng untouched = rng;
-  CHECK(perception::KeepsBodyTag{}.tag(std::nullopt, rng) == 1);
+  CHECK(perception::newborn_tag::KeepsBodyTag{}.tag(std::nullopt, rng) == 1);
   CHECK(rng.bits() == untouched.bits());
 }

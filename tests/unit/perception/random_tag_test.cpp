@@ -2,12 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <optional>
-#include <trophic/perception/random_tag.hpp>
+#include <trophic/perception/newborn_tag/random_tag.hpp>
 
 using namespace trophic;
 
 TEST_CASE("random tag: -1 or +1 with equal probability, whatever the body showed") {
-  const perception::RandomTag rule;
+  const perception::newborn_tag::RandomTag rule;
   constexpr int size = 100'000;
   for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{1}, std::optional{-1}}) {
     Rng rng{7, Stream::newborn_tag, static_cast<std::uint64_t>(body_tag.value_or(0) + 1)};
@@ -24,7 +24,7 @@ TEST_CASE("random tag: -1 or +1 with equal probability, whatever the body showed
 TEST_CASE("random tag: one draw") {
   Rng rng{1, Stream::newborn_tag};
   Rng reference = rng;
-  const int tag = perception::RandomTag{}.tag(std::nullopt, rng);
+  const int tag = perception::newborn_tag::RandomTag{}.tag(std::nullopt, rng);
   CHECK(tag == (reference.uniform() < 0.5 ? 1 : -1));
   CHECK(rng.bits() == reference.bits());
 }

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <trophic/perception/root_yaw_heading.hpp>
-#include <trophic/rng.hpp>
+#include <trophic/perception/heading/root_yaw_heading.hpp>
+#include <trophic/support/rng.hpp>
 
 using namespace trophic;
 
@@ -26,7 +26,7 @@ double angle_to(const Eigen::Quaterniond& q, double beta_rad) {
 }  // namespace
 
 TEST_CASE("root yaw heading: the released code's formula puts everybody on the same side, whatever the tilt") {
-  const perception::RootYawHeading rule;
+  const perception::heading::RootYawHeading rule;
   Rng rng{1, Stream::user};
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Quaterniond q =
@@ -39,7 +39,7 @@ TEST_CASE("root yaw heading: the released code's formula puts everybody on the s
 }
 
 TEST_CASE("root yaw heading: on its back a spider faces 90 degrees off its forward axis") {
-  const perception::RootYawHeading rule;
+  const perception::heading::RootYawHeading rule;
   const Pose back{.position_m = {},
                   .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi, Eigen::Vector3d::UnitX()}}};
   CHECK(rule.heading_rad(back, std::numbers::pi / 4.0) == doctest::Approx(std::numbers::pi / 4.0));

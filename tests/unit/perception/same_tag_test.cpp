@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/perception/same_tag.hpp>
+#include <trophic/perception/visibility/same_tag.hpp>
 
 using namespace trophic;
 
 TEST_CASE("same tag: perceives active individuals of the own tag, whatever its own activity") {
-  const perception::SameTag rule;
+  const perception::visibility::SameTag rule;
   const auto one = [](int tag, bool active) {
     Individual individual;
     individual.tag = tag;

@@ -4,13 +4,13 @@
 #include <numbers>
 #include <support/hand_population.hpp>
 #include <trophic/perception/adversary.hpp>
-#include <trophic/perception/side_away_from_hunter.hpp>
+#include <trophic/perception/sensors/side_away_from_hunter.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("side away from hunter: +1 is predator on the left for prey and prey on the right for predators") {
-  const perception::SideAwayFromHunter rule;
+  const perception::sensors::SideAwayFromHunter rule;
   // both face +y: the predator is on the prey's left and the prey on the predator's right
   HandPopulation robots{{{.species = prey, .x_m = 1.0, .heading_rad = std::numbers::pi / 2.0},
                          {.species = predator, .x_m = -1.0, .heading_rad = std::numbers::pi / 2.0}}};
@@ -22,7 +22,7 @@ TEST_CASE("side away from hunter: +1 is predator on the left for prey and prey o
 }
 
 TEST_CASE("side away from hunter: a middle species turns away from what eats it and towards what it eats") {
-  const perception::SideAwayFromHunter rule;
+  const perception::sensors::SideAwayFromHunter rule;
   const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = hunter}}, chain_web()};
   const auto input = [&](BodyIndex adversary) {
     return rule.input({.self = 1, .adversary = adversary, .distance_m = 1.0, .bearing_rad = 0.5}, robots.view());

@@ -2,13 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/perception/tag_cool_down.hpp>
+#include <trophic/perception/tag_switch/tag_cool_down.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or birth on") {
-  const perception::TagCoolDown rule;
+  const perception::tag_switch::TagCoolDown rule;
   HandPopulation robots{{{.tag_since_s = 0.0}, {.tag_since_s = 30.0}}};
   const auto may = [&](BodyIndex body, std::int64_t tick) {
     robots.at_tick(tick);
@@ -23,15 +23,15 @@ TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or 
 }
 
 TEST_CASE("tag cool-down: runs from the last switch, not from the last opportunity") {
-  CHECK(perception::TagCoolDown{}.restarts(true));
-  CHECK_FALSE(perception::TagCoolDown{}.restarts(false));
+  CHECK(perception::tag_switch::TagCoolDown{}.restarts(true));
+  CHECK_FALSE(perception::tag_switch::TagCoolDown{}.restarts(false));
 }
 
 TEST_CASE("tag cool-down: another pause, none") {
   HandPopulation robots{{{.tag_since_s = 10.0}}};
   const auto may = [&](double cool_down_s, std::int64_t tick) {
     robots.at_tick(tick);
-    return perception::TagCoolDown{{.cool_down_s = cool_down_s}}.may_switch(robots.individuals[0], robots.view());
+    return perception::tag_switch::TagCoolDown{{.cool_down_s = cool_down_s}}.may_switch(robots.individuals[0], robots.view());
   };
   CHECK_FALSE(may(100.0, 54));
   CHECK(may(100.0, 55));

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <support/hand_population.hpp>
-#include <trophic/perception/tag_ratio_of_active.hpp>
+#include <trophic/perception/sensors/tag_ratio_of_active.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("tag ratio of active: inactive newborn count neither as P nor as N") {
-  const perception::TagRatioOfActive rule;
+  const perception::sensors::TagRatioOfActive rule;
   CHECK(rule.input(HandPopulation{{{.tag = 1}, {.tag = 1}, {.tag = 1}, {.tag = -1}}}.view()) == 0.25);
   CHECK(rule.input(HandPopulation{{{.tag = 1}, {.tag = 1, .active = false}, {.tag = -1}, {.tag = -1, .active = false}}}.view()) ==
         0.0);
@@ -22,7 +22,7 @@ TEST_CASE("tag ratio of active: inactive newborn count neither as P nor as N") {
 
 TEST_CASE("tag ratio of active: within +-1/2, changes sign with all tags, and the order of bodies does not matter") {
   CHECK(rc::check([](std::uint64_t seed) {
-    const perception::TagRatioOfActive rule;
+    const perception::sensors::TagRatioOfActive rule;
     HandPopulation robots = random_population(seed, 1 + seed % 30);
     const double ratio = rule.input(robots.view());
     RC_ASSERT(std::abs(ratio) <= 0.5);

@@ -2,13 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/perception/tag_sampling.hpp>
+#include <trophic/perception/tag_switch/tag_sampling.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("tag sampling: the brain's tag is taken 100 s after the clock's start, and the clock starts again whatever it was") {
-  const perception::TagSampling rule;
+  const perception::tag_switch::TagSampling rule;
   HandPopulation robots{{{.tag_since_s = 0.0}, {.tag_since_s = 30.0}}};
   const auto may = [&](BodyIndex body, std::int64_t tick) {
     robots.at_tick(tick);
@@ -25,6 +25,6 @@ TEST_CASE("tag sampling: the brain's tag is taken 100 s after the clock's start,
 TEST_CASE("tag sampling: another period") {
   HandPopulation robots{{{.tag_since_s = 0.0}}};
   robots.at_tick(3);
-  CHECK(perception::TagSampling{{.period_s = 6.0}}.may_switch(robots.individuals[0], robots.view()));
-  CHECK_FALSE(perception::TagSampling{{.period_s = 7.0}}.may_switch(robots.individuals[0], robots.view()));
+  CHECK(perception::tag_switch::TagSampling{{.period_s = 6.0}}.may_switch(robots.individuals[0], robots.view()));
+  CHECK_FALSE(perception::tag_switch::TagSampling{{.period_s = 7.0}}.may_switch(robots.individuals[0], robots.view()));
 }

@@ -2,13 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/reproduction/killer.hpp>
+#include <trophic/reproduction/parent/killer.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("killer: the hunter that catches is the parent") {
-  const reproduction::Killer rule;
+  const reproduction::parent::Killer rule;
   const HandPopulation robots{
       {{.species = prey}, {.species = predator, .x_m = 0.1, .id = 41}, {.species = predator, .x_m = 0.9, .id = 42}}};
   Rng rng{1, Stream::parent};
@@ -22,5 +22,5 @@ TEST_CASE("killer: the hunter that catches is the parent") {
 TEST_CASE("killer: no parent where nobody killed") {
   Rng rng{1, Stream::parent};
   const HandPopulation robots{{{.species = prey}, {.species = predator}}};
-  CHECK_FALSE(reproduction::Killer{}.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng));
+  CHECK_FALSE(reproduction::parent::Killer{}.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng));
 }

@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <support/hand_population.hpp>
-#include <trophic/reproduction/last_killer.hpp>
+#include <trophic/reproduction/parent/last_killer.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("last killer: whoever last caught somebody in this body, dead by now or not") {
-  const reproduction::LastKiller rule;
+  const reproduction::parent::LastKiller rule;
   const auto genome = std::make_shared<Genome>(Genome{.id = 5, .weights = {0.5}});
   const HandPopulation robots{
       {{.species = prey, .memory = {.last_killer = Ancestor{.id = 77, .species = predator, .genome = genome}}},

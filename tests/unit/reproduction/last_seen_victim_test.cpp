@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <support/hand_population.hpp>
-#include <trophic/reproduction/last_seen_victim.hpp>
+#include <trophic/reproduction/parent/last_seen_victim.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("last seen victim: whoever the body remembers, at any distance, though another prey stands beside it") {
-  const reproduction::LastSeenVictim rule;
+  const reproduction::parent::LastSeenVictim rule;
   const auto genome = std::make_shared<Genome>(Genome{.id = 5, .weights = {0.5}});
   const HandPopulation robots{
       {{.species = predator, .memory = {.last_seen_victim = Ancestor{.id = 77, .species = prey, .genome = genome}}},

@@ -2,13 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/reproduction/nearest_conspecific.hpp>
+#include <trophic/reproduction/parent/nearest_conspecific.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("nearest conspecific: the closest of the dying one's species, tags and activity ignored, alone: nobody") {
-  const reproduction::NearestConspecific rule;
+  const reproduction::parent::NearestConspecific rule;
   Rng rng{1, Stream::parent};
   const HandPopulation robots{{{.species = prey},
                                {.species = predator, .x_m = 0.5},

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/reproduction/nearest_victim.hpp>
+#include <trophic/reproduction/parent/nearest_victim.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
@@ -13,7 +13,7 @@ using namespace trophic::test;
 namespace {
 
 std::optional<IndividualId> parent_of(BodyIndex body, const HandPopulation& robots,
-                                      const reproduction::NearestVictim& rule = {}) {
+                                      const reproduction::parent::NearestVictim& rule = {}) {
   Rng rng{1, Stream::parent};
   const auto parent = rule.parent({.body = body, .cause = Cause::starved, .killer = {}}, robots.view(), rng);
   return parent ? std::optional{parent->id} : std::nullopt;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/reproduction/no_parent.hpp>
+#include <trophic/reproduction/parent/no_parent.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
@@ -10,5 +10,5 @@ using namespace trophic::test;
 TEST_CASE("no parent: nobody, though prey and a killer are there") {
   const HandPopulation robots{{{.species = prey}, {.species = predator, .x_m = 0.5}}};
   Rng rng{1, Stream::parent};
-  CHECK_FALSE(reproduction::NoParent{}.parent({.body = 0, .cause = Cause::caught, .killer = 1}, robots.view(), rng));
+  CHECK_FALSE(reproduction::parent::NoParent{}.parent({.body = 0, .cause = Cause::caught, .killer = 1}, robots.view(), rng));
 }

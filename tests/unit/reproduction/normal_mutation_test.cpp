@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <support/statistics.hpp>
-#include <trophic/reproduction/normal_mutation.hpp>
+#include <trophic/reproduction/mutation/normal_mutation.hpp>
 #include <vector>
 
 using namespace trophic;
-using reproduction::NormalMutation;
+using reproduction::mutation::NormalMutation;
 
 TEST_CASE("normal mutation: steps are normal with mean 0 and the given sd, alike for every weight") {
   constexpr std::size_t offspring = 10'000;

@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <memory>
-#include <trophic/reproduction/nothing_inherited.hpp>
+#include <trophic/reproduction/heredity/nothing_inherited.hpp>
 
 using namespace trophic;
 
 TEST_CASE("nothing inherited: no genome is passed on") {
   const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.5}});
-  CHECK(reproduction::NothingInherited{}.inherit(parent) == nullptr);
+  CHECK(reproduction::heredity::NothingInherited{}.inherit(parent) == nullptr);
 }

@@ -2,14 +2,14 @@
 #include <doctest/doctest.h>
 
 #include <memory>
-#include <trophic/reproduction/own_copy.hpp>
+#include <trophic/reproduction/heredity/own_copy.hpp>
 #include <vector>
 
 using namespace trophic;
 
 TEST_CASE("own copy: equal weights in another object, so that mutation leaves the parent as it is") {
   const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.25, -0.5}});
-  const auto offspring = reproduction::OwnCopy{}.inherit(parent);
+  const auto offspring = reproduction::heredity::OwnCopy{}.inherit(parent);
   REQUIRE(offspring != parent);
   CHECK(offspring->weights == parent->weights);
   offspring->weights[0] = 9.0;

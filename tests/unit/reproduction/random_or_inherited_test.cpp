@@ -2,10 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <trophic/reproduction/random_or_inherited.hpp>
+#include <trophic/reproduction/genome_source/random_or_inherited.hpp>
 
 using namespace trophic;
-using reproduction::RandomOrInherited;
+using reproduction::genome_source::RandomOrInherited;
 
 TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
   constexpr int size = 200'000;

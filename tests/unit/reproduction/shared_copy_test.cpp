@@ -2,13 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <memory>
-#include <trophic/reproduction/shared_copy.hpp>
+#include <trophic/reproduction/heredity/shared_copy.hpp>
 
 using namespace trophic;
 
 TEST_CASE("shared copy: one object for parent, offspring and grandchild, so that each mutation reaches all") {
   const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.25, -0.5}});
-  const reproduction::SharedCopy rule;
+  const reproduction::heredity::SharedCopy rule;
   const auto offspring = rule.inherit(parent);
   const auto grandchild = rule.inherit(offspring);
   grandchild->weights[1] = 1.0;

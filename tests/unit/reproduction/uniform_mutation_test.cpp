@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <support/statistics.hpp>
-#include <trophic/reproduction/uniform_mutation.hpp>
+#include <trophic/reproduction/mutation/uniform_mutation.hpp>
 #include <vector>
 
 using namespace trophic;
-using reproduction::UniformMutation;
+using reproduction::mutation::UniformMutation;
 
 TEST_CASE("uniform mutation: steps are uniform within +-half width") {
   std::vector<double> weights(200'000, 0.0);

@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <support/statistics.hpp>
-#include <trophic/reproduction/uniform_weights.hpp>
+#include <trophic/reproduction/initial_genome/uniform_weights.hpp>
 #include <vector>
 
 using namespace trophic;
-using reproduction::UniformWeights;
+using reproduction::initial_genome::UniformWeights;
 
 TEST_CASE("uniform weights: uniform in -1 to 1, whatever the genome held before") {
   std::vector<double> weights(200'000, 17.0);

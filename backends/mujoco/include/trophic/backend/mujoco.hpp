@@ -12,11 +12,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
 #include <trophic/backend/mujoco/one_model.hpp>
 #include <trophic/backend/mujoco/save_mjcf.hpp>
-#include <trophic/body/validate.hpp>
+#include <trophic/habitat/validate_robot.hpp>
 #include <tuple>
 #include <utility>
 #include <variant>

@@ -12,15 +12,15 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/arena.hpp>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/backend/ode/groups.hpp>
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/robot.hpp>
 #include <trophic/backend/ode/state.hpp>
-#include <trophic/body/robot_model.hpp>
-#include <trophic/body/validate.hpp>
-#include <trophic/params.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/habitat/validate_robot.hpp>
+#include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>
 

@@ -11,7 +11,7 @@
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/lane_step.hpp>
-#include <trophic/backend/thread_pool.hpp>
+#include <trophic/support/thread_pool.hpp>
 #include <utility>
 #include <vector>
 

@@ -13,12 +13,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/arena.hpp>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/box_depth.hpp>
-#include <trophic/body/robot_model.hpp>
-#include <trophic/params.hpp>
-#include <trophic/units.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/units.hpp>
 #include <vector>
 
 namespace trophic::backend::mujoco {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <trophic/backend/mujoco/compiled_model.hpp>
-#include <trophic/units.hpp>
+#include <trophic/support/units.hpp>
 #include <vector>
 
 namespace trophic::backend::mujoco {

@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <trophic/arena.hpp>
-#include <trophic/arena_load.hpp>
 #include <trophic/backend/ode/engine.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/load/arena.hpp>
 #include <vector>
 
 namespace trophic::backend::ode {

@@ -10,15 +10,15 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <trophic/arena.hpp>
 #include <trophic/backend/clusters.hpp>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/backend/ode/engine.hpp>
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/scene.hpp>
 #include <trophic/backend/ode/state.hpp>
-#include <trophic/backend/thread_pool.hpp>
-#include <trophic/body/robot_model.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/support/thread_pool.hpp>
 #include <vector>
 
 namespace trophic::backend::ode {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
-#include <trophic/params.hpp>
+#include <trophic/params/params.hpp>
 #include <tuple>
 
 namespace trophic::backend::ode {

@@ -13,8 +13,8 @@
 #include <trophic/backend/ode/engine.hpp>
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/state.hpp>
-#include <trophic/body/robot_model.hpp>
-#include <trophic/units.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/support/units.hpp>
 #include <utility>
 #include <vector>
 

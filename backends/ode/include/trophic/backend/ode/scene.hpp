@@ -8,15 +8,15 @@
 #include <cstddef>
 #include <mutex>
 #include <span>
-#include <trophic/arena.hpp>
-#include <trophic/backend/concept.hpp>
+#include <trophic/backend/contract.hpp>
 #include <trophic/backend/ode/contacts.hpp>
 #include <trophic/backend/ode/engine.hpp>
 #include <trophic/backend/ode/ground.hpp>
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/robot.hpp>
 #include <trophic/backend/ode/state.hpp>
-#include <trophic/body/robot_model.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
 #include <vector>
 
 namespace trophic::backend::ode {

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// A strict reader of plain CSV files: what it does not understand it reports with file, line and column.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// Reads the files that observe::CsvFile writes: one header row, commas, no quotes, every row as many cells as the header and
+/// ended by a newline. Only the columns asked for are looked at; they may stand anywhere. A last line without its newline was cut
+/// off when the writer was killed: it is not a row, and truncated() says so.
+class CsvReader {
+ public:
+  /// Throws std::runtime_error "FILE: ..." if it cannot be read, has no header or lacks one of `columns`.
+  CsvReader(const std::filesystem::path& path, std::initializer_list<std::string_view> columns) : file_{path.string()} {
+    std::ifstream stream{path, std::ios::binary};
+    std::ostringstream text;
+    if (!std::filesystem::is_regular_file(path) || !(text << stream.rdbuf())) throw error("cannot be read, or is empty");
+    text_ = std::move(text).str();
+    if (!split_line()) throw error("has no header");
+    width_ = cells_.size();
+    for (const std::string_view column : columns) {
+      const auto found = std::ranges::find(cells_, column);
+      if (found == cells_.end()) throw error(1, "no column \"" + std::string{column} + "\"; another kind of file?");
+      wanted_.push_back({std::string{column}, static_cast<std::size_t>(found - cells_.begin())});
+    }
+  }
+
+  /// Goes to the next row; false after the last. Throws std::runtime_error "FILE:LINE: ..." for a wrong number of cells.
+  bool next() {
+    if (!split_line()) return false;
+    if (cells_.size() != width_) {
+      throw error(line_, std::to_string(cells_.size()) + " cells, the header has " + std::to_string(width_));
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::size_t line() const { return line_; }
+  /// Whether the file ended in the middle of a line; known once next() is false.
+  [[nodiscard]] bool truncated() const { return truncated_; }
+
+  /// The cell in the row at hand of the column that was asked for at this place.
+  [[nodiscard]] std::string_view text(std::size_t column) const { return cells_[wanted_.at(column).place]; }
+
+  /// A number, {0, 1} as a bool, or an enumerator by name. Throws std::runtime_error "FILE:LINE: COLUMN = "TEXT": must be ...".
+  template <class T>
+  [[nodiscard]] T get(std::size_t column) const {
+    const std::string_view cell = text(column);
+    if constexpr (std::is_same_v<T, bool>) {
+      if (cell != "0" && cell != "1") reject(column, "0 or 1");
+      return cell == "1";
+    } else if constexpr (NamedEnum<T>) {
+      constexpr auto names = enum_names(T{});
+      const auto found = std::ranges::find(names, cell);
+      if (found == names.end()) reject(column, "one of the names that the program writes");
+      return static_cast<T>(found - names.begin());
+    } else {
+      T value{};
+      const auto parsed = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+      if (parsed.ec != std::errc{} || parsed.ptr != cell.data() + cell.size()) {
+        reject(column, std::is_integral_v<T> ? "a whole number in range" : "a number");
+      }
+      if constexpr (std::is_floating_point_v<T>) {
+        if (!(value - value == T{0})) reject(column, "finite");
+      }
+      return value;
+    }
+  }
+  /// None for an empty cell.
+  template <class T>
+  [[nodiscard]] std::optional<T> get_optional(std::size_t column) const {
+    return text(column).empty() ? std::nullopt : std::optional{get<T>(column)};
+  }
+
+  [[noreturn]] void reject(std::size_t column, std::string_view must) const {
+    throw error(line_, wanted_.at(column).name + " = \"" + std::string{text(column)} + "\": must be " + std::string{must});
+  }
+  /// An error about a line of this file, for the caller to throw.
+  [[nodiscard]] std::runtime_error error(std::size_t line, const std::string& what) const {
+    return std::runtime_error{file_ + ":" + std::to_string(line) + ": " + what};
+  }
+
+ private:
+  struct Wanted {
+    std::string name;
+    std::size_t place;
+  };
+
+  [[nodiscard]] std::runtime_error error(const std::string& what) const { return std::runtime_error{file_ + ": " + what}; }
+
+  bool split_line() {
+    const std::size_t end = text_.find('\n', at_);
+    if (end == std::string::npos) {
+      truncated_ = at_ < text_.size();
+      return false;
+    }
+    ++line_;
+    std::string_view rest = std::string_view{text_}.substr(at_, end - at_);
+    if (rest.ends_with('\r')) rest.remove_suffix(1);
+    at_ = end + 1;
+    cells_.clear();
+    for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
+      cells_.push_back(rest.substr(0, comma));
+      rest.remove_prefix(comma + 1);
+    }
+    cells_.push_back(rest);
+    return true;
+  }
+
+  std::string file_;
+  std::string text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 0;
+  std::size_t width_ = 0;
+  bool truncated_ = false;
+  std::vector<Wanted> wanted_;
+  std::vector<std::string_view> cells_;
+};
+
+}  // namespace trophic::analysis

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// All metrics of one run, each with the baselines that it has to be set beside.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <trophic/analysis/data/read_run.hpp>
+#include <trophic/analysis/metrics/attribution.hpp>
+#include <trophic/analysis/metrics/demography.hpp>
+#include <trophic/analysis/metrics/series.hpp>
+#include <trophic/analysis/metrics/stuck.hpp>
+#include <trophic/analysis/metrics/tag_symmetry.hpp>
+#include <trophic/analysis/metrics/velocity.hpp>
+#include <trophic/analysis/metrics/wall_sticking.hpp>
+#include <trophic/support/rng.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// What a measurement means.
+struct MetricName {
+  std::string metric;
+  std::string species;  ///< "prey"; of a metric of two: "prey+predator"
+  std::string group;    ///< all, random, inherited; of deaths a cause, of ticks_at a number of members
+  std::string unit;     ///< "1" for shares
+  friend auto operator<=>(const MetricName&, const MetricName&) = default;
+};
+
+/// What another value of a measurement is for. Only a null, which is what chance alone would give, gets a verdict.
+enum class Role { reference, paper, null };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Role) {
+  return {"reference", "paper", "null"};
+}
+
+/// A value to set a measurement beside. `paper`: the baseline that the paper compares with.
+struct Baseline {
+  std::string name;
+  Role role = Role::reference;
+  std::optional<double> value;
+};
+
+/// One number of one run; none where it cannot be computed.
+struct Measurement {
+  MetricName name;
+  std::optional<double> value;
+  std::vector<Baseline> baselines;
+};
+
+/// A curve over the time of one run; `baseline` is empty for what was observed.
+struct Curve {
+  MetricName name;
+  std::string baseline;
+  Series points;
+};
+
+struct RunMetrics {
+  std::vector<Measurement> measurements;
+  std::vector<Curve> curves;
+};
+
+/// Hunters that the released rules leave when they starve and rescue at their floor: the authors' runs have 8 for 30 % of the
+/// time.
+inline constexpr std::size_t crowd_at_floor = 8;
+
+namespace detail {
+
+inline constexpr std::array<Group, 3> groups{Group::all, Group::random, Group::inherited};
+
+inline void measure_attribution(Events events, const FoodWeb& web, RunMetrics& result) {
+  const Baseline two_thirds{"two_thirds", Role::paper, attribution_paper_baseline};
+  for (Species species = 0; species < web.size(); ++species) {
+    const auto add = [&](const char* metric, std::optional<double> value) {
+      result.measurements.push_back({{metric, web.name(species), "all", "1"}, value, {two_thirds}});
+    };
+    if (web.is_hunted(species)) {
+      add("attribution_caught", attribution_caught(events, species));
+      add("attribution_died", attribution_died(events, species));
+    }
+    if (web.hunts(species)) {
+      add("attribution_catches", attribution_catches(events, species));
+      add("attribution_catchers", attribution_catchers(events, species));
+      add("attribution_credited", attribution_credited(events, web, species));
+    }
+  }
+}
+
+inline void measure_deaths(Events events, const FoodWeb& web, double until_s, RunMetrics& result) {
+  for (Species species = 0; species < web.size(); ++species) {
+    const auto add = [&](std::string_view group, std::optional<Cause> cause) {
+      const MetricName metric{"deaths", web.name(species), std::string{group}, "1"};
+      const std::optional<double> count =
+          events.empty() ? std::nullopt : std::optional{static_cast<double>(deaths(events, species, cause))};
+      result.measurements.push_back({metric, count, {}});
+      result.curves.push_back({metric, "", events.empty() ? Series{} : deaths_per_window(events, species, cause, until_s)});
+    };
+    add("all", std::nullopt);
+    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+      add(enum_names(Cause{})[cause], static_cast<Cause>(cause));
+    }
+  }
+}
+
+inline void measure_velocity(const std::string& metric, const std::vector<VelocitySample>& samples, const FoodWeb& web,
+                             RunMetrics& result) {
+  for (Species species = 0; species < web.size(); ++species) {
+    for (const Group group : groups) {
+      const MetricName name{metric, web.name(species), std::string{enum_name(group)}, "m/s"};
+      const WindowMean observed = velocity(samples, species, group);
+      result.measurements.push_back({name, observed.mean_of_points(), {{"zero", Role::paper, 0.0}}});
+      result.curves.push_back({name, "", observed.series()});
+    }
+  }
+}
+
+inline void measure_walls(Agents agents, const FoodWeb& web, double half_side_m, RunMetrics& result) {
+  std::vector<std::optional<double>> everybody;
+  for (Species species = 0; species < web.size(); ++species) {
+    for (const Group group : groups) {
+      const MetricName metric{"wall_sticking", web.name(species), std::string{enum_name(group)}, "1"};
+      const WindowMean sticking = wall_sticking(agents, species, group, half_side_m);
+      result.measurements.push_back(
+          {metric, sticking.mean(), {{"even_spread", Role::reference, wall_share_of_floor(half_side_m)}}});
+      result.curves.push_back({metric, "", sticking.series()});
+      if (group == Group::all) everybody.push_back(sticking.mean());
+    }
+  }
+  for (const auto& [hunter, victim] : web.links()) {
+    const MetricName metric{"wall_sticking_gap", web.name(victim) + "-" + web.name(hunter), "all", "1"};
+    std::optional<double> gap;
+    if (everybody[victim] && everybody[hunter]) gap = *everybody[victim] - *everybody[hunter];
+    result.measurements.push_back({metric, gap, {{"zero", Role::reference, 0.0}}});
+  }
+}
+
+inline void measure_tags(Agents agents, const FoodWeb& web, RunMetrics& result) {
+  Rng rng{0, Stream::null_model};
+  const double uniform_pairs = uniform_pair_symmetry(rng);
+  for (const auto& [hunter, victim] : web.links()) {
+    const MetricName metric{"tag_symmetry", web.name(victim) + "+" + web.name(hunter), "inherited", "1"};
+    const TagSymmetry symmetry = tag_symmetry(agents, victim, hunter);
+    result.measurements.push_back({metric,
+                                   symmetry.observed.mean(),
+                                   {{"dealt_tags", Role::null, symmetry.dealt.mean()},
+                                    {"uniform_pairs", Role::paper, uniform_pairs},
+                                    {"fair_coins", Role::reference, symmetry.fair_coins.mean()}}});
+    result.curves.push_back({metric, "", symmetry.observed.series()});
+    result.curves.push_back({metric, "dealt_tags", symmetry.dealt.series()});
+    result.curves.push_back({metric, "fair_coins", symmetry.fair_coins.series()});
+  }
+}
+
+inline void measure_populations(Agents agents, const FoodWeb& web, RunMetrics& result) {
+  const auto add = [&](MetricName metric, const WindowMean& mean) {
+    result.measurements.push_back({metric, mean.mean(), {}});
+    result.curves.push_back({std::move(metric), "", mean.series()});
+  };
+  for (Species species = 0; species < web.size(); ++species) {
+    for (const Group group : groups) {
+      add({"population", web.name(species), std::string{enum_name(group)}, "1"}, population_size(agents, species, group));
+    }
+    if (!web.hunts(species)) continue;
+    add({"hunger", web.name(species), "all", "ticks"}, hunger(agents, species));
+    add({"ticks_at", web.name(species), std::to_string(crowd_at_floor), "1"}, ticks_at(agents, species, crowd_at_floor));
+  }
+}
+
+inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result) {
+  const auto add = [&](const std::string& of, const WindowMean& mean) {
+    const MetricName metric{"stuck", of, "all", "1"};
+    result.measurements.push_back({metric, mean.mean(), {}});
+    result.curves.push_back({metric, "", mean.series()});
+  };
+  for (Species species = 0; species < web.size(); ++species) add(web.name(species), stuck(agents, species));
+  add("everybody", stuck(agents, std::nullopt));
+}
+
+}  // namespace detail
+
+/// All metrics of a run, for any number of species, in an order that depends only on the food web. A metric whose table is
+/// missing or has no row is there without a value.
+[[nodiscard]] inline RunMetrics measure_run(const RunData& run) {
+  RunMetrics result;
+  const Events events = run.events ? Events{*run.events} : Events{};
+  const Agents agents = run.agents ? Agents{*run.agents} : Agents{};
+  const FoodWeb& web = run.facts.web;
+  detail::measure_attribution(events, web, result);
+  detail::measure_deaths(events, web, run.facts.until_s, result);
+  detail::measure_velocity("velocity", velocity_samples(agents), web, result);
+  detail::measure_velocity("velocity_stored", stored_velocity_samples(agents), web, result);
+  detail::measure_walls(agents, web, run.facts.half_side_m, result);
+  detail::measure_tags(agents, web, result);
+  detail::measure_populations(agents, web, result);
+  detail::measure_stuck(agents, web, result);
+  return result;
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Velocity: how fast robots get nearer to where their adversary was.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <trophic/analysis/data/tables.hpp>
+#include <trophic/analysis/metrics/series.hpp>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// One robot over one stretch of time: (dist(P1, A1) - dist(P2, A1)) / duration with P1, P2 its own position at the start and the
+/// end and A1 its adversary's at the start (Eq. "eqvelo"); positive towards the adversary. A walk past something close ends
+/// farther away on average, so zero is no null: the neutral shadow is.
+struct VelocitySample {
+  double time_s = 0.0;  ///< start
+  Species species = 0;
+  Origin origin = Origin::random;
+  double velocity_m_s = 0.0;
+};
+
+namespace detail {
+
+/// `adversary_of(row, start)` is asked of every robot at every tick, in order; a null pointer: no sample.
+template <class AdversaryOf>
+[[nodiscard]] std::vector<VelocitySample> samples_towards(Agents agents, std::int64_t ticks, AdversaryOf adversary_of) {
+  const auto distance = [](const AgentRow& a, const AgentRow& b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); };
+  std::vector<VelocitySample> samples;
+  const auto moments = by_tick(agents);
+  std::size_t later = 0;
+  for (const Agents& now : moments) {
+    while (later < moments.size() && moments[later].front().tick < now.front().tick + ticks) ++later;
+    const bool has_end = later < moments.size() && moments[later].front().tick == now.front().tick + ticks;
+    const Moment start{now};
+    const Moment end{has_end ? moments[later] : Agents{}};
+    for (const AgentRow& from : now) {
+      const AgentRow* adversary = adversary_of(from, start);
+      const AgentRow* to = end.find(from.id);
+      if (to == nullptr || adversary == nullptr) continue;
+      samples.push_back({.time_s = from.time_s,
+                         .species = from.species,
+                         .origin = from.origin,
+                         .velocity_m_s = (distance(from, *adversary) - distance(*to, *adversary)) / (to->time_s - from.time_s)});
+    }
+  }
+  return samples;
+}
+
+}  // namespace detail
+
+/// Every stretch of `ticks` ticks (6, that is 12 s, in the paper) of every robot that has an adversary at its start, one starting
+/// at each tick. The adversary may die meanwhile: only its position at the start counts. A robot that is reborn meanwhile is
+/// somebody else: no sample; nor are there any in the last `ticks` ticks.
+[[nodiscard]] inline std::vector<VelocitySample> velocity_samples(Agents agents, std::int64_t ticks = 6) {
+  return detail::samples_towards(agents, ticks, [](const AgentRow& from, const Moment& start) {
+    return from.adversary ? start.find(*from.adversary) : nullptr;
+  });
+}
+
+/// As velocity_samples, with the adversary that the authors' log stores: of each body the body that it last perceived as closest,
+/// kept while it sees nobody and across births. Bodies that have never perceived anybody give no sample. The published velocities
+/// come from such a log.
+[[nodiscard]] inline std::vector<VelocitySample> stored_velocity_samples(Agents agents, std::int64_t ticks = 6) {
+  std::map<BodyIndex, BodyIndex> stored;
+  return detail::samples_towards(agents, ticks, [&stored](const AgentRow& from, const Moment& start) -> const AgentRow* {
+    const AgentRow* seen = from.adversary ? start.find(*from.adversary) : nullptr;
+    if (seen != nullptr) stored.insert_or_assign(from.body, seen->body);
+    const auto kept = stored.find(from.body);
+    return kept == stored.end() ? nullptr : start.find_body(kept->second);
+  });
+}
+
+/// Velocity of a group, averaged in windows of `window_s` (200 s in the paper: 30 points). Its mean_of_points() is the straight
+/// line in the paper's figure.
+[[nodiscard]] inline WindowMean velocity(const std::vector<VelocitySample>& samples, Species species, Group group,
+                                         double window_s = 200.0) {
+  WindowMean mean{window_s};
+  for (const VelocitySample& sample : samples) {
+    if (sample.species == species && belongs(sample.origin, group)) mean.add(sample.time_s, sample.velocity_m_s);
+  }
+  return mean;
+}
+
+}  // namespace trophic::analysis

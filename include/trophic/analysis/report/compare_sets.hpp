@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Two sets of runs against each other, metric by metric.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <trophic/analysis/metrics/run_metrics.hpp>
+#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/statistics/holm.hpp>
+#include <trophic/analysis/statistics/interval.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// A difference of sets. The interval is of this difference alone; `adjusted` is its p value corrected for all metrics that are
+/// compared (Holm), and decides whether the sets differ.
+struct Difference {
+  std::optional<double> value;
+  std::optional<Interval> interval;
+  std::optional<double> p;
+  std::optional<double> adjusted;
+  [[nodiscard]] bool differs() const { return adjusted && *adjusted <= 0.05; }
+};
+
+/// One metric of two sets.
+struct SetDifference {
+  MetricName name;
+  Estimate a;
+  Estimate b;
+  Difference raw;          ///< b - a: moves with the population's composition, too
+  Difference over_shadow;  ///< (b - shadow of b) - (a - shadow of a); empty unless both have a shadow
+};
+
+/// Throws std::invalid_argument, naming both, if runs of two sets did not last equally long.
+inline void check_comparable(const RunFacts& a, const RunFacts& b) {
+  if (a.until_s == b.until_s) return;
+  throw std::invalid_argument{b.folder.string() + ": " + number_text(b.until_s) + " s, but " + a.folder.string() + " has " +
+                              number_text(a.until_s) + " s; runs of different length are not compared: use --until"};
+}
+
+namespace detail {
+
+[[nodiscard]] inline Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of) {
+  return {value, interval_of(of), p_value(of), {}};
+}
+
+inline void adjust(std::vector<SetDifference>& all, Difference SetDifference::*of) {
+  std::vector<double> p_values;
+  for (const SetDifference& each : all) {
+    if (const auto& p = (each.*of).p) p_values.push_back(*p);
+  }
+  const std::vector<double> adjusted = holm(p_values);
+  std::size_t k = 0;
+  for (SetDifference& each : all) {
+    if ((each.*of).p) (each.*of).adjusted = adjusted[k++];
+  }
+}
+
+}  // namespace detail
+
+/// For every metric that both sets measured, in the order of `a`.
+[[nodiscard]] inline std::vector<SetDifference> compare_sets(const ShadowedSet& a, const ShadowedSet& b) {
+  std::vector<SetDifference> all;
+  for (const Measurement& measurement : a.ours.runs.front().measurements) {
+    const MetricName& name = measurement.name;
+    if (std::ranges::find(b.ours.runs.front().measurements, name, &Measurement::name) == b.ours.runs.front().measurements.end()) {
+      continue;
+    }
+    const auto of_a = values_of(a.ours.runs, name);
+    const auto of_b = values_of(b.ours.runs, name);
+    SetDifference d{name, estimate(of_a), estimate(of_b), {}, {}};
+    std::optional<double> raw;
+    if (d.a.mean && d.b.mean) raw = *d.b.mean - *d.a.mean;
+    d.raw = detail::difference_of(raw, contrast({{-1.0, of_a}, {1.0, of_b}}));
+    if (a.shadow && b.shadow) {
+      const auto null_a = values_of(a.shadow_runs(), name);
+      const auto null_b = values_of(b.shadow_runs(), name);
+      std::optional<double> over;
+      if (raw && !null_a.empty() && !null_b.empty()) over = *raw + *mean_of(null_a) - *mean_of(null_b);
+      d.over_shadow = detail::difference_of(over, contrast({{-1.0, of_a}, {1.0, null_a}, {1.0, of_b}, {-1.0, null_b}}));
+    }
+    all.push_back(std::move(d));
+  }
+  detail::adjust(all, &SetDifference::raw);
+  detail::adjust(all, &SetDifference::over_shadow);
+  return all;
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Results for people: tables on the terminal.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <trophic/analysis/data/run_set.hpp>
+#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/report/claim_verdict.hpp>
+#include <trophic/analysis/report/compare_sets.hpp>
+#include <trophic/analysis/report/summary.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
+
+namespace trophic::analysis {
+
+namespace detail {
+
+/// A value in the unit that people read: velocities in cm/s, shares with three decimals, counts with one.
+class Reading {
+ public:
+  explicit Reading(const MetricName& name)
+      : factor_{name.unit == "m/s" ? 100.0 : 1.0},
+        decimals_{name.unit == "m/s"                                                               ? 2
+                  : name.unit == "ticks" || name.metric == "deaths" || name.metric == "population" ? 1
+                                                                                                   : 3} {}
+
+  [[nodiscard]] std::string operator()(double value, bool sign = false) const {
+    std::string text(64, '\0');
+    const int length = std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", decimals_, factor_ * value);
+    text.resize(static_cast<std::size_t>(length));
+    return text;
+  }
+  [[nodiscard]] std::string operator()(const std::optional<double>& value, bool sign = false) const {
+    return value ? (*this)(*value, sign) : "missing";
+  }
+  [[nodiscard]] std::string with_interval(const std::optional<double>& value, const std::optional<Interval>& interval,
+                                          bool sign = false) const {
+    if (!value) return "missing";
+    if (!interval) return (*this)(*value, sign);
+    return (*this)(*value, sign) + " [" + (*this)(interval->lower, sign) + ", " + (*this)(interval->upper, sign) + "]";
+  }
+  /// A mean with its interval, or with the spread between runs where there are too few for one.
+  [[nodiscard]] std::string of(const Estimate& estimate) const {
+    if (estimate.interval || !estimate.deviation) return with_interval(estimate.mean, estimate.interval);
+    return (*this)(estimate.mean) + " (sd " + (*this)(estimate.deviation) + ")";
+  }
+
+ private:
+  double factor_;
+  int decimals_;
+};
+
+[[nodiscard]] inline std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size() + 1, width), ' ');
+  return text;
+}
+
+[[nodiscard]] inline std::string title(const MetricName& name) {
+  return name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")");
+}
+
+}  // namespace detail
+
+/// Says what is missing for verdicts where there are too few runs; nothing where there are enough.
+inline void print_too_few(std::ostream& out, const RunSet& set) {
+  if (set.runs.size() >= runs_for_verdict) return;
+  out << "too few runs for a verdict: " << runs_for_verdict << " are needed, " << set.label << " has " << set.runs.size() << "\n";
+}
+
+namespace detail {
+
+[[nodiscard]] inline std::string described(const RunSet& set) {
+  const RunFacts& facts = set.facts.front();
+  return set.label + " on " + facts.backend + ", " + std::to_string(set.runs.size()) + (set.runs.size() == 1 ? " run" : " runs") +
+         " of " + number_text(facts.until_s) + " s";
+}
+
+[[nodiscard]] inline std::string metric_title(const MetricName& name) {
+  return title(name) + (name.unit == "m/s" ? ", cm/s" : "");
+}
+
+/// Nobody died of it in any run: not worth a line.
+[[nodiscard]] inline bool is_idle_cause(const MetricName& name, const std::optional<double>& mean) {
+  return name.metric == "deaths" && name.group != "all" && mean == 0.0;
+}
+
+}  // namespace detail
+
+/// One line per metric: ours with its 95 % interval over runs (or its spread, where runs are too few) and the paper's value.
+/// Below it one line per null with the difference to it, and one per reference without; causes of which nobody died are left out.
+inline void print_table(std::ostream& out, const ShadowedSet& set, std::span<const SummaryRow> rows) {
+  out << detail::described(set.ours) << ", fingerprint " << set.ours.facts.front().fingerprint << "\n";
+  if (set.shadow) {
+    out << "shadow: " << detail::described(*set.shadow) << "\n";
+  } else {
+    out << "no shadow: attribution and velocity have no null (predator_prey --shadow makes one)\n";
+  }
+  out << detail::padded("metric", 42) << detail::padded("ours [95 %]", 30) << detail::padded("published", 12)
+      << "ours - null [95 %]\n";
+  for (const SummaryRow& row : rows) {
+    if (detail::is_idle_cause(row.name, row.ours.mean)) continue;
+    const detail::Reading reading{row.name};
+    const std::string fewer =
+        row.ours.runs != 0 && row.ours.runs < set.ours.runs.size()
+            ? "  (" + std::to_string(row.ours.runs) + " of " + std::to_string(set.ours.runs.size()) + " runs)"
+            : "";
+    out << detail::padded(detail::metric_title(row.name), 42) << detail::padded(reading.of(row.ours), 30)
+        << (row.published ? reading(*row.published) : "-") << fewer << "\n";
+    for (const Comparison& other : row.comparisons) {
+      const std::string mark = other.role == Role::paper ? "* " : other.role == Role::null ? "= " : "  ";
+      out << detail::padded("    " + mark + other.baseline, 42) << reading(other.value);
+      if (other.role == Role::null) {
+        out << std::string(42 - std::min<std::size_t>(41, reading(other.value).size()), ' ')
+            << detail::padded(reading.with_interval(other.difference, other.interval, true), 28) << enum_name(other.verdict());
+      }
+      out << "\n";
+    }
+  }
+  out << "= a null: what the rules give without the effect   * the paper's own baseline, shown for reference: no null, no "
+         "verdict\n";
+  out << "verdicts are of single metrics: one in twenty finds something where there is nothing\n";
+  print_too_few(out, set.ours);
+  if (set.shadow) print_too_few(out, *set.shadow);
+}
+
+namespace detail {
+
+[[nodiscard]] inline std::string tested(const Reading& reading, const Difference& difference) {
+  std::string text = padded(reading.with_interval(difference.value, difference.interval, true), 30);
+  if (!difference.adjusted) return text + "          ";
+  std::string p(16, '\0');
+  p.resize(static_cast<std::size_t>(std::snprintf(p.data(), p.size(), "%.3f", *difference.adjusted)));
+  if (*difference.adjusted < 0.0005) p = "<0.001";
+  return text + padded(p, 7) + (difference.differs() ? "* " : "  ");
+}
+
+}  // namespace detail
+
+/// One line per metric: a, b, b - a with its 95 % interval and its p value, and the same of what each has over its shadow.
+inline void print_differences(std::ostream& out, const ShadowedSet& a, const ShadowedSet& b,
+                              std::span<const SetDifference> differences) {
+  for (const auto& [letter, set] : {std::pair{"a: ", &a}, std::pair{"b: ", &b}}) {
+    out << letter << detail::described(set->ours);
+    if (set->shadow) out << "; shadow: " << set->shadow->runs.size() << " runs";
+    out << "\n";
+  }
+  const bool have_shadows = a.shadow && b.shadow;
+  out << detail::padded("metric", 42) << detail::padded("a", 12) << detail::padded("b", 12)
+      << detail::padded("raw: b - a [95 %]", 30) << detail::padded("p", 10)
+      << (have_shadows ? "over shadows: (b - shadow) - (a - shadow) [95 %], p" : "") << "\n";
+  std::size_t tests = 0;
+  for (const SetDifference& d : differences) {
+    if (d.raw.p) ++tests;
+    if (d.name.metric == "deaths" && d.a.mean == 0.0 && d.b.mean == 0.0) continue;
+    const detail::Reading reading{d.name};
+    out << detail::padded(detail::metric_title(d.name), 42) << detail::padded(reading(d.a.mean), 12)
+        << detail::padded(reading(d.b.mean), 12) << detail::tested(reading, d.raw)
+        << (have_shadows ? detail::tested(reading, d.over_shadow) : "") << "\n";
+  }
+  out << "p: corrected for " << tests << " comparisons (Holm); * differs, p <= 0.05; intervals are those of single comparisons\n"
+      << "raw differences also show how the populations are composed; ";
+  if (have_shadows) {
+    out << "those over the shadows show what inheritance does\n";
+  } else {
+    out << "without a shadow of each set no difference can be put down to inheritance\n";
+  }
+  for (const ShadowedSet* set : {&a, &b}) {
+    print_too_few(out, set->ours);
+    if (set->shadow) print_too_few(out, *set->shadow);
+  }
+}
+
+/// One line per published claim: the paper's value with its margin, ours with its interval, the verdict.
+inline void print_claims(std::ostream& out, const RunSet& set, std::span<const ClaimVerdict> verdicts) {
+  out << detail::described(set) << ", fingerprint " << set.facts.front().fingerprint << "\n"
+      << detail::padded("claim", 42) << detail::padded("published", 12) << detail::padded("+- margin", 11)
+      << detail::padded("source", 8) << detail::padded("ours [95 %]", 30) << "verdict\n";
+  for (const ClaimVerdict& each : verdicts) {
+    const MetricName name = metric_of(each.claim);
+    const detail::Reading reading{name};
+    out << detail::padded((each.claim.second_line ? "  or " : "") + detail::metric_title(name), 42)
+        << detail::padded(reading(each.claim.value), 12) << detail::padded(reading(each.claim.margin), 11)
+        << detail::padded(std::string{enum_name(each.claim.source)}, 8) << detail::padded(reading.of(each.ours), 30)
+        << enum_name(each.verdict);
+    if (each.runs_needed) out << " (about " << *each.runs_needed << " runs would decide)";
+    out << "\n";
+  }
+  out << "reproduced: two one-sided tests at 5 % place ours within the margin of the published value\n"
+         "not reproduced: they do not, and our 95 % interval leaves the published value out   undecided: neither\n"
+         "paper: in its text   events: counted in the released logs of its ten runs   or: the same claim, counted another way\n";
+  if (set.facts.front().until_s != published_duration_s) {
+    out << "the claims are about runs of " << published_duration_s
+        << " s: counts of deaths in other times do not compare (--until)\n";
+  }
+  print_too_few(out, set);
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The contract between the ecology and a physics engine. Nothing else of an engine is visible to the rest of the library.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/units.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic {
+
+enum class Integrator { semi_implicit_euler, rk4 };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Integrator) {
+  return {"semi_implicit_euler", "rk4"};
+}
+
+/// How the equations of motion are stepped; the part of the physics that an experiment's rules state (Sec. Methodology).
+/// The paper gives the timestep and is silent about the integrator.
+struct Physics {
+  double timestep_s = 0.0012;
+  Integrator integrator = Integrator::semi_implicit_euler;
+  double gravity_m_s2 = 9.81;
+
+  static constexpr auto fields() {
+    return std::tuple{field("timestep_s", &Physics::timestep_s, above_to(0.0, 0.1), "physics step, simulated seconds"),
+                      field("integrator", &Physics::integrator, "semi_implicit_euler or rk4"),
+                      field("gravity_m_s2", &Physics::gravity_m_s2, at_least(0.0), "downwards")};
+  }
+};
+
+/// A simulation that left the finite numbers or that its engine warned about. Carries when and which robot.
+class Diverged : public std::runtime_error {
+ public:
+  Diverged(double time_s, std::size_t robot, const std::string& what)
+      : std::runtime_error{"simulation diverged at t = " + number_text(time_s) + " s, robot " + std::to_string(robot) + ": " +
+                           what},
+        time_s_{time_s},
+        robot_{robot} {}
+  [[nodiscard]] double time_s() const noexcept { return time_s_; }
+  [[nodiscard]] std::size_t robot() const noexcept { return robot_; }
+
+ private:
+  double time_s_;
+  std::size_t robot_;
+};
+
+/// A backend simulates n copies of one RobotModel in one Arena.
+///
+/// - built from (model, arena, one start pose of the root link per robot, physics, its own Params); joint angles start at 0, at
+/// rest;
+///   throws std::invalid_argument naming field, value and bound
+/// - `advance_to(t)` takes whole steps until the first step time >= t (simulated seconds since the start; 1e-9 s of slack so that
+///   rounding adds no step); throws Diverged; a t in the past does nothing
+/// - `pose(i)` is the root link's; `joint_angles(i)` in the order of RobotModel::hinges (empty without joints)
+/// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved
+/// one
+/// - results must not depend on the number of threads
+/// - `remarks(physics)`: one sentence for every number of `physics` that has no effect on this backend, naming it; runs record
+/// them
+template <class B>
+concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {
+  { B::name } -> std::convertible_to<std::string_view>;
+  { B::version() } -> std::convertible_to<std::string>;
+  { B::remarks(Physics{}) } -> std::same_as<std::vector<std::string>>;
+  requires Parameters<typename B::Params>;
+  requires std::constructible_from < B, const RobotModel&, const Arena&, std::span<const Pose>,
+  const Physics&, const typename B::Params& > ;
+  {backend.advance_to(time_s)};
+  { observed.robots() } -> std::same_as<std::size_t>;
+  { observed.time_s() } -> std::same_as<double>;
+  { observed.pose(robot) } -> std::same_as<Pose>;
+  { observed.joint_angles(robot) } -> std::convertible_to<std::span<const double>>;
+  { observed.save() } -> std::same_as<typename B::State>;
+  {backend.restore(state)};
+};
+
+/// Driven by servo targets, rad, one per hinge in the model's order, held until the next call; clipped to the servo's limit.
+template <class B>
+concept JointDriven = Backend<B> && requires(B backend, std::size_t robot, std::span<const double> targets_rad) {
+  {backend.set_joint_targets(robot, targets_rad)};
+};
+
+/// Driven by the target angle alone (no joints): positive turns right, held until the next call.
+template <class B>
+concept SteeringDriven = Backend<B> && requires(B backend, std::size_t robot, double target_angle_rad) {
+  {backend.set_target_angle(robot, target_angle_rad)};
+};
+
+}  // namespace trophic

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: what a community must offer: which species there are and who lives where at the start.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <trophic/population/food_web.hpp>
+#include <vector>
+
+#define TROPHIC_SENTENCE_Community \
+  "FoodWeb web() const and std::vector<Species> founders(std::size_t robots) const; see trophic/community/contract.hpp"
+
+namespace trophic::community {
+
+/// `web()`: the species and who eats whom. `founders(robots)`: the species of the first individual in each of `robots`
+/// bodies; throws std::invalid_argument naming field, value and bound if its numbers do not fit.
+template <class P>
+concept Community = requires(const P policy, std::size_t robots) {
+  { policy.web() } -> std::same_as<FoodWeb>;
+  { policy.founders(robots) } -> std::same_as<std::vector<Species>>;
+};
+
+}  // namespace trophic::community

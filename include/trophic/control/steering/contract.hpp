@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: how a target angle changes joint targets.
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <trophic/habitat/sides.hpp>
+
+#define TROPHIC_SENTENCE_Steering                                                                         \
+  "void steer(double target_angle_rad, std::span<const Side>, std::span<double> targets_rad) const; see " \
+  "trophic/control/steering/contract.hpp"
+
+namespace trophic::control {
+
+/// `steer(target_angle_rad, sides, targets_rad)`: changes the joint targets of one robot in place; one side and one target per
+/// hinge.
+template <class P>
+concept Steering = requires(const P policy, double target_angle_rad, std::span<const Side> sides, std::span<double> targets_rad) {
+  { policy.steer(target_angle_rad, sides, targets_rad) } -> std::same_as<void>;
+};
+
+}  // namespace trophic::control

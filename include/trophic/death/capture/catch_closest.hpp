@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The released code's catch: predators in shuffled order, one catch each, on a list that changes under way.
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <string_view>
+#include <trophic/death/capture/contract.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::death::capture {
+
+/// Rule (released code): the indices of the list of hunters are shuffled; each index in turn takes the hunter that stands
+/// there in the list as it is now, in the order of bodies, offspring of this tick's catches included, so that some act
+/// twice and some not at all. A hunter of at least min_age catches the closest active victim if that is closer than reach;
+/// founders and newborns are too young. Reads: positions, species, activity, ages.   Random draws: number of hunters - 1.
+struct CatchClosest {
+  static constexpr std::string_view name = "catch_closest";
+
+  struct Params {
+    double reach_m = 1.0;
+    double min_age_s = 20.0;
+    static constexpr auto fields() {
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim closer than this is caught"),
+                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger hunters do not hunt")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng) const {
+    std::vector<bool> caught(view.robots.size(), false);
+    const auto hunters = [&] {
+      std::vector<BodyIndex> bodies;
+      for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+        if (caught[body] || view.web.hunts(view.robots[body].species)) bodies.push_back(body);
+      }
+      return bodies;
+    };
+    std::vector<BodyIndex> list = hunters();
+    std::vector<std::size_t> order(list.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    rng.shuffle(std::span{order});
+
+    std::vector<Capture> result;
+    for (const std::size_t index : order) {
+      const BodyIndex hunter = list[index];
+      if (caught[hunter] || view.age_s(view.robots[hunter]) < params.min_age_s) continue;
+      const Species species = view.robots[hunter].species;
+      const auto victim = view.closest(hunter, [&](const Individual& other) {
+        const auto body = static_cast<BodyIndex>(&other - view.robots.data());
+        return other.active && !caught[body] && view.web.eats(species, other.species);
+      });
+      if (!victim || view.distance_m(hunter, *victim) >= params.reach_m) continue;
+      caught[*victim] = true;
+      result.push_back({hunter, *victim});
+      list = hunters();
+    }
+    return result;
+  }
+};
+static_assert(CaptureRule<CatchClosest>);
+
+}  // namespace trophic::death::capture

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The paper's catch: every active prey within reach of a predator.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <trophic/death/capture/contract.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::death::capture {
+
+/// Rule: a hunter and an active victim within reach of each other: the victim is caught, tags ignored (Sec. "Prey Death":
+/// one unit). Ties: pairs are taken by increasing distance, then hunter, then victim, so that a victim falls to its closest
+/// hunter; a hunter may catch several in a tick (the paper sets no limit); offspring born at this tick do not hunt before
+/// the next. Hunters younger than min_age do not hunt (0 in the paper). Reads: positions, species, activity,
+/// ages.   Random draws: 0.
+struct CatchWithinReach {
+  static constexpr std::string_view name = "catch_within_reach";
+
+  struct Params {
+    double reach_m = 1.0;
+    double min_age_s = 0.0;
+    static constexpr auto fields() {
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim this close is caught"),
+                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger hunters do not hunt")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng&) const {
+    struct Reached {
+      double distance_m;
+      Capture capture;
+    };
+    std::vector<Reached> reached;
+    for (BodyIndex victim = 0; victim < view.robots.size(); ++victim) {
+      const Individual& prey = view.robots[victim];
+      if (!prey.active) continue;
+      const auto hunter = view.closest(victim, [&](const Individual& other) {
+        return view.web.eats(other.species, prey.species) && view.age_s(other) >= params.min_age_s;
+      });
+      if (!hunter) continue;
+      const double d = view.distance_m(*hunter, victim);
+      if (d <= params.reach_m) reached.push_back({d, {*hunter, victim}});
+    }
+    std::ranges::sort(reached, {}, [](const Reached& r) { return std::tuple{r.distance_m, r.capture.hunter, r.capture.victim}; });
+    std::vector<Capture> result;
+    for (const Reached& r : reached) result.push_back(r.capture);
+    return result;
+  }
+};
+static_assert(CaptureRule<CatchWithinReach>);
+
+}  // namespace trophic::death::capture

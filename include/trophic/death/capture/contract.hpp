@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: who is caught.
+#pragma once
+
+#include <concepts>
+#include <trophic/population/view.hpp>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+#define TROPHIC_SENTENCE_CaptureRule \
+  "std::vector<Capture> captures(const View&, Rng&) const; see trophic/death/capture/contract.hpp"
+
+namespace trophic::death {
+
+/// A hunter catches a victim.
+struct Capture {
+  BodyIndex hunter = 0;
+  BodyIndex victim = 0;
+  friend bool operator==(const Capture&, const Capture&) = default;
+};
+
+/// `captures(view, rng)`: everybody caught at this tick, in order; each victim once.
+template <class P>
+concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
+  { policy.captures(view, rng) } -> std::same_as<std::vector<Capture>>;
+};
+
+}  // namespace trophic::death

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: whether the last of a hunted species may die.
+#pragma once
+
+#include <concepts>
+#include <trophic/population/view.hpp>
+
+#define TROPHIC_SENTENCE_Floor "bool may_die(Species, const View&) const; see trophic/death/floor/contract.hpp"
+
+namespace trophic::death {
+
+/// `may_die(species, view)`: whether a member of a hunted species may be caught or sacrificed now.
+template <class P>
+concept Floor = requires(const P policy, Species species, const View& view) {
+  { policy.may_die(species, view) } -> std::same_as<bool>;
+};
+
+}  // namespace trophic::death

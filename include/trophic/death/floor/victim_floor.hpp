@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The last few prey are safe.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <trophic/death/floor/contract.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+
+namespace trophic::death::floor {
+
+/// Rule: nobody of a hunted species is caught or sacrificed while only `floor` of it are left, inactive newborn included
+/// (Sec. "Prey Death": 7; the released code's catches stop below 7, so that its floor is 6).   Reads: species
+/// count.   Random draws: 0.
+struct VictimFloor {
+  static constexpr std::string_view name = "victim_floor";
+
+  struct Params {
+    std::size_t floor = 7;
+    static constexpr auto fields() {
+      return std::tuple{field("floor", &Params::floor, at_least(0), "a hunted species never falls below this")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] bool may_die(Species species, const View& view) const { return view.count(species) > params.floor; }
+};
+static_assert(Floor<VictimFloor>);
+
+}  // namespace trophic::death::floor

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The paper's reprieve: a predator close to a prey that it perceives does not starve.
+#pragma once
+
+#include <string_view>
+#include <trophic/death/reprieve/contract.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+
+namespace trophic::death::reprieve {
+
+/// Rule: spared iff somebody that the hunter eats and perceives, with the tags of this moment, is within range (Sec.
+/// "Predator Death": "a certain distance away from an observable prey"; the paper gives no number, the released code 5 m).
+/// A prey that switches its tag ends the reprieve. Reads: positions, species, visibility.   Random draws: 0.
+struct NearPerceivedVictim {
+  static constexpr std::string_view name = "near_perceived_victim";
+
+  struct Params {
+    double range_m = 5.0;
+    static constexpr auto fields() {
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a perceived victim this close spares the hunter")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] bool spared(BodyIndex hunter, const View& view) const {
+    const Individual& self = view.robots[hunter];
+    const auto closest = view.closest(hunter, [&](const Individual& other) {
+      return view.web.eats(self.species, other.species) && view.perceives(self, other);
+    });
+    return closest && view.distance_m(hunter, *closest) <= params.range_m;
+  }
+};
+static_assert(Reprieve<NearPerceivedVictim>);
+
+}  // namespace trophic::death::reprieve

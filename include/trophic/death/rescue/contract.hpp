@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: who is given up so that a species does not die out.
+#pragma once
+
+#include <concepts>
+#include <trophic/population/view.hpp>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+#define TROPHIC_SENTENCE_Rescue \
+  "std::vector<Sacrifice> sacrifices(const View&, Rng&) const; see trophic/death/rescue/contract.hpp"
+
+namespace trophic::death {
+
+/// A victim is given up so that a species does not die out: its body goes to `heir`.
+struct Sacrifice {
+  BodyIndex victim = 0;
+  Species heir = 0;
+  friend bool operator==(const Sacrifice&, const Sacrifice&) = default;
+};
+
+/// `sacrifices(view, rng)`: who is given up at this tick.
+template <class P>
+concept Rescue = requires(const P policy, const View& view, Rng& rng) {
+  { policy.sacrifices(view, rng) } -> std::same_as<std::vector<Sacrifice>>;
+};
+
+}  // namespace trophic::death

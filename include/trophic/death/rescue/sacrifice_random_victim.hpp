@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Predators close to extinction are given a prey's body.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <trophic/death/rescue/contract.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::death::rescue {
+
+/// Rule: for each hunting species with fewer than `below` members one individual that it eats, chosen uniformly, inactive
+/// newborn included, is sacrificed and its body becomes a hunter's; one per species and tick (Sec. "Prey Death": fewer than
+/// 7; the released code: 7 or fewer, which is below 8). Reads: species.   Random draws: 1 per sacrifice.
+struct SacrificeRandomVictim {
+  static constexpr std::string_view name = "sacrifice_random_victim";
+
+  struct Params {
+    std::size_t below = 7;
+    static constexpr auto fields() {
+      return std::tuple{field("below", &Params::below, at_least(0), "a hunting species with fewer members is given one")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<Sacrifice> sacrifices(const View& view, Rng& rng) const {
+    std::vector<Sacrifice> result;
+    for (Species hunter = 0; hunter < view.web.size(); ++hunter) {
+      if (!view.web.hunts(hunter) || view.count(hunter) >= params.below) continue;
+      std::vector<BodyIndex> victims;
+      for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+        if (view.web.eats(hunter, view.robots[body].species)) victims.push_back(body);
+      }
+      if (!victims.empty()) result.push_back({.victim = victims[rng.index(victims.size())], .heir = hunter});
+    }
+    return result;
+  }
+};
+static_assert(Rescue<SacrificeRandomVictim>);
+
+}  // namespace trophic::death::rescue

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Nobody dies of age.
+#pragma once
+
+#include <string_view>
+#include <trophic/death/senescence/contract.hpp>
+
+namespace trophic::death::senescence {
+
+/// Rule: individuals die only when caught, starved or sacrificed, as in the paper.   Reads: nothing.   Random draws: 0.
+struct NoSenescence {
+  static constexpr std::string_view name = "no_senescence";
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const { return false; }
+};
+static_assert(Senescence<NoSenescence>);
+
+}  // namespace trophic::death::senescence

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: who starves.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <optional>
+#include <trophic/population/view.hpp>
+
+#define TROPHIC_SENTENCE_Starvation                                                                        \
+  "std::optional<BodyIndex> victim(const View&, const std::function<bool(BodyIndex)>& spared) const; see " \
+  "trophic/death/starvation/contract.hpp"
+
+namespace trophic::death {
+
+/// `victim(view, spared)`: who starves in a procedure, given whom the Reprieve rule spares; nobody: nobody dies.
+template <class P>
+concept Starvation = requires(const P policy, const View& view, const std::function<bool(BodyIndex)>& spared) {
+  { policy.victim(view, spared) } -> std::same_as<std::optional<BodyIndex>>;
+};
+
+}  // namespace trophic::death

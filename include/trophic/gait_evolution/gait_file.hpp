@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A gait file that tells what its gait was evolved from and how.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <trophic/gait_evolution/genome.hpp>
+#include <trophic/gait_evolution/genome_toml.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/load/models.hpp>
+#include <trophic/load/toml_table.hpp>
+#include <trophic/params/settings.hpp>
+#include <trophic/params/toml.hpp>
+
+namespace trophic::gait_evolution {
+
+/// The text of a gait file (format: models/README.md) with the tables [cppn], the genome, and [evolution], the facts with all
+/// numbers below it. `load_gait` reads the gait, `load_cppn` the genome.
+[[nodiscard]] inline std::string gait_file(const Gait& gait, const Genome& genome, const Settings& facts,
+                                           const Settings& numbers) {
+  Settings evolution;
+  for (Setting setting : facts) {
+    setting.path = "evolution." + setting.path;
+    evolution.push_back(setting);
+  }
+  for (Setting setting : numbers) {
+    setting.path = "evolution.numbers." + setting.path;
+    setting.help.clear();
+    evolution.push_back(setting);
+  }
+  return trophic::to_toml(gait) + "\n[cppn]\n" + to_toml(genome) + toml_text(evolution);
+}
+
+/// The genome in a gait file, by name or path. Errors as `load_gait`.
+[[nodiscard]] inline Genome load_cppn(std::string_view name_or_path) {
+  const auto file = trophic::detail::TomlTable::read(find_model(ModelKind::gait, name_or_path));
+  const auto cppn = file.table("cppn");
+  Genome genome = read_genome(cppn);
+  cppn.no_other_keys();
+  return genome;
+}
+
+}  // namespace trophic::gait_evolution

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The robot as any physics engine can build it: rigid links, boxes and servo-driven hinges. Backends read this and nothing else.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <string>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic {
+
+/// A uniform solid box fixed to a link; collision shape and mass at once.
+struct Box {
+  std::string part;  ///< which module part it is, e.g. "servo_body"
+  Eigen::Vector3d half_extents_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();               ///< in the link's frame
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< box frame to link frame
+  double mass_kg = 0.0;
+};
+
+/// A rigid body. Link 0 is the root (free in space); link i > 0 hangs on `parent` by hinge i - 1.
+/// A link's frame has its origin in its hinge's anchor; at joint angle 0 it stands at `offset_m`, `rotation` in the parent's
+/// frame.
+struct Link {
+  std::string name;
+  int parent = -1;  ///< index of the parent link, smaller than the own index; -1 for the root
+  Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  double mass_kg = 0.0;
+  Eigen::Vector3d centre_of_mass_m = Eigen::Vector3d::Zero();  ///< in the link's frame
+  Eigen::Matrix3d inertia_kgm2 = Eigen::Matrix3d::Zero();      ///< about the centre of mass, axes of the link's frame
+  std::vector<Box> boxes;
+};
+
+/// Position servo: torque = position_gain (target - angle) - velocity_gain * velocity, N m; targets are clipped to
+/// +-target_limit_rad.
+struct Servo {
+  double position_gain = 5.0;
+  double velocity_gain = 0.05;
+  double target_limit_rad = 1.0;
+};
+
+/// A one-axis joint between link `index + 1` and its parent; anchor = origin of that link's frame.
+struct Hinge {
+  std::string name;                                         ///< path of faces from the core, e.g. "back.front"
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();          ///< unit vector in the child link's frame
+  double range_rad = 0.0;                                   ///< limits at +-range_rad
+  Eigen::Vector3i grid_position = Eigen::Vector3i::Zero();  ///< module grid cell relative to the core
+  Servo servo;
+};
+
+/// How a robot walks with its own gait, steered to one side: measured once in an engine with joints
+/// (gait_evolution/measure_walk.hpp) and written into its file. Engines without joints move it by these two numbers; 0 and 0: not
+/// measured.
+struct MeasuredWalk {
+  double speed_m_s = 0.0;          ///< along the heading
+  double turn_rate_per_rad = 0.0;  ///< rad/s to the right per rad of target angle
+
+  static constexpr auto fields() {
+    return std::tuple{field("speed_m_s", &MeasuredWalk::speed_m_s, between(0.0, 100.0)),
+                      field("turn_rate_per_rad", &MeasuredWalk::turn_rate_per_rad, between(0.0, 100.0))};
+  }
+};
+
+/// A whole robot. Invariants (checked by `validate(RobotModel)` in body/validate.hpp): links.size() == hinges.size() + 1, parents
+/// before children, masses > 0, inertias positive definite.
+struct RobotModel {
+  std::string name;
+  std::string gait;  ///< name or path of the gait that it walks with unless told otherwise
+  MeasuredWalk walk;
+  std::vector<Link> links;
+  std::vector<Hinge> hinges;
+  std::vector<std::vector<std::size_t>> hinge_neighbours;  ///< for hinge i the hinges within module-tree distance 2, ascending
+  double friction = 1.0;                                   ///< sliding friction coefficient of all boxes
+  double forward_rad = 0.0;    ///< direction of the robot's forward axis in the root frame, from x counter-clockwise
+  double rest_height_m = 0.0;  ///< height of the root frame above the floor when the lowest box corner touches it, all angles 0
+  double bounding_radius_m = 0.0;  ///< no box point is ever farther from the root frame's origin, whatever the angles
+
+  [[nodiscard]] double mass_kg() const {
+    double sum = 0.0;
+    for (const Link& link : links) sum += link.mass_kg;
+    return sum;
+  }
+};
+
+}  // namespace trophic

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Reads TOML data files with errors that name file, key and value.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::detail {
+
+/// A table of a TOML file. Remembers which keys were asked for, so that `no_other_keys` can reject the rest.
+class TomlTable {
+ public:
+  /// Throws std::runtime_error "FILE: cannot be read" or "FILE:LINE:COLUMN: ..." for malformed TOML.
+  [[nodiscard]] static TomlTable read(const std::filesystem::path& file) {
+    std::ifstream stream{file, std::ios::binary};
+    std::ostringstream text;
+    if (!stream || !(text << stream.rdbuf())) throw std::runtime_error{file.string() + ": cannot be read"};
+    return parse(text.str(), file.string());
+  }
+
+  /// The same from a text; `file` is what errors call it.
+  [[nodiscard]] static TomlTable parse(std::string_view text, const std::string& file) {
+    try {
+      return {file, "", toml::parse(text)};
+    } catch (const toml::parse_error& error) {
+      const auto& place = error.source().begin;
+      throw std::runtime_error{file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
+                               std::string{error.description()}};
+    }
+  }
+
+  [[noreturn]] void fail(std::string_view key, const std::string& what) const {
+    throw std::invalid_argument{file_ + ": " + join_path(path_, key) + what};
+  }
+
+  [[nodiscard]] bool has(std::string_view key) const { return node(key) != nullptr; }
+
+  [[nodiscard]] std::string text(std::string_view key) const {
+    const toml::node& value = required(key);
+    if (const auto text = value.value_exact<std::string>()) return *text;
+    fail(key, " = " + written(value) + ": must be a text");
+  }
+
+  [[nodiscard]] bool truth(std::string_view key) const {
+    const toml::node& value = required(key);
+    if (const auto truth = value.value_exact<bool>()) return *truth;
+    fail(key, " = " + written(value) + ": must be true or false");
+  }
+
+  [[nodiscard]] double number(std::string_view key, const Bound& bound) const {
+    const double value = plain_number(key, required(key));
+    check(key, value, bound);
+    return value;
+  }
+
+  [[nodiscard]] std::size_t whole_number(std::string_view key, std::int64_t lower) const {
+    const toml::node& value = required(key);
+    const auto whole = value.value_exact<std::int64_t>();
+    if (!whole || *whole < lower) fail(key, " = " + written(value) + ": must be a whole number >= " + std::to_string(lower));
+    return static_cast<std::size_t>(*whole);
+  }
+
+  [[nodiscard]] std::vector<double> numbers(std::string_view key) const {
+    std::vector<double> result;
+    for (const toml::node& item : array(key)) result.push_back(plain_number(key, item));
+    return result;
+  }
+
+  [[nodiscard]] std::vector<std::vector<double>> rows(std::string_view key) const {
+    std::vector<std::vector<double>> result;
+    for (const toml::node& row : array(key)) {
+      if (!row.is_array()) fail(key, " = " + written(row) + ": must be a row of numbers");
+      result.emplace_back();
+      for (const toml::node& item : *row.as_array()) result.back().push_back(plain_number(key, item));
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const {
+    std::vector<std::string> result;
+    for (const toml::node& item : array(key)) {
+      const auto text = item.value_exact<std::string>();
+      if (!text) fail(key, " = " + written(item) + ": must be a text");
+      result.push_back(*text);
+    }
+    return result;
+  }
+
+  [[nodiscard]] TomlTable table(std::string_view key) const {
+    const toml::node& value = required(key);
+    if (!value.is_table()) fail(key, " = " + written(value) + ": must be a table");
+    return {file_, join_path(path_, key), *value.as_table()};
+  }
+
+  [[nodiscard]] std::vector<TomlTable> tables(std::string_view key) const {
+    std::vector<TomlTable> result;
+    for (const toml::node& item : array(key)) {
+      if (!item.is_table()) fail(key, " = " + written(item) + ": must be a table");
+      result.push_back({file_, join_path(path_, key) + "[" + std::to_string(result.size()) + "]", *item.as_table()});
+    }
+    return result;
+  }
+
+  /// Overwrites the members of a Params struct that the table mentions (numbers and nested Params).
+  template <class P>
+  void read_fields(P& params) const {
+    for_each_field(params, [&](const auto& f, auto& value) {
+      if (!has(f.name)) return;
+      if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) {
+        const TomlTable inner = table(f.name);
+        inner.read_fields(value);
+        inner.no_other_keys();
+      } else {
+        value = number(f.name, f.bound);
+      }
+    });
+  }
+
+  /// Throws std::invalid_argument for the first key that nobody asked for.
+  void no_other_keys() const {
+    for (const auto& [key, value] : table_) {
+      if (!asked_.contains(std::string{key.str()})) {
+        std::string known;
+        for (const std::string& name : asked_) known += (known.empty() ? "" : ", ") + name;
+        fail(key.str(), ": unknown key; known here: " + known);
+      }
+    }
+  }
+
+ private:
+  TomlTable(std::string file, std::string path, toml::table table)
+      : file_{std::move(file)}, path_{std::move(path)}, table_{std::move(table)} {}
+
+  [[nodiscard]] const toml::node* node(std::string_view key) const {
+    asked_.emplace(key);
+    return table_.get(key);
+  }
+
+  [[nodiscard]] const toml::node& required(std::string_view key) const {
+    const toml::node* found = node(key);
+    if (found == nullptr) fail(key, ": missing");
+    return *found;
+  }
+
+  [[nodiscard]] const toml::array& array(std::string_view key) const {
+    const toml::node& value = required(key);
+    if (!value.is_array()) fail(key, " = " + written(value) + ": must be a list");
+    return *value.as_array();
+  }
+
+  [[nodiscard]] double plain_number(std::string_view key, const toml::node& value) const {
+    if (!value.is_number()) fail(key, " = " + written(value) + ": must be a number");
+    return value.value<double>().value();
+  }
+
+  void check(std::string_view key, double value, const Bound& bound) const {
+    const bool low = bound.lower_excluded ? !(value > bound.lower) : !(value >= bound.lower);
+    if (!std::isfinite(value) || low || value > bound.upper) fail(key, " = " + number_text(value) + ": " + bound_text(bound));
+  }
+
+  [[nodiscard]] static std::string written(const toml::node& value) {
+    std::ostringstream text;
+    value.visit([&](const auto& known) { text << known; });
+    return text.str();
+  }
+
+  std::string file_;
+  std::string path_;
+  toml::table table_;
+  mutable std::set<std::string> asked_;
+};
+
+/// The shortest TOML float that reads back as the same number.
+[[nodiscard]] inline std::string toml_float(double value) {
+  const std::string text = number_text(value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+}  // namespace trophic::detail

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Numbers of a rule: each Params struct lists its fields once, with bounds; validation, configuration files and manifests read
+// that list.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/params/detail/member_count.hpp>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace trophic {
+
+/// The closed or open interval that a number must lie in.
+struct Bound {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_excluded = false;
+};
+
+[[nodiscard]] constexpr Bound at_least(double lower) {
+  return {.lower = lower};
+}
+[[nodiscard]] constexpr Bound above(double lower) {
+  return {.lower = lower, .lower_excluded = true};
+}
+[[nodiscard]] constexpr Bound between(double lower, double upper) {
+  return {.lower = lower, .upper = upper};
+}
+[[nodiscard]] constexpr Bound above_to(double lower, double upper) {
+  return {.lower = lower, .upper = upper, .lower_excluded = true};
+}
+[[nodiscard]] constexpr Bound any_number() {
+  return {};
+}
+/// Seeds up to 2^53, so that every reader of JSON keeps them exact.
+[[nodiscard]] constexpr Bound any_seed() {
+  return between(0.0, 9007199254740992.0);
+}
+
+/// One named member of a Params struct. `help` is the line that `--print-config` shows beside it.
+template <class Owner, class T>
+struct Field {
+  std::string_view name;
+  T Owner::*member;
+  Bound bound;
+  std::string_view help;
+};
+
+/// A number with its bound.
+template <class Owner, class T>
+[[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::*member, Bound bound, std::string_view help = {}) {
+  return {name, member, bound, help};
+}
+
+/// A switch, a text, an enumeration (declare `constexpr std::array<std::string_view, N> enum_names(E)`) or a nested Params.
+template <class Owner, class T>
+[[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::*member, std::string_view help = {}) {
+  return {name, member, Bound{}, help};
+}
+
+/// A struct that lists its fields: `static constexpr auto fields() { return std::tuple{field("max_age_s", &Params::max_age_s,
+/// above(0))}; }`.
+template <class P>
+concept HasFields = requires {
+  std::tuple_size<decltype(P::fields())>::value;
+};
+
+/// What a policy's Params must be: empty, or with every number listed, so that no number can be missing from a manifest.
+template <class P>
+concept Parameters = std::is_empty_v<P> || HasFields<P>;
+
+namespace detail {
+
+/// `members` is how many a struct has, `listed` how many fields() lists: both stand in the compiler's message.
+template <std::size_t members, std::size_t listed>
+concept AllListed = members == listed;
+
+/// Whether fields() lists no member and no name twice.
+template <class P>
+[[nodiscard]] consteval bool listed_once() {
+  if constexpr (HasFields<P>) {
+    const auto same = [](const auto& a, const auto& b) {
+      if constexpr (std::same_as<decltype(a.member), decltype(b.member)>) return a.name == b.name || a.member == b.member;
+      return a.name == b.name;
+    };
+    const auto alone = [&](const auto&... all) {
+      const auto count = [&](const auto& one) { return (0 + ... + (same(one, all) ? 1 : 0)); };
+      return ((count(all) == 1) && ...);
+    };
+    return std::apply(alone, P::fields());
+  }
+  return true;
+}
+
+template <class P>
+inline constexpr std::size_t fields_of = 0;
+template <HasFields P>
+inline constexpr std::size_t fields_of<P> = std::tuple_size_v<decltype(P::fields())>;
+
+/// As many as are listed where fields() is missing or P is no aggregate: both have sentences of their own.
+template <class P>
+inline constexpr std::size_t members_of = fields_of<P>;
+template <HasFields P>
+requires std::is_aggregate_v<P>
+inline constexpr std::size_t members_of<P> = member_count<P>();
+
+template <class P>
+concept OpenParams = !HasFields<P> || std::is_aggregate_v<P>;
+
+}  // namespace detail
+
+template <class E>
+concept NamedEnum = std::is_enum_v<E> && requires(E e) {
+  enum_names(e).size();
+};
+
+/// The name of an enumerator, as written in configuration files.
+template <NamedEnum E>
+[[nodiscard]] constexpr std::string_view enum_name(E value) {
+  return enum_names(value).at(static_cast<std::size_t>(value));
+}
+
+/// Calls `visit(field, value)` for each field in its order; nothing for an empty struct.
+template <class P, class Visitor>
+constexpr void for_each_field(P& params, Visitor&& visit) {
+  using Plain = std::remove_const_t<P>;
+  static_assert(Parameters<Plain>, "Params must be empty or list every number in fields(); see trophic/params/params.hpp");
+  if constexpr (HasFields<Plain>) {
+    constexpr auto fields = Plain::fields();
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (visit(std::get<I>(fields), params.*(std::get<I>(fields).member)), ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<decltype(fields)>>{});
+  }
+}
+
+/// The shortest text that reads back as the same number.
+template <class Number>
+requires std::is_arithmetic_v<Number>
+[[nodiscard]] std::string number_text(Number value) {
+  std::array<char, 64> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+/// The condition that a bound states, as text: "must be > 0 and <= 1".
+[[nodiscard]] inline std::string bound_text(const Bound& bound) {
+  const bool has_upper = std::isfinite(bound.upper);
+  if (!std::isfinite(bound.lower)) return has_upper ? "must be <= " + number_text(bound.upper) : "must be finite";
+  const std::string lower = (bound.lower_excluded ? "must be > " : "must be >= ") + number_text(bound.lower);
+  return has_upper ? lower + " and <= " + number_text(bound.upper) : lower;
+}
+
+[[nodiscard]] inline std::string join_path(std::string_view prefix, std::string_view name) {
+  return prefix.empty() ? std::string{name} : std::string{prefix} + "." + std::string{name};
+}
+
+/// Throws std::invalid_argument "PATH = VALUE: must be ..." for the first field, nested ones included, outside its bound; a
+/// number that is not finite is outside every bound.
+template <class P>
+void validate(const P& params, std::string_view path) {
+  for_each_field(params, [&](const auto& f, const auto& value) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    const std::string name = join_path(path, f.name);
+    if constexpr (HasFields<T>) {
+      validate(value, name);
+    } else if constexpr (std::is_arithmetic_v<T> && !std::same_as<T, bool>) {
+      const auto number = static_cast<double>(value);
+      const bool low = f.bound.lower_excluded ? !(number > f.bound.lower) : !(number >= f.bound.lower);
+      if (!std::isfinite(number)) throw std::invalid_argument{name + " = " + number_text(value) + ": must be finite"};
+      if (low || number > f.bound.upper) {
+        throw std::invalid_argument{name + " = " + number_text(value) + ": " + bound_text(f.bound)};
+      }
+    }
+  });
+}
+
+/// The path of the first number, nested ones included, in which two Params differ; empty if there is none.
+template <class P>
+[[nodiscard]] std::string first_difference(const P& a, const P& b, std::string_view path = "") {
+  std::string found;
+  for_each_field(a, [&](const auto& f, const auto& value) {
+    if (!found.empty()) return;
+    const auto& other = b.*(f.member);
+    if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) {
+      found = first_difference(value, other, join_path(path, f.name));
+    } else if constexpr (requires { value == other; }) {
+      if (!(value == other)) found = join_path(path, f.name);
+    }
+  });
+  return found;
+}
+
+}  // namespace trophic

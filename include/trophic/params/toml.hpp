@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Numbers from TOML files and from "path=value" texts, into any Params; unknown keys are errors.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/params/settings.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace trophic {
+
+namespace detail {
+
+[[noreturn]] inline void reject(const std::string& path, const toml::node& node, std::string_view must) {
+  std::ostringstream text;
+  text << path << " = ";
+  node.visit([&](const auto& value) { text << value; });
+  text << ": must be " << must;
+  throw std::invalid_argument{text.str()};
+}
+
+template <class T>
+void read_value(T& target, const toml::node& node, const std::string& path) {
+  if constexpr (std::same_as<T, bool>) {
+    const auto value = node.value_exact<bool>();
+    if (!value) reject(path, node, "true or false");
+    target = *value;
+  } else if constexpr (std::integral<T>) {
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value) reject(path, node, "a whole number");
+    if (std::cmp_less(*value, std::numeric_limits<T>::lowest())) {
+      reject(path, node, ">= " + number_text(std::numeric_limits<T>::lowest()));
+    }
+    if (std::cmp_greater(*value, std::numeric_limits<T>::max())) {
+      reject(path, node, "<= " + number_text(std::numeric_limits<T>::max()));
+    }
+    target = static_cast<T>(*value);
+  } else if constexpr (std::floating_point<T>) {
+    if (!node.is_number()) reject(path, node, "a number");
+    target = *node.value<double>();
+  } else if constexpr (NamedEnum<T>) {
+    const auto name = node.value_exact<std::string>();
+    std::string choices;
+    std::size_t index = 0;
+    for (const std::string_view choice : enum_names(T{})) {
+      if (name && *name == choice) {
+        target = static_cast<T>(index);
+        return;
+      }
+      choices += (index++ == 0 ? "" : " or ") + std::string{choice};
+    }
+    reject(path, node, choices);
+  } else {
+    const auto value = node.value_exact<std::string>();
+    if (!value) reject(path, node, "a text");
+    target = *value;
+  }
+}
+
+template <class P>
+void read_table(P& params, const toml::table& table, const std::string& prefix) {
+  for (const auto& entry : table) {
+    const std::string_view key = entry.first.str();
+    const toml::node& node = entry.second;
+    const std::string path = join_path(prefix, key);
+    bool known = false;
+    std::string keys;
+    for_each_field(params, [&](const auto& f, auto& value) {
+      using T = std::remove_cvref_t<decltype(value)>;
+      keys += (keys.empty() ? "" : ", ") + std::string{f.name};
+      if (f.name != key) return;
+      known = true;
+      if constexpr (HasFields<T> || (std::is_empty_v<T> && !std::is_enum_v<T>)) {
+        if (!node.is_table()) reject(path, node, "a table of numbers");
+        read_table(value, *node.as_table(), path);
+      } else {
+        read_value(value, node, path);
+      }
+    });
+    if (!known) {
+      throw std::invalid_argument{path + ": unknown key; " + (keys.empty() ? "this rule has no numbers" : "known here: " + keys)};
+    }
+  }
+}
+
+}  // namespace detail
+
+/// Sets the fields that a table names. Throws std::invalid_argument "PATH: unknown key ..." or "PATH = VALUE: must be ...".
+/// Bounds are not checked here but by `validate`.
+template <class P>
+void read_numbers(P& params, const toml::table& table) {
+  detail::read_table(params, table, "");
+}
+
+/// The table of a TOML file. Throws std::runtime_error for a file that cannot be read, std::invalid_argument "FILE:LINE: ..." for
+/// one that is malformed.
+[[nodiscard]] inline toml::table read_toml(const std::string& path) {
+  try {
+    return toml::parse_file(path);
+  } catch (const toml::parse_error& error) {
+    const auto line = error.source().begin.line;
+    if (line == 0) throw std::runtime_error{path + ": " + std::string{error.description()}};
+    throw std::invalid_argument{path + ":" + std::to_string(line) + ": " + std::string{error.description()}};
+  }
+}
+
+/// The choice that a configuration file makes under `key`, removed from it; the numbers are left. Throws
+/// std::invalid_argument where it is no text.
+[[nodiscard]] inline std::optional<std::string> take_choice(toml::table& table, std::string_view key) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return std::nullopt;
+  const auto name = node->value_exact<std::string>();
+  if (!name) throw std::invalid_argument{std::string{key} + ": must be a text"};
+  table.erase(key);
+  return name;
+}
+
+/// The table that "rules.mutation.sd=0.1" means. A value that is no TOML value is taken as a text: "world.robot=gecko".
+/// Throws std::invalid_argument for what is no assignment.
+[[nodiscard]] inline toml::table read_assignment(std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  const auto bad = [&] {
+    return std::invalid_argument{"\"" + std::string{assignment} + "\": must be PATH=VALUE, e.g. rules.mutation.sd=0.1"};
+  };
+  if (equals == std::string_view::npos || equals == 0) throw bad();
+  try {
+    return toml::parse(assignment);
+  } catch (const toml::parse_error&) {
+    try {
+      std::ostringstream quoted;
+      quoted << assignment.substr(0, equals + 1) << toml::value<std::string>{std::string{assignment.substr(equals + 1)}};
+      return toml::parse(quoted.str());
+    } catch (const toml::parse_error&) {
+      throw bad();
+    }
+  }
+}
+
+/// Settings as a TOML text that reads back as the same numbers, with each field's help as a comment.
+[[nodiscard]] inline std::string toml_text(const Settings& settings) {
+  std::ostringstream out;
+  std::string table;
+  for (const Setting& setting : settings) {
+    const auto dot = setting.path.rfind('.');
+    const std::string in = dot == std::string::npos ? "" : setting.path.substr(0, dot);
+    if (in != table) {
+      table = in;
+      out << "\n[" << table << "]\n";
+    }
+    out << (dot == std::string::npos ? setting.path : setting.path.substr(dot + 1)) << " = ";
+    if (const auto* text = std::get_if<std::string>(&setting.value)) {
+      out << toml::value<std::string>{*text};
+    } else {
+      out << value_text(setting);
+    }
+    out << (setting.help.empty() ? "" : "  # " + setting.help) << "\n";
+  }
+  return out.str();
+}
+
+}  // namespace trophic

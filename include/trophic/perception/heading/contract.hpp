@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: which way a robot faces.
+#pragma once
+
+#include <concepts>
+#include <trophic/support/units.hpp>
+
+#define TROPHIC_SENTENCE_Heading \
+  "double heading_rad(const Pose& root, double forward_rad) const; see trophic/perception/heading/contract.hpp"
+
+namespace trophic::perception {
+
+/// `heading_rad(root, forward_rad)`: which way a robot faces on the floor, counter-clockwise from x, given its root frame and the
+/// direction of its forward axis in that frame. Left and right of a robot refer to it.
+template <class P>
+concept Heading = requires(const P policy, const Pose& root, double forward_rad) {
+  { policy.heading_rad(root, forward_rad) } -> std::same_as<double>;
+};
+
+}  // namespace trophic::perception

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// A robot faces where its forward axis points.
+#pragma once
+
+#include <string_view>
+#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/perception/heading/contract.hpp>
+
+namespace trophic::perception::heading {
+
+/// Rule: the heading is the direction of the robot's forward axis projected on the floor. The paper says only that "a predefined
+/// frame of reference [...] establishes the front orientation" (Sec. "Targeted Steering"); this takes the front to be a part of
+/// the body, so that it stays the front of a robot on its back. RootYawHeading is the released code's.   Reads: root pose.
+/// Random draws: 0.
+struct ForwardAxisHeading {
+  static constexpr std::string_view name = "forward_axis_heading";
+  [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const {
+    return ground_pose(root, forward_rad).heading_rad;
+  }
+};
+static_assert(Heading<ForwardAxisHeading>);
+
+}  // namespace trophic::perception::heading

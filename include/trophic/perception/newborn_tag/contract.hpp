@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: which tag an individual shows at birth.
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <trophic/support/rng.hpp>
+
+#define TROPHIC_SENTENCE_NewbornTag \
+  "int tag(std::optional<int> body_tag, Rng&) const; see trophic/perception/newborn_tag/contract.hpp"
+
+namespace trophic::perception {
+
+/// `tag(body_tag, rng)`: the tag, one of the brain's, of an individual at birth; body_tag is that of the body's last owner, none
+/// for a founder.
+template <class P>
+concept NewbornTag = requires(const P policy, std::optional<int> body_tag, Rng& rng) {
+  { policy.tag(body_tag, rng) } -> std::same_as<int>;
+};
+
+}  // namespace trophic::perception

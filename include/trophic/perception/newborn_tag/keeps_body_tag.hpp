@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A newborn shows the tag that its body showed.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/perception/newborn_tag/contract.hpp>
+#include <tuple>
+
+namespace trophic::perception::newborn_tag {
+
+/// Rule: a newborn keeps the tag of the body's last owner; founders start with founder_tag. The paper is silent; this is
+/// the released code's, whose founders all show +1.   Reads: the body's tag.   Random draws: 0.
+struct KeepsBodyTag {
+  static constexpr std::string_view name = "keeps_body_tag";
+
+  struct Params {
+    bool founders_positive = true;
+    static constexpr auto fields() {
+      return std::tuple{field("founders_positive", &Params::founders_positive, "founders show +1 (else -1)")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] int tag(std::optional<int> body_tag, Rng&) const { return body_tag.value_or(params.founders_positive ? 1 : -1); }
+};
+static_assert(NewbornTag<KeepsBodyTag>);
+
+}  // namespace trophic::perception::newborn_tag

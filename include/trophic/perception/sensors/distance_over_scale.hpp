@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The released code's Distance input: a fraction of a fixed length.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/perception/sensors/contract.hpp>
+#include <tuple>
+
+namespace trophic::perception::sensors {
+
+/// Rule: min(1, distance / full_scale) with full_scale 20 m whatever the arena (released code).   Reads:
+/// distance.   Random draws: 0.
+struct DistanceOverScale {
+  static constexpr std::string_view name = "distance_over_scale";
+
+  struct Params {
+    double full_scale_m = 20.0;
+    static constexpr auto fields() {
+      return std::tuple{field("full_scale_m", &Params::full_scale_m, above(0.0), "distance at which the input reaches 1")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] double input(const Sighting& sighting, const View&) const {
+    return std::min(1.0, sighting.distance_m / params.full_scale_m);
+  }
+};
+static_assert(SightingInput<DistanceOverScale>);
+
+}  // namespace trophic::perception::sensors

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The paper's Distance input: a fraction of the terrain.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <trophic/perception/sensors/contract.hpp>
+
+namespace trophic::perception::sensors {
+
+/// Rule: min(1, distance / largest terrain extent) (Sec. "Inputs": "divided by the maximum terrain bounds"). The paper is
+/// silent about distances beyond one side, which a diagonal allows: they are clipped to 1, as all inputs lie in [-1, 1].
+/// Reads: distance, arena.   Random draws: 0.
+struct DistanceOverTerrain {
+  static constexpr std::string_view name = "distance_over_terrain";
+  [[nodiscard]] double input(const Sighting& sighting, const View& view) const {
+    return std::min(1.0, sighting.distance_m / view.arena.extent_m);
+  }
+};
+static_assert(SightingInput<DistanceOverTerrain>);
+
+}  // namespace trophic::perception::sensors

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The paper's Angle input: on which side the adversary is.
+#pragma once
+
+#include <string_view>
+#include <trophic/perception/sensors/contract.hpp>
+
+namespace trophic::perception::sensors {
+
+/// Rule: -1 if the adversary is on the left, +1 if it is on the right (Sec. "Inputs"); straight ahead counts as right,
+/// straight behind as left.   Reads: bearing.   Random draws: 0.
+struct SideOfAdversary {
+  static constexpr std::string_view name = "side_of_adversary";
+  [[nodiscard]] double input(const Sighting& sighting, const View&) const { return sighting.bearing_rad < 0.0 ? -1.0 : 1.0; }
+};
+static_assert(SightingInput<SideOfAdversary>);
+
+}  // namespace trophic::perception::sensors

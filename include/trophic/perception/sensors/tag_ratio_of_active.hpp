@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The released code's Tag Ratio input, over active robots.
+#pragma once
+
+#include <string_view>
+#include <trophic/perception/sensors/contract.hpp>
+
+namespace trophic::perception::sensors {
+
+/// Rule: TR = (P - N/2) / N over the N active robots, P of them tagged +1 (released code); 0 if nobody is active. Reads:
+/// all tags and activities.   Random draws: 0.
+struct TagRatioOfActive {
+  static constexpr std::string_view name = "tag_ratio_of_active";
+  [[nodiscard]] double input(const View& view) const {
+    double total = 0.0;
+    double positive = 0.0;
+    for (const Individual& individual : view.robots) {
+      if (!individual.active) continue;
+      total += 1.0;
+      if (individual.tag == 1) positive += 1.0;
+    }
+    return total > 0.0 ? (positive - total / 2.0) / total : 0.0;
+  }
+};
+static_assert(PopulationInput<TagRatioOfActive>);
+
+}  // namespace trophic::perception::sensors

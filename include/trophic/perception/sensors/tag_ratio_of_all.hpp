@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The paper's Tag Ratio input, over the whole population.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <trophic/perception/sensors/contract.hpp>
+
+namespace trophic::perception::sensors {
+
+/// Rule: TR = (P - N/2) / N with P robots tagged +1 of all N (Sec. "Inputs", Eq. 2); in [-1/2, 1/2].   Reads: all
+/// tags.   Random draws: 0.
+struct TagRatioOfAll {
+  static constexpr std::string_view name = "tag_ratio_of_all";
+  [[nodiscard]] double input(const View& view) const {
+    const auto total = static_cast<double>(view.robots.size());
+    const auto positive = static_cast<double>(std::ranges::count(view.robots, 1, &Individual::tag));
+    return (positive - total / 2.0) / total;
+  }
+};
+static_assert(PopulationInput<TagRatioOfAll>);
+
+}  // namespace trophic::perception::sensors

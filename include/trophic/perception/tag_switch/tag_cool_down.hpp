@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A pause between two tag switches.
+#pragma once
+
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/perception/tag_switch/contract.hpp>
+#include <tuple>
+
+namespace trophic::perception::tag_switch {
+
+/// Rule: the tag may change iff at least cool_down has passed since the last switch or, before the first, since birth (Sec.
+/// "Tagging System": 50 s). That the cool-down runs at birth is the released code's; the paper is
+/// silent. Reads: own tag clock, time. TagSampling is the released code's.   Random draws: 0.
+struct TagCoolDown {
+  static constexpr std::string_view name = "tag_cool_down";
+
+  struct Params {
+    double cool_down_s = 50.0;
+    static constexpr auto fields() {
+      return std::tuple{field("cool_down_s", &Params::cool_down_s, at_least(0.0), "pause between two tag switches")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] bool may_switch(const Individual& self, const View& view) const {
+    return view.time_s - self.tag_since_s >= params.cool_down_s;
+  }
+  [[nodiscard]] bool restarts(bool switched) const { return switched; }
+};
+static_assert(TagSwitch<TagCoolDown>);
+
+}  // namespace trophic::perception::tag_switch

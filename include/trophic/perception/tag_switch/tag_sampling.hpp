@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The released code's tag clock: the brain's tag is sampled now and then.
+#pragma once
+
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/perception/tag_switch/contract.hpp>
+#include <tuple>
+
+namespace trophic::perception::tag_switch {
+
+/// Rule (released code: every 100 s): at the first decision at least `period` after the tag clock's start the brain's tag is
+/// taken, and the clock starts again whether or not the tag has changed. So a brain chooses a tag once in a period; with
+/// TagCoolDown it may choose at every tick after the pause. The clock runs from birth.   Reads: own tag clock, time.   Random
+/// draws: 0.
+struct TagSampling {
+  static constexpr std::string_view name = "tag_sampling";
+
+  struct Params {
+    double period_s = 100.0;
+    static constexpr auto fields() {
+      return std::tuple{field("period_s", &Params::period_s, at_least(0.0), "time between two samples of the brain's tag")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] bool may_switch(const Individual& self, const View& view) const {
+    return view.time_s - self.tag_since_s >= params.period_s;
+  }
+  [[nodiscard]] bool restarts(bool) const { return true; }
+};
+static_assert(TagSwitch<TagSampling>);
+
+}  // namespace trophic::perception::tag_switch

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Only robots that show the same tag perceive each other.
+#pragma once
+
+#include <string_view>
+#include <trophic/perception/visibility/contract.hpp>
+
+namespace trophic::perception::visibility {
+
+/// Rule: self perceives other iff their tags are equal and other is active (Sec. "Tagging System"; an inactive newborn is
+/// invisible: Sec. "Prey Death").   Reads: both tags, other's activity.   Random draws: 0.
+struct SameTag {
+  static constexpr std::string_view name = "same_tag";
+  [[nodiscard]] bool perceives(const Individual& self, const Individual& other) const {
+    return self.tag == other.tag && other.active;
+  }
+};
+static_assert(Visibility<SameTag>);
+
+}  // namespace trophic::perception::visibility

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Who lives in a body: genome, species, tag, ages, ancestry.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <trophic/population/food_web.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// Index of a robot body; bodies live for the whole run.
+using BodyIndex = std::size_t;
+
+/// Number of an individual (a controller in a body), unique in a run, in order of birth from 0.
+using IndividualId = std::uint64_t;
+
+/// Whether a genome was drawn at random or taken from a parent. `inherited` is the rule's label: see GenomeSource.
+enum class Origin { random, inherited };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Origin) {
+  return {"random", "inherited"};
+}
+
+/// Why an individual died.
+enum class Cause { caught, starved, sacrificed, senescence };
+[[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Cause) {
+  return {"caught", "starved", "sacrificed", "senescence"};
+}
+
+/// The weights of a brain. Held by shared_ptr: whether parent and offspring share one genome is a rule (Heredity).
+struct Genome {
+  std::uint64_t id = 0;  ///< unique in a run; a shared genome keeps its id through mutations
+  std::vector<double> weights;
+};
+
+/// Somebody an offspring can descend from; may be dead by now.
+struct Ancestor {
+  IndividualId id = 0;
+  Species species = 0;
+  std::shared_ptr<Genome> genome;
+};
+
+/// What a body remembers across the births and deaths of those who live in it. Only the released code's rules read it.
+struct BodyMemory {
+  double adversary_distance_m = 0.0;              ///< distance to the adversary when one was last perceived; 0 before the first
+  std::optional<BodyIndex> last_seen_body = {};   ///< the last body perceived as closest whose owner this body's species eats
+  std::optional<Ancestor> last_seen_victim = {};  ///< who lived in that body when it became the closest
+  std::optional<Ancestor> last_killer = {};       ///< who last caught somebody in this body
+};
+
+/// One living individual. `Population` in the ecology holds one per body.
+struct Individual {
+  IndividualId id = 0;
+  std::optional<IndividualId> parent;
+  std::shared_ptr<Genome> genome;
+  Species species = 0;
+  Origin origin = Origin::random;
+  double mutation_distance = 0.0;  ///< Euclidean distance of its weights at birth from its parent's before the mutation
+
+  bool active = true;  ///< a newborn of a hunted species is inactive: it cannot be caught and hunters do not perceive it
+  double born_s = 0.0;
+  double age_from_s = 0.0;    ///< its age counts from here: birth, or activation where the rule says so
+  std::int64_t fed_tick = 0;  ///< tick of birth or of its last catch
+
+  int tag = 1;               ///< one of the brain's tags
+  double tag_since_s = 0.0;  ///< start of the running tag clock: birth or where TagSwitch restarted it
+
+  std::optional<BodyIndex> adversary;                                      ///< closest perceivable opponent at the last tick
+  double adversary_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN without adversary
+  double target_angle_rad = 0.0;                                           ///< the brain's last decision, positive to the right
+
+  BodyMemory memory;
+
+  [[nodiscard]] Ancestor as_ancestor() const { return {id, species, genome}; }
+};
+
+}  // namespace trophic

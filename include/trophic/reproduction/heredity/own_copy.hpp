@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Offspring have their own genome.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <trophic/reproduction/heredity/contract.hpp>
+
+namespace trophic::reproduction::heredity {
+
+/// Rule: the offspring's genome is a copy; mutating it leaves the parent's as it is.   Reads: parent's
+/// genome.   Random draws: 0.
+struct OwnCopy {
+  static constexpr std::string_view name = "own_copy";
+  [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
+    return std::make_shared<Genome>(*parent);
+  }
+};
+static_assert(Heredity<OwnCopy>);
+
+}  // namespace trophic::reproduction::heredity

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Random genomes: every weight uniform.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/initial_genome/contract.hpp>
+#include <tuple>
+
+namespace trophic::reproduction::initial_genome {
+
+/// Rule: each weight, biases included, uniform in [-limit, limit); limit 1 (Sec. "Initialization").   Reads: nothing.
+/// Random draws: 1 per weight.
+struct UniformWeights {
+  static constexpr std::string_view name = "uniform_weights";
+
+  struct Params {
+    double limit = 1.0;
+    static constexpr auto fields() {
+      return std::tuple{field("limit", &Params::limit, at_least(0.0), "weights lie within +- this")};
+    }
+  };
+  Params params;
+
+  void draw(std::span<double> weights, Rng& rng) const {
+    for (double& weight : weights) weight = rng.uniform(-params.limit, params.limit);
+  }
+};
+static_assert(InitialGenome<UniformWeights>);
+
+}  // namespace trophic::reproduction::initial_genome

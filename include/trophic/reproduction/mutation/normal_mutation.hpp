@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The paper's mutation: a normal perturbation of every weight.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/mutation/contract.hpp>
+#include <tuple>
+
+namespace trophic::reproduction::mutation {
+
+/// Rule: w <- w + N(0, sd) for every weight (Sec. "Reproduction": "perturbing the network weights with values drawn from a
+/// normal distribution"); no clipping. The paper is silent about sd; 0.05 here, the half width of the released code's
+/// uniform perturbation. Reads: the weights.   Random draws: 2 per weight.
+struct NormalMutation {
+  static constexpr std::string_view name = "normal_mutation";
+
+  struct Params {
+    double sd = 0.05;
+    static constexpr auto fields() { return std::tuple{field("sd", &Params::sd, at_least(0.0), "standard deviation")}; }
+  };
+  Params params;
+
+  void mutate(std::span<double> weights, Rng& rng) const {
+    for (double& weight : weights) weight += rng.normal(0.0, params.sd);
+  }
+};
+static_assert(Mutation<NormalMutation>);
+
+}  // namespace trophic::reproduction::mutation

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The nearest of the kind that the body goes to reproduces.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <trophic/reproduction/parent/contract.hpp>
+
+namespace trophic::reproduction::parent {
+
+/// Rule: the closest living individual of the species that the body goes to, at any distance, is the parent; nobody else of that
+/// species: none. Where the rules do not fix that species it is the dying one's. After a death of old age the body stays with its
+/// species.   Reads: positions, species.   Random draws: 0.
+struct NearestConspecific {
+  static constexpr std::string_view name = "nearest_conspecific";
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
+    const Species heir = vacancy.heir.value_or(view.robots[vacancy.body].species);
+    const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return other.species == heir; });
+    if (!closest) return std::nullopt;
+    return view.robots[*closest].as_ancestor();
+  }
+};
+static_assert(Parent<NearestConspecific>);
+
+}  // namespace trophic::reproduction::parent

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Nobody reproduces: the newcomer is random.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <trophic/reproduction/parent/contract.hpp>
+
+namespace trophic::reproduction::parent {
+
+/// Rule: there is no parent, so the genome is random. The paper is silent about the genome of a predator that replaces a
+/// sacrificed prey; `rules::Paper` uses this.   Reads: nothing.   Random draws: 0.
+struct NoParent {
+  static constexpr std::string_view name = "no_parent";
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const { return std::nullopt; }
+};
+static_assert(Parent<NoParent>);
+
+}  // namespace trophic::reproduction::parent

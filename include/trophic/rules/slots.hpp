@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The slots of a rule table.
+#pragma once
+
+#include <trophic/community/contract.hpp>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/control/decision_order/contract.hpp>
+#include <trophic/control/steering/contract.hpp>
+#include <trophic/death/activation/contract.hpp>
+#include <trophic/death/capture/contract.hpp>
+#include <trophic/death/floor/contract.hpp>
+#include <trophic/death/reprieve/contract.hpp>
+#include <trophic/death/rescue/contract.hpp>
+#include <trophic/death/senescence/contract.hpp>
+#include <trophic/death/starvation/contract.hpp>
+#include <trophic/death/starvation_schedule/contract.hpp>
+#include <trophic/perception/blind_rule/contract.hpp>
+#include <trophic/perception/heading/contract.hpp>
+#include <trophic/perception/newborn_tag/contract.hpp>
+#include <trophic/perception/sensors/contract.hpp>
+#include <trophic/perception/tag_switch/contract.hpp>
+#include <trophic/perception/visibility/contract.hpp>
+#include <trophic/placement/contract.hpp>
+#include <trophic/reproduction/genome_source/contract.hpp>
+#include <trophic/reproduction/heredity/contract.hpp>
+#include <trophic/reproduction/initial_genome/contract.hpp>
+#include <trophic/reproduction/mutation/contract.hpp>
+#include <trophic/reproduction/parent/contract.hpp>
+
+/// Every slot of a rule table: (Slot, member, kind, contract). The one list that tables, numbers, with_<slot>, checks and
+/// manifests are made from; a contract's concept and sentence are in trophic/KIND/SLOT/contract.hpp.
+#define TROPHIC_RULE_SLOTS(SLOT)                                           \
+  SLOT(Community, community, community, Community)                         \
+  SLOT(Placement, placement, placement, Placement)                         \
+  SLOT(Heading, heading, perception, Heading)                              \
+  SLOT(Visibility, visibility, perception, Visibility)                     \
+  SLOT(AngleInput, angle_input, perception, SightingInput)                 \
+  SLOT(DistanceInput, distance_input, perception, SightingInput)           \
+  SLOT(TagRatioInput, tag_ratio_input, perception, PopulationInput)        \
+  SLOT(BlindRule, blind_rule, perception, BlindRule)                       \
+  SLOT(NewbornTag, newborn_tag, perception, NewbornTag)                    \
+  SLOT(TagSwitch, tag_switch, perception, TagSwitch)                       \
+  SLOT(Brain, brain, control, Brain)                                       \
+  SLOT(DecisionOrder, decision_order, control, DecisionOrder)              \
+  SLOT(Steering, steering, control, Steering)                              \
+  SLOT(InitialGenome, initial_genome, reproduction, InitialGenome)         \
+  SLOT(GenomeSource, genome_source, reproduction, GenomeSource)            \
+  SLOT(CaptureParent, capture_parent, reproduction, Parent)                \
+  SLOT(StarvationParent, starvation_parent, reproduction, Parent)          \
+  SLOT(RescueParent, rescue_parent, reproduction, Parent)                  \
+  SLOT(Heredity, heredity, reproduction, Heredity)                         \
+  SLOT(Mutation, mutation, reproduction, Mutation)                         \
+  SLOT(Activation, activation, death, Activation)                          \
+  SLOT(Capture, capture, death, CaptureRule)                               \
+  SLOT(Floor, floor, death, Floor)                                         \
+  SLOT(StarvationSchedule, starvation_schedule, death, StarvationSchedule) \
+  SLOT(Reprieve, reprieve, death, Reprieve)                                \
+  SLOT(Starvation, starvation, death, Starvation)                          \
+  SLOT(Rescue, rescue, death, Rescue)                                      \
+  SLOT(Senescence, senescence, death, Senescence)                          \
+  SLOT(SenescenceParent, senescence_parent, reproduction, Parent)

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/analysis/data/csv_reader.hpp>
+#include <trophic/population/individual.hpp>
+
+using namespace trophic;
+using analysis::CsvReader;
+using test::message_of;
+using test::TemporaryFolder;
+
+TEST_CASE("columns are found by name, in the order asked for") {
+  const TemporaryFolder folder;
+  CsvReader csv{folder.file("t.csv", "a,b,c\n1,2.5,caught\r\n-3,,x\n"), {"c", "a", "b"}};
+  REQUIRE(csv.next());
+  CHECK(csv.get<Cause>(0) == Cause::caught);
+  CHECK(csv.get<int>(1) == 1);
+  CHECK(*csv.get_optional<double>(2) == 2.5);
+  REQUIRE(csv.next());
+  CHECK(csv.get<int>(1) == -3);
+  CHECK_FALSE(csv.get_optional<double>(2));
+  CHECK(message_of<std::runtime_error>([&] {
+          static_cast<void>(csv.get<Cause>(0));
+        }).ends_with("t.csv:3: c = \"x\": must be one of the names that the program writes"));
+  CHECK_THROWS_AS(static_cast<void>(csv.get<std::uint64_t>(1)), std::runtime_error);
+  CHECK_FALSE(csv.next());
+  CHECK_FALSE(csv.truncated());
+}
+
+TEST_CASE("a last line without its newline is cut off, however whole it looks") {
+  const TemporaryFolder folder;
+  CsvReader csv{folder.file("t.csv", "a,b\n1,2\n3,4"), {"a"}};
+  CHECK(csv.next());
+  CHECK_FALSE(csv.next());
+  CHECK(csv.truncated());
+}
+
+TEST_CASE("a missing file, a folder and a file without header are refused by name") {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& path) { return message_of<std::runtime_error>([&] { CsvReader{path, {"a"}}; }); };
+  const std::string missing = (folder.path() / "none.csv").string();
+  CHECK(error(missing) == missing + ": cannot be read, or is empty");
+  CHECK(error(folder.path().string()) == folder.path().string() + ": cannot be read, or is empty");
+  const std::string bare = folder.file("bare.csv", "a");
+  CHECK(error(bare) == bare + ": has no header");
+  const std::string wrong = folder.file("wrong.csv", "b\n1\n");
+  CHECK(error(wrong) == wrong + ":1: no column \"a\"; another kind of file?");
+}

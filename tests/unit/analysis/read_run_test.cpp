@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/analysis/data/read_run.hpp>
+#include <unit/analysis/rows.hpp>
+#include <unit/analysis/run_files.hpp>
+
+namespace {
+
+using namespace trophic;
+using test::message_of;
+using test::TemporaryFolder;
+
+using test::agent_header;
+using test::event_header;
+const std::string manifest = test::manifest("00ff", 12);
+
+std::string error_of_events(const std::string& text) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("events.csv", text);
+  std::vector<std::string> remarks;
+  const std::string message =
+      message_of<std::runtime_error>([&] { static_cast<void>(analysis::read_events(path, test::prey_and_predators, remarks)); });
+  return message.starts_with(path) ? message.substr(path.size()) : message;
+}
+
+}  // namespace
+
+TEST_CASE("events and agents are read by column name, empty cells as none") {
+  const TemporaryFolder folder;
+  std::vector<std::string> remarks;
+  const auto events =
+      analysis::read_events(folder.file("events.csv", event_header + "4,2,catch,3,predator,1,-1,1,inherited,0,7,,,5,1.5,-2.25\n" +
+                                                          "4,2,death,5,prey,0,1,1,random,,5,caught,3,,1,2\n"),
+                            test::prey_and_predators, remarks);
+  REQUIRE(events.size() == 2);
+  CHECK(events[0].kind == observe::EventKind::capture);
+  CHECK(events[0].species == test::predator);
+  CHECK(events[0].origin == Origin::inherited);
+  CHECK(*events[0].victim == 5);
+  CHECK_FALSE(events[0].cause);
+  CHECK(events[0].y_m == -2.25);
+  CHECK(*events[1].cause == Cause::caught);
+  const auto agents =
+      analysis::read_agents(folder.file("agents.csv", agent_header + "2,1,0,9,prey,random,0,-1,0.5,1.5,0,0.7,,,\n" +
+                                                          "2,1,1,3,predator,inherited,1,1,0,0,0,-0.7,9,1.58,12\n"),
+                            test::prey_and_predators, remarks);
+  REQUIRE(agents.size() == 2);
+  CHECK_FALSE(agents[0].adversary);
+  CHECK_FALSE(agents[0].hunger_ticks);
+  CHECK(agents[0].tag == -1);
+  CHECK(*agents[1].adversary == 9);
+  CHECK(*agents[1].hunger_ticks == 12);
+  CHECK(remarks.empty());
+}
+
+TEST_CASE("what is wrong with a file is said with line and column") {
+  const std::string good = "0,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n";
+  CHECK(error_of_events(event_header + good).empty());
+  CHECK(error_of_events(event_header + good + "0,0,birth,0,prey,0,1,1,random,,0,,,,1\n") == ":3: 15 cells, the header has 16");
+  CHECK(error_of_events(event_header + "0,0,birth,x,prey,0,1,1,random,,0,,,,1,2\n") ==
+        ":2: id = \"x\": must be a whole number in range");
+  CHECK(error_of_events(event_header + "0,0,birth,,prey,0,1,1,random,,0,,,,1,2\n") ==
+        ":2: id = \"\": must be a whole number in range");
+  CHECK(error_of_events(event_header + "nan,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n") == ":2: time_s = \"nan\": must be finite");
+  CHECK(error_of_events(event_header + "0,0,birth,0,wolf,0,1,1,random,,0,,,,1,2\n") ==
+        ":2: species = \"wolf\": must be a species of the run's manifest");
+  CHECK(error_of_events(event_header + "0,0,birth,0,prey,0,1,2,random,,0,,,,1,2\n") == ":2: active = \"2\": must be 0 or 1");
+  CHECK(error_of_events("generation,fitness\n1,2\n") == ":1: no column \"time_s\"; another kind of file?");
+  CHECK(error_of_events("") == ": cannot be read, or is empty");
+}
+
+TEST_CASE("agents out of order are refused") {
+  const TemporaryFolder folder;
+  std::vector<std::string> remarks;
+  const std::string path =
+      folder.file("agents.csv", agent_header + "4,2,0,9,prey,random,0,-1,0,0,0,0,,,\n" + "2,1,0,9,prey,random,0,-1,0,0,0,0,,,\n");
+  CHECK(message_of<std::runtime_error>([&] {
+          static_cast<void>(analysis::read_agents(path, test::prey_and_predators, remarks));
+        }) == path + ":3: tick = \"1\": must be >= that of the row before");
+}
+
+TEST_CASE("a line cut off by a kill is reported, the rest is used, of agents the whole last tick goes") {
+  const TemporaryFolder folder;
+  static_cast<void>(folder.file("manifest.json", manifest));
+  static_cast<void>(folder.file("events.csv", event_header + "0,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n0,0,birth,1,pre"));
+  static_cast<void>(folder.file("agents.csv", agent_header + "0,0,0,0,prey,random,1,1,0,0,0,0,,,\n" +
+                                                  "0,0,1,1,prey,random,1,1,0,0,0,0,,,\n" +
+                                                  "2,1,0,0,prey,random,1,1,0,0,0,0,,,\n2,1,1,1,prey,ran"));
+  const auto run = analysis::read_run(folder.path());
+  CHECK(run.events->size() == 1);
+  CHECK(run.agents->size() == 2);
+  REQUIRE(run.remarks.size() == 2);
+  CHECK(run.remarks[0].find("events.csv:3: cut off in the middle of a line") != std::string::npos);
+  CHECK(run.remarks[1].find("agents.csv:5: cut off in the middle of a line") != std::string::npos);
+}
+
+TEST_CASE("a missing table is missing, a missing or foreign manifest is an error") {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "manifest.json").string();
+  const auto read = [&] { static_cast<void>(analysis::read_run(folder.path())); };
+  CHECK(message_of<std::runtime_error>(read).starts_with(path + ": cannot be read; is "));
+  static_cast<void>(folder.file("manifest.json", R"({"fingerprint": "00ff"})"));
+  CHECK(message_of<std::runtime_error>(read).find("'rule_table' not found") != std::string::npos);
+  static_cast<void>(folder.file("manifest.json", manifest));
+  const auto run = analysis::read_run(folder.path());
+  CHECK(run.facts.seed == 12);
+  CHECK(run.facts.web.eats(1, 0));
+  CHECK(run.facts.half_side_m == 10.0);
+  CHECK_FALSE(run.events);
+  CHECK_FALSE(run.agents);
+  CHECK(run.remarks.size() == 2);
+}
+
+TEST_CASE("a run is cut to its first seconds, one that did not last so long is refused") {
+  const TemporaryFolder folder;
+  auto run = analysis::read_run(test::write_run(folder.path() / "run", manifest));
+  analysis::cut_to(run, 1.0);
+  CHECK(run.facts.until_s == 1.0);
+  CHECK(run.events->size() == 2);
+  CHECK(run.agents->size() == 2);
+  CHECK(message_of<std::invalid_argument>([&] { analysis::cut_to(run, 3000.0); }) ==
+        (folder.path() / "run").string() + ": reached 0 s (status complete): must be >= 3000 s, as --until asks");
+  run.facts.reached_s = 6500.0;
+  CHECK_NOTHROW(analysis::cut_to(run, 6500.0));
+}

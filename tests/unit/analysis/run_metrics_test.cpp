@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <trophic/analysis/metrics/run_metrics.hpp>
+#include <unit/analysis/rows.hpp>
+
+namespace {
+
+using namespace trophic;
+using namespace trophic::analysis;
+
+RunData empty_run() {
+  RunData run;
+  run.facts.web = test::prey_and_predators;
+  run.facts.half_side_m = 10.0;
+  run.facts.until_s = 6000.0;
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("an empty run has every metric, none with a value but what needs no data") {
+  const auto metrics = measure_run(empty_run());
+  for (const Measurement& measurement : metrics.measurements) {
+    CAPTURE(measurement.name.metric);
+    CHECK_FALSE(measurement.value);
+  }
+  const auto has = [&](const MetricName& name) {
+    return std::ranges::find(metrics.measurements, name, &Measurement::name) != metrics.measurements.end();
+  };
+  CHECK(has({"attribution_caught", "prey", "all", "1"}));
+  CHECK(has({"attribution_catchers", "predator", "all", "1"}));
+  CHECK_FALSE(has({"attribution_caught", "predator", "all", "1"}));
+  CHECK(has({"velocity", "prey", "inherited", "m/s"}));
+  CHECK(has({"velocity_stored", "predator", "all", "m/s"}));
+  CHECK(has({"ticks_at", "predator", "8", "1"}));
+  CHECK_FALSE(has({"ticks_at", "prey", "8", "1"}));
+  CHECK(has({"stuck", "everybody", "all", "1"}));
+  CHECK(has({"tag_symmetry", "prey+predator", "inherited", "1"}));
+}
+
+TEST_CASE("only dealt tags are a null of the run itself, and what the paper compares with is marked as its own") {
+  for (const Measurement& measurement : measure_run(empty_run()).measurements) {
+    for (const Baseline& baseline : measurement.baselines) {
+      CAPTURE(measurement.name.metric);
+      CHECK((baseline.role == Role::null) == (baseline.name == "dealt_tags"));
+      const bool is_papers = baseline.name == "two_thirds" || baseline.name == "uniform_pairs" ||
+                             (baseline.name == "zero" && measurement.name.unit == "m/s");
+      CHECK((baseline.role == Role::paper) == is_papers);
+    }
+  }
+}
+
+TEST_CASE("three species: each link of the food web is measured") {
+  RunData run = empty_run();
+  run.facts.web = FoodWeb{{"grass", "sheep", "wolf"}, {{1, 0}, {2, 1}}};
+  run.agents = {
+      {test::robot(0, 0, 0, 9.5, 0), test::robot(0, 1, 1, 0, 0), test::robot(0, 2, 2, 0, 0, {}, Origin::inherited, -1)}};
+  const auto metrics = measure_run(run);
+  const auto value = [&](const MetricName& name) {
+    return std::ranges::find(metrics.measurements, name, &Measurement::name)->value;
+  };
+  CHECK(*value({"wall_sticking_gap", "grass-sheep", "all", "1"}) == 1.0);
+  CHECK(*value({"tag_symmetry", "grass+sheep", "inherited", "1"}) == 2.0);
+  CHECK(*value({"tag_symmetry", "sheep+wolf", "inherited", "1"}) == 0.0);
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/analysis/data/run_set.hpp>
+#include <unit/analysis/run_files.hpp>
+#include <vector>
+
+namespace {
+
+using namespace trophic;
+using analysis::read_set;
+using test::manifest;
+using test::message_of;
+using test::TemporaryFolder;
+using test::write_run;
+using Paths = std::vector<std::filesystem::path>;
+
+}  // namespace
+
+TEST_CASE("a folder of replicates stands for those that its list names, what is missing is remarked on") {
+  const TemporaryFolder folder;
+  static_cast<void>(folder.file("replicates.json", R"({"replicates": [{"folder": "replicate-00"}, {"folder": "replicate-01"},
+    {"folder": "replicate-02"}]})"));
+  write_run(folder.path() / "replicate-00", manifest("aa", 1));
+  write_run(folder.path() / "replicate-02", manifest("aa", 2));
+  write_run(folder.path() / "replicate-02.incomplete-1", manifest("bb", 2));
+  const auto set = read_set(Paths{folder.path()});
+  CHECK(set.label == "paper");
+  CHECK(set.runs.size() == 2);
+  REQUIRE(set.remarks.size() == 1);
+  CHECK(set.remarks[0] == (folder.path() / "replicate-01").string() + ": missing, the replicate was not run");
+}
+
+TEST_CASE("runs of other rules are not pooled, nor is one run counted twice") {
+  const TemporaryFolder folder;
+  const auto a = write_run(folder.path() / "a", manifest("aa", 1));
+  const auto b = write_run(folder.path() / "b", manifest("bb", 2, "released"));
+  const auto c = write_run(folder.path() / "c", manifest("aa", 1));
+  const std::string mixed = message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b})); });
+  CHECK(mixed.starts_with(b.string() + ": fingerprint bb (released on kinematic 1), but " + a.string() + " has aa (paper"));
+  CHECK(mixed.ends_with("use --compare"));
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(read_set(Paths{a, c}));
+        }).find("seed 1 as in " + a.string()) != std::string::npos);
+}
+
+TEST_CASE("runs of different status or duration are not pooled, unless all are cut to what they have") {
+  const TemporaryFolder folder;
+  const auto with_end = [](int seed, const std::string& status, double reached_s) {
+    std::string text = manifest("aa", seed);
+    text.replace(text.find("complete"), 8, status);
+    return text.substr(0, text.size() - 1) + R"(, "result": {"reached_s": )" + std::to_string(reached_s) + "}}";
+  };
+  const auto a = write_run(folder.path() / "a", with_end(1, "complete", 6000.0));
+  const auto b = write_run(folder.path() / "b", with_end(2, "stopped", 100.0));
+  const auto c = write_run(folder.path() / "c", with_end(3, "stopped", 200.0));
+  CHECK(
+      message_of<std::invalid_argument>([&] {
+        static_cast<void>(read_set(Paths{a, b}));
+      }) ==
+      b.string() + ": status \"stopped\" at 100 of 6000 s, but " + a.string() +
+          " has status \"complete\" at 6000 of 6000 s; runs of different length are not pooled: leave some out, or cut all with "
+          "--until");
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(read_set(Paths{b, c}));
+        }).find("at 200 of 6000 s, but ") != std::string::npos);
+  CHECK(read_set(Paths{a, b, c}, 100.0).runs.size() == 3);
+  CHECK(read_set(Paths{a, b, c}, 100.0).facts[1].until_s == 100.0);
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b, c}, 150.0)); }).starts_with(b.string()));
+}
+
+TEST_CASE("a run without manifest is left out, one with a broken table keeps its other metrics") {
+  const TemporaryFolder folder;
+  const auto good = write_run(folder.path() / "good", manifest("aa", 1));
+  const auto bare = write_run(folder.path() / "bare", manifest("aa", 2));
+  const auto broken = write_run(folder.path() / "broken", manifest("aa", 3));
+  std::filesystem::remove(bare / "manifest.json");
+  std::filesystem::remove(broken / "agents.csv");
+  const auto set = read_set(Paths{good, bare, broken});
+  REQUIRE(set.runs.size() == 2);
+  CHECK(set.remarks.size() == 2);
+  const auto value = [&](std::size_t run, const analysis::MetricName& name) {
+    return std::ranges::find(set.runs[run].measurements, name, &analysis::Measurement::name)->value;
+  };
+  CHECK(*value(1, {"attribution_caught", "prey", "all", "1"}) == 1.0);
+  CHECK(*value(0, {"wall_sticking", "prey", "all", "1"}) == 1.0);
+  CHECK_FALSE(value(1, {"wall_sticking", "prey", "all", "1"}));
+  CHECK(message_of<std::runtime_error>([&] { static_cast<void>(read_set(Paths{bare})); }).starts_with("no run can be read: "));
+  const auto none = folder.path() / "none";
+  CHECK(message_of<std::runtime_error>([&] { static_cast<void>(read_set(Paths{none})); }) == none.string() + ": is not a folder");
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <trophic/analysis/data/tables.hpp>
+#include <unit/analysis/rows.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::test;
+
+TEST_CASE("rows are cut into ticks, and found in one by individual or by body") {
+  const std::vector<analysis::AgentRow> agents{robot(1, 7, prey, 0, 0), robot(1, 3, prey, 0, 0), robot(4, 3, prey, 5, 0)};
+  const auto moments = analysis::by_tick(agents);
+  REQUIRE(moments.size() == 2);
+  CHECK(moments[0].size() == 2);
+  CHECK(moments[1].front().tick == 4);
+  const analysis::Moment first{moments[0]};
+  CHECK(first.find(3) == &agents[1]);
+  CHECK(first.find(7) == &agents[0]);
+  CHECK(first.find(5) == nullptr);
+  CHECK(first.find_body(3) == &agents[1]);
+  CHECK(first.find_body(0) == nullptr);
+  CHECK(analysis::by_tick({}).empty());
+}
+
+TEST_CASE("groups by origin, shares of nothing") {
+  using analysis::Group;
+  CHECK(analysis::belongs(Origin::random, Group::all));
+  CHECK(analysis::belongs(Origin::random, Group::random));
+  CHECK_FALSE(analysis::belongs(Origin::random, Group::inherited));
+  CHECK_FALSE(analysis::belongs(Origin::inherited, Group::random));
+  CHECK(analysis::belongs(Origin::inherited, Group::inherited));
+  CHECK(*analysis::share(1, 4) == 0.25);
+  CHECK_FALSE(analysis::share(0, 0));
+}

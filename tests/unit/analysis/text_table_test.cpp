@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <array>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/analysis/report/text_table.hpp>
+#include <unit/analysis/run_files.hpp>
+#include <vector>
+
+namespace {
+
+using namespace trophic;
+using namespace trophic::analysis;
+
+/// `count` runs whose predators catch one prey each.
+RunSet runs_of(const test::TemporaryFolder& folder, const std::string& name, std::size_t count,
+               const std::string& hunter = "inherited") {
+  std::vector<std::filesystem::path> paths;
+  for (std::size_t i = 0; i < count; ++i) {
+    paths.push_back(
+        test::write_run(folder.path() / (name + std::to_string(i)), test::manifest(name, static_cast<int>(i)), hunter));
+  }
+  return read_set(paths);
+}
+
+template <class Print>
+std::string printed(Print&& print) {
+  std::ostringstream out;
+  print(out);
+  return out.str();
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the table shows ours with its interval, the paper's value, nulls with a verdict, references without") {
+  const test::TemporaryFolder folder;
+  const ShadowedSet set{runs_of(folder, "aa", 6), runs_of(folder, "bb", 6, "random")};
+  const auto rows = summarize(set.ours.runs, set.shadow_runs());
+  const std::string text = printed([&](auto& out) { print_table(out, set, rows); });
+  CHECK(has(text, "shadow: paper on kinematic 1, 6 runs of 6000 s\n"));
+  CHECK(has(text, "attribution_caught prey                   1.000 [1.000, 1.000]          0.650\n"));
+  CHECK(has(text,
+            "    = shadow                              1.000                                     "
+            "+0.000 [+0.000, +0.000]     not distinguishable\n"));
+  CHECK(has(text, "    * two_thirds                          0.667\n"));
+  CHECK(has(text,
+            "    = shadow                              0.000                                     "
+            "+1.000 [+1.000, +1.000]     above\n"));
+  CHECK(has(text, "velocity prey, cm/s                       missing                       -\n") == false);
+  CHECK(has(text, "velocity_stored prey, cm/s                missing                       -0.67\n"));
+  CHECK_FALSE(has(text, "nan"));
+  CHECK_FALSE(has(text, "senescence"));
+  CHECK_FALSE(has(text, "too few"));
+}
+
+TEST_CASE("of one run, two or five there are numbers, no verdict, and a sentence that says so") {
+  for (const std::size_t count : {1UL, 2UL, 5UL}) {
+    const test::TemporaryFolder folder;
+    const ShadowedSet set{runs_of(folder, "aa", count), {}};
+    const std::string text = printed([&](auto& out) { print_table(out, set, summarize(set.ours.runs)); });
+    CHECK(has(text, "too few runs for a verdict: 6 are needed, paper has " + std::to_string(count) + "\n"));
+    CHECK(has(text, "no shadow: attribution and velocity have no null"));
+    CHECK(has(text, count == 1 ? "attribution_caught prey                   1.000   " : "1.000 (sd 0.000)"));
+    for (const char* word : {"above", "below", "distinguishable"}) CHECK_FALSE(has(text, word));
+    const std::string claims = printed([&](auto& out) { print_claims(out, set.ours, judge_claims(set.ours.runs)); });
+    CHECK(has(claims, "no verdict\n"));
+    CHECK(has(claims, "too few runs for a verdict: 6 are needed"));
+    CHECK_FALSE(has(claims, "  reproduced\n"));
+    const std::string compared = printed([&](auto& out) { print_differences(out, set, set, compare_sets(set, set)); });
+    CHECK(has(compared, "too few runs for a verdict: 6 are needed"));
+    CHECK(has(compared, "corrected for 0 comparisons"));
+  }
+}
+
+TEST_CASE("differences of two sets: raw, over the shadows where both have one, with corrected p values") {
+  const test::TemporaryFolder folder;
+  ShadowedSet a{runs_of(folder, "aa", 6), {}};
+  ShadowedSet b{runs_of(folder, "bb", 6, "random"), {}};
+  const std::string raw = printed([&](auto& out) { print_differences(out, a, b, compare_sets(a, b)); });
+  CHECK(has(raw, "attribution_catches predator              1.000       0.000       -1.000 [-1.000, -1.000]       <0.001 * "));
+  CHECK(has(raw, "velocity prey, cm/s                       missing     missing     missing"));
+  CHECK(has(raw, "without a shadow of each set no difference can be put down to inheritance"));
+  a.shadow = runs_of(folder, "cc", 6);
+  b.shadow = runs_of(folder, "dd", 6, "random");
+  const std::string over = printed([&](auto& out) { print_differences(out, a, b, compare_sets(a, b)); });
+  CHECK(has(over, "over shadows: (b - shadow) - (a - shadow) [95 %], p"));
+  CHECK(has(over, "-1.000 [-1.000, -1.000]       <0.001 * +0.000 [+0.000, +0.000]"));
+}
+
+TEST_CASE("published claims: value, margin, source, ours, verdict") {
+  const test::TemporaryFolder folder;
+  const RunSet set = runs_of(folder, "aa", 6);
+  const std::string text = printed([&](auto& out) { print_claims(out, set, judge_claims(set.runs)); });
+  CHECK(has(text,
+            "attribution_caught prey                   0.650       0.037      paper   1.000 [1.000, 1.000]          "
+            "not reproduced\n"));
+  CHECK(has(text, "  or attribution_died prey                0.620       0.028      events  "));
+  CHECK(has(text, "velocity_stored predator, cm/s            1.95        0.29       paper   missing"));
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <string>
+#include <trophic/gait_evolution/cppn_gait.hpp>
+#include <trophic/gait_evolution/gait_file.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/load/robot.hpp>
+
+using trophic::Gait;
+using trophic::load_gait;
+namespace gait_evolution = trophic::gait_evolution;
+
+TEST_CASE("the gaits that were evolved for the shipped robots are their own CPPN at the robot's grid positions") {
+  for (const std::string name : {"spider_paper", "spider_steered", "gecko_paper", "gecko_steered"}) {
+    CAPTURE(name);
+    const Gait gait = load_gait(name);
+    CHECK(gait.name == name);
+    const trophic::RobotModel robot = trophic::load_robot(gait.robot);
+    REQUIRE_NOTHROW(check_fit(gait, robot));
+    const Gait queried = gait_evolution::cppn_gait(gait_evolution::load_cppn(name), robot);
+    CHECK((gait.internal - queried.internal).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK((gait.coupling - queried.coupling).cwiseAbs().maxCoeff() < 1e-13);
+  }
+}
+
+TEST_CASE("each shipped robot names a gait that fits it") {
+  for (const std::string name : {"spider", "spider_released", "gecko"}) {
+    CAPTURE(name);
+    const trophic::RobotModel robot = trophic::load_robot(name);
+    CHECK_NOTHROW(check_fit(load_gait(robot.gait), robot));
+  }
+}
