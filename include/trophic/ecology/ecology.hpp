@@ -2,6 +2,7 @@
 // The ecology: who lives in which body, in what order the rules act, and when.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -12,7 +13,6 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/load/habitat.hpp>
 #include <trophic/locomotion/locomotion.hpp>
 #include <trophic/locomotion/steerable.hpp>
 #include <trophic/observe/hooks.hpp>
@@ -39,8 +39,8 @@ class Ecology {
  public:
   using Params = Experiment<Rules, B>;
 
-  /// Loads the models that `params.world` names. Throws std::invalid_argument naming field, value and bound, or a robot that the
-  /// rules cannot steer; std::runtime_error for a missing or broken file.
+  /// Loads the models that `params.world` names, by trophic/load/habitat.hpp. Throws std::invalid_argument naming field, value
+  /// and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
   explicit Ecology(Params params = {}) : Ecology{load(std::move(params))} {}
 
   /// In a habitat made by the program; the names in `params.world` are then only labels.
@@ -118,9 +118,14 @@ class Ecology {
 
   static Checked load(Params params) {
     validate(params, "");
-    Habitat habitat = load_habitat(params.world);
-    params.world.gait = habitat.gait.name;
-    return check(std::move(params), std::move(habitat));
+    if constexpr (requires { load_habitat(params.world); }) {
+      Habitat habitat = load_habitat(params.world);
+      params.world.gait = habitat.gait.name;
+      return check(std::move(params), std::move(habitat));
+    } else {
+      static_assert(std::same_as<Rules, void>,
+                    "an Ecology made from numbers alone reads model files: #include <trophic/load/habitat.hpp>");
+    }
   }
   static Checked check(Params params, Habitat habitat) {
     validate(params, "");

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/contract.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 #include <tuple>

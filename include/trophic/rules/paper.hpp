@@ -16,7 +16,7 @@
 #include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/starvation/hungriest_starves.hpp>
 #include <trophic/death/starvation_schedule/crowding_interval.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/perception/blind_rule/blind_sees_nothing.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>

@@ -82,7 +82,7 @@ struct Released {
             .robot = "spider_released",
             .arena = "height_field",
             .gait = {},
-            .cpg_integration = locomotion::CpgIntegration::rk4};
+            .cpg_integration = CpgIntegration::rk4};
   }
   static Physics physics() { return {.timestep_s = 0.012, .integrator = Integrator::rk4}; }
 };

@@ -3,6 +3,7 @@
 // expect: the Params of the policy in Rules::Senescence need static constexpr auto fields(), listing every number
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Ageing {

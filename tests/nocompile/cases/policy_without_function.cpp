@@ -3,6 +3,7 @@
 // expect: the policy in Rules::GenomeSource needs bool inherits(Rng&) const and Origin without_parent() const
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct AlwaysInherits {

@@ -3,6 +3,7 @@
 // expect: did you mean
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/reproduction/mutation/uniform_mutation.hpp>
 #include <trophic/rules/paper.hpp>
 

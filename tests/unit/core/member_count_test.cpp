@@ -9,8 +9,8 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/ecology/world.hpp>
 #include <trophic/gait_evolution/tables.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/params/detail/member_count.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>

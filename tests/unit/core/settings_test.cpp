@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <trophic/backend/contract.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/rules/released.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <string>
-#include <trophic/locomotion/cpg_integration.hpp>
+#include <trophic/habitat/cpg_integration.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 
@@ -21,7 +21,7 @@ struct World {
   std::string robot = "spider";         ///< name or path of a robot file
   std::string arena = "walled_square";  ///< name or path of an arena file
   std::string gait;                     ///< name or path of a gait file; empty: the gait that the robot file names
-  locomotion::CpgIntegration cpg_integration = locomotion::CpgIntegration::exact;
+  CpgIntegration cpg_integration = CpgIntegration::exact;
 
   static constexpr auto fields() {
     return std::tuple{field("robots", &World::robots, between(1, 10'000'000), "robot bodies, fixed for the whole run"),

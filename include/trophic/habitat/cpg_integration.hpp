@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace trophic::locomotion {
+namespace trophic {
 
 /// How a CPG steps. `exact`: the matrix exponential exp(W h). W is antisymmetric, so it is a rotation and amplitudes never drift.
 /// `rk4`: classical Runge-Kutta, which for a linear system is exp's Taylor series up to h^4 (what the released code does).
@@ -14,4 +14,4 @@ enum class CpgIntegration { exact, rk4 };
   return {"exact", "rk4"};
 }
 
-}  // namespace trophic::locomotion
+}  // namespace trophic

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// trophic::mujoco_compiled: all but the kernel.
+#include <trophic/backend/mujoco.ipp>
