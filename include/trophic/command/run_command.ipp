@@ -144,7 +144,7 @@ inline int run_command(int argc, const char* const* argv, const Command& command
     std::cerr << name << ": " << what << "\n";
     return code;
   };
-  CLI::App app{command.about};
+  CLI::App app{command.about, name};
   std::string shell;
   std::vector<CLI::App*> added;
   const Command* chosen = &command;
