@@ -14,7 +14,7 @@
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/gait_evolution/measure_walk.hpp>
 #include <trophic/gait_evolution/trial.hpp>
-#include <trophic/habitat/gait.hpp>
+#include <trophic/load/gait.hpp>
 #include <trophic/load/robot.hpp>
 #include <trophic/params/params.hpp>
 
