@@ -1,6 +1,5 @@
 # trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode]): a program of trophic/command, linked with the engines that are named,
 # or with every one that was found. Manifests and --version name the revision of the project's sources and the flags of the build.
-set(TROPHIC_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
 
 function(trophic_add_experiment name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "BACKENDS")
@@ -28,7 +27,7 @@ function(trophic_link_facts name)
     add_custom_target(
       ${facts}_look_up_revision
       BYPRODUCTS ${revision}
-      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} -P ${TROPHIC_CMAKE_DIR}/source-revision.cmake
+      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
       COMMENT "Looking up the source revision" VERBATIM)
     add_library(${facts} OBJECT ${revision})
     add_dependencies(${facts} ${facts}_look_up_revision)

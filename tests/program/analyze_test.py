@@ -244,7 +244,7 @@ class Analyze(InFolderWithSets):
         self.assertEqual(partly.returncode, 0, partly.stderr)
         self.assertIn("phylogeny: left out: ", partly.stderr)
         self.assertIn("5 figures", partly.stdout)
-        self.assertIn("not what analyze writes", self.call(figures_python.PYTHON, PLOT, "partly").stderr)
+        self.assertIn("not what trophic analyze writes", self.call(figures_python.PYTHON, PLOT, "partly").stderr)
 
 
 if __name__ == "__main__":
