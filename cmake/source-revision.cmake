@@ -1,5 +1,5 @@
-# cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources, only where
-# it changed. The revision is "unknown" where SOURCE is not the top of a git checkout: an enclosing project's is not ours.
+# cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources and with the
+# build that the definition TROPHIC_BUILD states, only where it changed. The revision is "unknown" where SOURCE is not the top of a git checkout: an enclosing project's is not ours.
 set(revision unknown)
 find_program(GIT git)
 if(GIT)
@@ -15,7 +15,13 @@ if(GIT)
     endif()
   endif()
 endif()
-set(text "extern const char* const source_revision;\nconst char* const source_revision = \"${revision}\";\n")
+set(text "extern \"C\" {
+extern const char* const trophic_source_revision;
+extern const char* const trophic_build;
+const char* const trophic_source_revision = \"${revision}\";
+const char* const trophic_build = TROPHIC_BUILD;
+}
+")
 set(before "")
 if(EXISTS ${FILE})
   file(READ ${FILE} before)

@@ -1,5 +1,5 @@
-# Installs headers, libraries, models and conformance suites with a CMake package: find_package(trophic COMPONENTS mujoco ode
-# compiled mujoco_compiled ode_compiled conformance).
+# Installs headers, libraries, models, programs and conformance suites with a CMake package: find_package(trophic COMPONENTS mujoco
+# ode command compiled mujoco_compiled ode_compiled command_compiled conformance).
 include(CMakePackageConfigHelpers)
 set(trophic_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/trophic)
 
@@ -22,18 +22,22 @@ trophic_install_component(trophic trophic HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
 if(TARGET trophic_conformance)
   trophic_install_component(conformance trophic_conformance HEADERS ${CMAKE_INSTALL_DATADIR}/trophic/tests)
 endif()
-foreach(component mujoco ode compiled mujoco_compiled ode_compiled)
+foreach(component command mujoco ode compiled mujoco_compiled ode_compiled command_compiled)
   if(TARGET trophic::${component})
     trophic_install_component(${component} trophic_${component} HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
   endif()
 endforeach()
 
+if(TROPHIC_BUILD_EXAMPLES)
+  install(TARGETS trophic_program predator_prey ablations RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.in ${PROJECT_BINARY_DIR}/trophic-config.cmake
                               INSTALL_DESTINATION ${trophic_cmake_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/trophic-config-version.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/trophic-experiment.cmake ${PROJECT_SOURCE_DIR}/cmake/source-revision.cmake
               ${PROJECT_SOURCE_DIR}/cmake/FindODE.cmake ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
               ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-existing-includes.cmake
         DESTINATION ${trophic_cmake_dir})

@@ -4,13 +4,14 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/load/habitat.hpp>
+#include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/rules/paper.hpp>
 
 int main() {
   trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.seed = 42});
-  trophic::observe::RunFolder folder("runs/minimal-42");
+  trophic::observe::RunFolder folder(trophic::observe::next_free_folder("runs/minimal"));
   trophic::observe::Progress progress;
   ecology.run_until(6000.0, folder, progress);
   progress.summary(std::cout, ecology.view());

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws one figure from what `cross_check` wrote: convergence of speed and turning, paths, and equivalence of the ecology.
+"""Draws one figure from what `trophic cross-check` wrote: convergence of speed and turning, paths, and equivalence of the ecology.
 
     python3 examples/figures/cross_check.py FOLDER
 
-FOLDER is cross_check's --out. What it did not compare is left blank. Writes FOLDER/cross_check.png and .pdf. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
+FOLDER is trophic cross-check's --out. What it did not compare is left blank. Writes FOLDER/cross_check.png and .pdf. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
 """
 import cmath
 import pathlib

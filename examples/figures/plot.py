@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the paper's figures, and three more, from what `analyze` wrote.
+"""Draws the paper's figures, and three more, from what `trophic analyze` wrote.
 
     python3 examples/figures/plot.py ANALYSIS [--out FOLDER] [--run K]
 
@@ -50,7 +50,7 @@ STUDENT = {5: 2.571, 6: 2.447, 7: 2.365, 8: 2.306, 9: 2.262, 11: 2.201, 14: 2.14
 
 
 def interval(runs):
-    """The mean over runs (rows) of each column, and its 95 % interval as `analyze` has it; NaN where fewer than six have a value."""
+    """The mean over runs (rows) of each column, and its 95 % interval as `trophic analyze` has it; NaN where fewer than six have a value."""
     runs = np.atleast_2d(np.asarray(runs, float))
     count = (~np.isnan(runs)).sum(axis=0)
     with np.errstate(all="ignore"):
@@ -301,7 +301,7 @@ FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, phylo
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("analysis", type=pathlib.Path, help="folder that `analyze` wrote")
+    parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze` wrote")
     parser.add_argument("--out", type=pathlib.Path, help="folder for the figures (ANALYSIS/figures)")
     parser.add_argument("--run", type=int, default=0, help="whose phylogeny is drawn: the K-th run of a set (0)")
     options = parser.parse_args()
@@ -311,7 +311,7 @@ def main():
         summary = json.loads((options.analysis / "summary.json").read_text())
         sets = [Data(metrics[metrics["set"] == s["set"]], s, options.run) for s in summary["sets"]]
     except (OSError, ValueError, KeyError, AttributeError) as error:
-        sys.exit(f"plot.py: {options.analysis}: not what analyze writes: {error}")
+        sys.exit(f"plot.py: {options.analysis}: not what trophic analyze writes: {error}")
     if any(not 0 <= options.run < len(data.folders) for data in sets):
         sys.exit(f"plot.py: --run {options.run}: must be >= 0 and < the number of runs")
     out = options.out or options.analysis / "figures"

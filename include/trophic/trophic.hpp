@@ -111,12 +111,14 @@
 #include <trophic/observe/hooks.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/phylogeny.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/observe/tally.hpp>
+#include <trophic/observe/terminal.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/params/toml.hpp>

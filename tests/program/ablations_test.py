@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""ablations_test.py ABLATIONS PREDATOR_PREY FLIP_TABLE: flips of the two tables, as users run and read them."""
+"""ablations_test.py ABLATIONS PREDATOR_PREY TROPHIC: flips of the two tables, as users run and read them."""
 
 import csv
 import json
@@ -10,7 +10,7 @@ import unittest
 
 from in_folder import InFolderWithSets
 
-ABLATIONS, PREDATOR_PREY, FLIP_TABLE = sys.argv[1:4]
+ABLATIONS, PREDATOR_PREY, TROPHIC = sys.argv[1:4]
 GROUPS = {"perception", "reproduction", "death", "world"}
 TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
 
@@ -129,7 +129,8 @@ class Ablations(InFolderWithSets):
 
     def test_refusals_and_skips(self):
         out = self.folder / "out"
-        for arguments, part in [(["--only", "heresy", "--out", out], "heresy"), (["--from", "text", "--out", out], "text"),
+        for arguments, part in [(["--only", "heresy", "--out", out], "heresy"),
+                                (["--only", "heredty", "--out", out], "did you mean heredity?"), (["--from", "text", "--out", out], "text"),
                                 (["--backend", "nope", "--out", out], "--backend nope"), ([], "out"),
                                 (["--replicates", 0, "--out", out], "replicates = 0")]:
             with self.subTest(arguments=arguments):
@@ -142,7 +143,7 @@ class Ablations(InFolderWithSets):
     def test_flip_table(self):
         out = self.folder / "out"
         self.run_ok("--only", "base", "floor.floor", *sorted(GROUPS), "--duration", 600, "--replicates", 6, "--shadow", "--out", out)
-        result = call(FLIP_TABLE, out, "--jobs", 2, "--out", self.folder / "table")
+        result = call(TROPHIC, "flip-table", out, "--jobs", 2, "--out", self.folder / "table")
         self.assertEqual(result.returncode, 0, result.stderr)
         with open(self.folder / "table/flips.csv", newline="") as file:
             rows = list(csv.DictReader(file))
@@ -164,7 +165,7 @@ class Ablations(InFolderWithSets):
             self.assertIn(title, text)
 
         (out / "from_paper/floor.floor/replicate-00/manifest.json").unlink()
-        result = call(FLIP_TABLE, out, "--out", self.folder / "broken")
+        result = call(TROPHIC, "flip-table", out, "--out", self.folder / "broken")
         self.assertEqual(result.returncode, 2)
         self.assertIn("floor.floor", result.stderr)
         self.assertFalse((self.folder / "broken").exists())

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""analyze_test.py PREDATOR_PREY ANALYZE PLOT: from replicates to figures, as users meet it: files, errors, exit codes."""
+"""analyze_test.py PREDATOR_PREY TROPHIC PLOT: from replicates to figures, as users meet it: files, errors, exit codes."""
 
 import csv
 import json
@@ -14,7 +14,7 @@ import unittest
 import figures_python
 from in_folder import InFolderWithSets
 
-PREDATOR_PREY, ANALYZE, PLOT = (sys.argv.pop(1) for _ in range(3))
+PREDATOR_PREY, TROPHIC, PLOT = (sys.argv.pop(1) for _ in range(3))
 FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches"]
 
 
@@ -43,6 +43,9 @@ class Analyze(InFolderWithSets):
     def call(self, *arguments):
         return call(*arguments, cwd=self.folder)
 
+    def analyze(self, *arguments):
+        return self.call(TROPHIC, "analyze", *arguments)
+
     def summary(self, out="analysis"):
         return json.loads((self.folder / out / "summary.json").read_text())
 
@@ -51,7 +54,7 @@ class Analyze(InFolderWithSets):
             shutil.rmtree(self.folder / f"paper/replicate-0{number}")
 
     def test_one_command_from_replicates_to_results(self):
-        result = self.call(ANALYZE, "paper", "--out", "analysis")
+        result = self.analyze("paper", "--out", "analysis")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
         for text in ("6 runs of 1000 s", "attribution_caught prey", "= dealt_tags", "fair_coins", "0.725", "no shadow: "):
@@ -64,13 +67,13 @@ class Analyze(InFolderWithSets):
         points = [r for r in rows if r["run"] == "replicate-00" and r["metric"] == "velocity" and r["species"] == "prey"
                   and r["group"] == "all" and r["baseline"] == "" and r["time_s"]]
         self.assertEqual(len(points), 5)
-        again = self.call(ANALYZE, "paper", "--out", "analysis")
+        again = self.analyze("paper", "--out", "analysis")
         self.assertEqual(again.returncode, 2)
         self.assertIn("exists already", again.stderr)
 
     def test_the_shadow_is_found_and_is_the_null_of_every_metric(self):
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
-        result = self.call(ANALYZE, "paper")
+        result = self.analyze("paper")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("shadow: paper on kinematic 1, 6 runs of 1000 s", result.stdout)
         for metric in self.summary()["sets"][0]["metrics"]:
@@ -82,9 +85,9 @@ class Analyze(InFolderWithSets):
         with open(self.folder / "analysis/metrics.csv", newline="") as table:
             shadows = [r for r in csv.DictReader(table) if r["baseline"] == "shadow"]
         self.assertEqual({r["set"] for r in shadows}, {"paper"})
-        named = self.call(ANALYZE, self.sets / "paper", "--shadow", "paper/shadow", "--out", "named")
+        named = self.analyze(self.sets / "paper", "--shadow", "paper/shadow", "--out", "named")
         self.assertEqual(named.stdout.replace("named", "analysis"), result.stdout)
-        wrong = self.call(ANALYZE, "paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
+        wrong = self.analyze("paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
         self.assertEqual(wrong.returncode, 2)
         self.assertIn("is no neutral shadow of paper/replicate-00: numbers/", wrong.stderr)
         self.assertFalse((self.folder / "wrong").exists())
@@ -96,7 +99,7 @@ class Analyze(InFolderWithSets):
             for option, words in (("--published", ("  reproduced", "undecided\n")), ("--until", (" above", " below"))):
                 out = f"few-{count}{option}"
                 more = [option] if option == "--published" else [option, 1000]
-                result = self.call(ANALYZE, *arguments, *more, "--out", out)
+                result = self.analyze(*arguments, *more, "--out", out)
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertIn(f"too few runs for a verdict: 6 are needed, paper has {count}", result.stdout)
                 for word in words:
@@ -104,7 +107,7 @@ class Analyze(InFolderWithSets):
                 self.assertEqual({c["verdict"] for c in self.summary(out)["sets"][0]["claims"]}, {"no verdict"})
 
     def test_every_published_claim_has_a_verdict(self):
-        result = self.call(ANALYZE, "--published", "paper")
+        result = self.analyze("--published", "paper")
         self.assertEqual(result.returncode, 0, result.stderr)
         claims = self.summary()["sets"][0]["claims"]
         self.assertEqual(len(claims), 17)
@@ -125,32 +128,32 @@ class Analyze(InFolderWithSets):
         content = json.loads(manifest.read_text())
         content["status"], content["result"]["reached_s"] = "stopped", 700
         manifest.write_text(json.dumps(content))
-        pooled = self.call(ANALYZE, "paper")
+        pooled = self.analyze("paper")
         self.assertEqual(pooled.returncode, 2)
         self.assertIn('replicate-03: status "stopped" at 700 of 1000 s, but paper/replicate-00 has status "complete" at 1000', pooled.stderr)
-        short = self.call(ANALYZE, "paper", "--until", 800)
+        short = self.analyze("paper", "--until", 800)
         self.assertEqual(short.returncode, 2)
         self.assertIn("replicate-03: reached 700 s (status stopped): must be >= 800 s", short.stderr)
-        self.assertEqual(self.call(ANALYZE, "paper", "--until", 600).returncode, 0)
+        self.assertEqual(self.analyze("paper", "--until", 600).returncode, 0)
         self.assertEqual({r["until_s"] for r in self.summary()["sets"][0]["runs"]}, {600})
-        different = self.call(ANALYZE, "--compare", self.sets / "paper", "longer", "--out", "different")
+        different = self.analyze("--compare", self.sets / "paper", "longer", "--out", "different")
         self.assertEqual(different.returncode, 2)
         self.assertIn("longer: 1200 s, but", different.stderr)
-        self.assertEqual(self.call(ANALYZE, "--compare", self.sets / "paper", "longer", "--until", 1000, "--out", "cut").returncode, 0)
+        self.assertEqual(self.analyze("--compare", self.sets / "paper", "longer", "--until", 1000, "--out", "cut").returncode, 0)
 
     def test_same_runs_same_bytes(self):
         for out in ("one", "two"):
-            self.assertEqual(self.call(ANALYZE, "paper", "--out", out).returncode, 0)
+            self.assertEqual(self.analyze("paper", "--out", out).returncode, 0)
         self.assertEqual((self.folder / "one/metrics.csv").read_bytes(), (self.folder / "two/metrics.csv").read_bytes())
         self.assertEqual((self.folder / "one/summary.json").read_bytes(), (self.folder / "two/summary.json").read_bytes())
 
     def test_other_rules_are_compared_but_not_pooled(self):
         other = self.sets / "released"
-        pooled = self.call(ANALYZE, "paper", other, "--out", "pooled")
+        pooled = self.analyze("paper", other, "--out", "pooled")
         self.assertEqual(pooled.returncode, 2)
         self.assertIn("use --compare", pooled.stderr)
         self.assertFalse((self.folder / "pooled").exists())
-        compared = self.call(ANALYZE, "--compare", "paper", other, "--out", "compared")
+        compared = self.analyze("--compare", "paper", other, "--out", "compared")
         self.assertEqual(compared.returncode, 0, compared.stderr)
         self.assertIn("raw: b - a [95 %]", compared.stdout)
         self.assertIn("without a shadow of each set no difference can be put down to inheritance", compared.stdout)
@@ -166,7 +169,7 @@ class Analyze(InFolderWithSets):
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
         shutil.copytree(self.sets / "released", self.folder / "released")
         shutil.copytree(self.sets / "released-as-shadow", self.folder / "released/shadow")
-        compared = self.call(ANALYZE, "--compare", "paper", "released")
+        compared = self.analyze("--compare", "paper", "released")
         self.assertEqual(compared.returncode, 0, compared.stderr)
         self.assertIn("over shadows: (b - shadow) - (a - shadow) [95 %], p", compared.stdout)
         summary = self.summary()
@@ -184,7 +187,7 @@ class Analyze(InFolderWithSets):
             table.write(b"1000,500,0,1,pr")
         (self.folder / "paper/replicate-01/events.csv").write_text("generation,fitness\n1,2\n")
         self.remove_replicates(2, 3, 4, 5)
-        result = self.call(ANALYZE, "paper")
+        result = self.analyze("paper")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(len(result.stderr.strip().splitlines()), 6, result.stderr)
         for text in ("replicate-00/agents.csv:15032: cut off", 'replicate-01/events.csv:1: no column "time_s"', "replicate-02: missing"):
@@ -199,7 +202,7 @@ class Analyze(InFolderWithSets):
                                 (["paper", "--until", 1002], "must be >= 1002 s"),
                                 (["paper", "--shadow", "nowhere"], "nowhere: is not a folder")):
             with self.subTest(arguments=arguments):
-                result = self.call(ANALYZE, *arguments)
+                result = self.analyze(*arguments)
                 self.assertIn(result.returncode, (1, 2))
                 self.assertIn(text, result.stderr)
                 self.assertFalse((self.folder / "analysis").exists())
@@ -227,10 +230,10 @@ class Analyze(InFolderWithSets):
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
-        self.call(ANALYZE, self.sets / "released", "--out", "plain")
+        self.analyze(self.sets / "released", "--out", "plain")
         self.assertEqual(self.call(figures_python.PYTHON, PLOT, "plain").returncode, 0)
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
-        self.call(ANALYZE, "paper", "--out", "analysis")
+        self.analyze("paper", "--out", "analysis")
         result = self.call(figures_python.PYTHON, PLOT, "analysis")
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in FIGURES:
@@ -241,7 +244,7 @@ class Analyze(InFolderWithSets):
         self.assertEqual(partly.returncode, 0, partly.stderr)
         self.assertIn("phylogeny: left out: ", partly.stderr)
         self.assertIn("5 figures", partly.stdout)
-        self.assertIn("not what analyze writes", self.call(figures_python.PYTHON, PLOT, "partly").stderr)
+        self.assertIn("not what trophic analyze writes", self.call(figures_python.PYTHON, PLOT, "partly").stderr)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""cross_check_test.py CROSS_CHECK PREDATOR_PREY FIGURE: walks and ecologies on two engines, from the command to the figure."""
+"""cross_check_test.py TROPHIC PREDATOR_PREY FIGURE: walks and ecologies on two engines, from the command to the figure."""
 
 import csv
 import subprocess
@@ -10,7 +10,7 @@ import unittest
 import figures_python
 from in_folder import InFolderWithSets
 
-CROSS_CHECK, PREDATOR_PREY, FIGURE = (sys.argv.pop(1) for _ in range(3))
+TROPHIC, PREDATOR_PREY, FIGURE = (sys.argv.pop(1) for _ in range(3))
 
 
 class CrossCheck(InFolderWithSets):
@@ -22,7 +22,7 @@ class CrossCheck(InFolderWithSets):
             assert made.returncode == 0, made.stderr
 
     def call(self, *arguments):
-        return subprocess.run([CROSS_CHECK, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+        return subprocess.run([TROPHIC, "cross-check", *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
 
     def test_from_walks_and_runs_to_a_figure(self):
         paper = self.sets / "paper-1200"
@@ -54,10 +54,7 @@ class CrossCheck(InFolderWithSets):
             (["--out", "there"], ["there", "exists already"]),
             (["--out", "new", "--seconds", 11], ["--seconds 11", "even number from 10 to 1000"]),
             (["--out", "new", "--seconds", 0], ["--seconds 0", "nothing is left"]),
-            (["--out", "new", "--replicates", 1], ["--replicates 1", ">= 2"]),
             (["--out", "new", "--jobs", 0], ["--jobs 0"]),
-            (["--out", "new", "--replicates", 2, "--duration", -1], ["world.duration_s = -1", "> 0"]),
-            (["--out", "new", "--replicates", 2, "--runs", paper, paper], ["--runs", "--replicates"]),
             (["--out", "new", "--runs", paper, self.sets / "released-1200"], ["released", "must be paper"]),
             (["--out", "new", "--runs", paper, self.sets / "paper-600"], ["600 s", "must be 1200 s"]),
             (["--out", "new", "--robot", "gecko", "--gait", "spider_published"], ["gait"]),

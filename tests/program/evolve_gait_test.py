@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""evolve_gait_test.py EVOLVE_GAIT MEASURE_GAIT [unittest arguments]: both programs as their users meet them."""
+"""evolve_gait_test.py TROPHIC [unittest arguments]: gaits evolved and measured as users do it."""
 
 import csv
 import signal
@@ -11,8 +11,9 @@ import unittest
 
 from in_folder import InFolder
 
-EVOLVE = sys.argv.pop(1)
-MEASURE = sys.argv.pop(1)
+TROPHIC = sys.argv.pop(1)
+EVOLVE = [TROPHIC, "evolve-gait"]
+MEASURE = [TROPHIC, "measure-gait"]
 FILES = ["settings.toml", "checkpoint.toml", "gait.toml", "generations.csv", "phylogeny.csv"]
 SMALL = ["--generations", 3, "--set", "plan.population=4", "--set", "plan.parents=4", "--set", "plan.children=4",
          "--set", "trial.duration_s=6"]
@@ -20,7 +21,7 @@ SMALL = ["--generations", 3, "--set", "plan.population=4", "--set", "plan.parent
 
 class EvolveGait(InFolder):
     def call(self, program, *arguments):
-        return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+        return subprocess.run([*program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
 
     def evolve(self, *arguments):
         result = self.call(EVOLVE, *arguments)
@@ -29,7 +30,7 @@ class EvolveGait(InFolder):
 
     def interrupt(self, out, how, after):
         """Starts a run, waits until that file exists, ends it."""
-        running = subprocess.Popen([EVOLVE, *map(str, SMALL), "--out", out], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        running = subprocess.Popen([*EVOLVE, *map(str, SMALL), "--out", out], cwd=self.folder, stdout=subprocess.PIPE, text=True)
         while not (self.folder / out / after).exists() and running.poll() is None:
             time.sleep(0.005)
         running.send_signal(how)
@@ -89,6 +90,10 @@ class EvolveGait(InFolder):
             (1, 'no robot "centaur"', EVOLVE, ["--robot", "centaur", "--out", "new"]),
             (1, "broken.toml:2:", EVOLVE, ["--robot", "./broken.toml", "--out", "new"]),
             (1, "broken.toml:2:", MEASURE, ["--gait", "./broken.toml"]),
+            (2, "--duration 1: must be >= 5.1", MEASURE, ["--duration", "1"]),
+            (2, "--backend kinematic: has no joints", MEASURE, ["--backend", "kinematic"]),
+            (2, "did you mean --generations?", EVOLVE, ["--generation", 3, "--out", "new"]),
+            (2, "did you mean plan.children?", EVOLVE, ["--set", "plan.childen=3", "--out", "new"]),
             (2, "does not fit robot gecko", MEASURE, ["--robot", "gecko", "--gait", "spider_published"]),
         ):
             with self.subTest(part=part):

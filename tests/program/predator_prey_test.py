@@ -17,7 +17,7 @@ from in_folder import InFolder
 PROGRAM = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HELP = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
-HAS_MUJOCO = "(mujoco)" in HELP
+HAS_MUJOCO = ", mujoco" in HELP
 HAS_ODE = ", ode" in HELP
 FILES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"]
 TABLES = FILES[:4]
@@ -212,6 +212,16 @@ class Runs(PredatorPrey):
             self.assertEqual((self.folder / "direct" / file).read_bytes(), (self.folder / "configured" / file).read_bytes())
         self.assertEqual(self.manifest("direct")["fingerprint"], self.manifest("configured")["fingerprint"])
 
+    def test_without_out_each_run_has_a_folder_of_its_own(self):
+        for number in (1, 2):
+            result = self.call("--backend", "kinematic", "--duration", 10)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            folder = f"runs/{pathlib.Path(PROGRAM).name}-{number}"
+            self.assertIn(folder, result.stdout)
+            self.assertEqual(self.manifest(folder)["status"], "complete")
+        self.assertEqual(self.call("--backend", "kinematic", "--print-config").returncode, 0)
+        self.assertEqual(len(list((self.folder / "runs").iterdir())), 2)
+
     def test_silent_when_piped(self):
         self.assertEqual(self.run_ok("quiet", "--duration", 100).stderr, "")
 
@@ -235,6 +245,8 @@ class Refusals(PredatorPrey):
     def test_bad_arguments(self):
         for arguments, parts in [
             (["--rules", "nope"], ["--rules nope", "paper or released"]),
+            (["--rules", "relased"], ["paper or released", "did you mean released?"]),
+            (["--backend", "kinematics"], ["--backend kinematics", "did you mean kinematic?"]),
             (["--backend", "nope"], ["--backend nope", "kinematic"]),
             (["--robots", "0"], ["world.robots = 0", ">= 1"]),
             (["--robots", "10"], ["rules.community.predators = 14", "<= 10"]),
@@ -252,6 +264,9 @@ class Refusals(PredatorPrey):
             (["--set", "world.robots=-1"], ["world.robots = -1", ">= 0"]),
             (["--set", "seed=9007199254740994"], ["seed = 9007199254740994", "<= 9007199254740992"]),
             (["--set", "rules.mutation.sdd=1"], ["rules.mutation.sdd", "unknown key", "sd"]),
+            (["--set", "rules.mutatoin.sd=1"], ["rules.mutatoin.sd: unknown key", "did you mean rules.mutation.sd?"]),
+            (["--set", "mutation.sd=1"], ["mutation.sd: unknown key", "did you mean rules.mutation.sd?"]),
+            (["--set", "world.nothing_like_it=1"], ["world.nothing_like_it: unknown key; known here: robots"]),
             (["--set", "rules.mutation.sd=-1"], ["rules.mutation.sd = -1", ">= 0"]),
             (["--set", "rules.mutation.sd=wide"], ["rules.mutation.sd", "a number"]),
             (["--set", "physics.timestep_s=0"], ["physics.timestep_s = 0", "> 0"]),
@@ -265,16 +280,35 @@ class Refusals(PredatorPrey):
                 self.assertFalse((self.folder / "refused").exists())
 
     def test_unknown_option(self):
-        result = self.call("--bogus")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("--bogus", result.stderr)
+        self.assert_refused(self.call("--bogus"), 2, "--bogus: unknown option")
+        self.assert_refused(self.call("--replicate", 2), 2, "--replicate: unknown option; did you mean --replicates?")
+        self.assert_refused(self.call("--replicate=2"), 2, "--replicate: unknown option; did you mean --replicates?")
+        self.assert_refused(self.call("nonsense"), 2, "nonsense: unexpected argument")
+        self.assert_refused(self.call("--completion", "fish"), 2, "--completion fish: must be bash")
+
+    def test_configuration_of_another_backend_or_table(self):
+        for name, options in (("other", ["--backend", "ode"] if HAS_ODE else ["--backend", "mujoco"]), ("kinematic", ["--backend", "kinematic"])):
+            if name == "other" and not (HAS_ODE or HAS_MUJOCO):
+                continue
+            (self.folder / f"{name}.toml").write_text(self.call(*options, "--print-config").stdout)
+        if HAS_ODE or HAS_MUJOCO:
+            engine = "ode" if HAS_ODE else "mujoco"
+            refused = self.call("--config", "other.toml", "--backend", "kinematic", "--out", "x")
+            self.assert_refused(refused, 2, f'other.toml: was written for engine = "{engine}"', "[backend]", f"--backend {engine}")
+        refused = self.call("--config", "kinematic.toml", "--rules", "released", "--out", "x")
+        self.assert_refused(refused, 2, 'kinematic.toml: was written for rule_table = "paper"', "[rules]", "--rules paper")
+        (self.folder / "world.toml").write_text('engine = "mujoco"\nrule_table = "paper"\n[world]\nrobots = 20\n')
+        shared = self.call("--config", "world.toml", "--rules", "released", "--backend", "kinematic", "--print-config")
+        self.assertEqual(shared.returncode, 0, shared.stderr)
+        self.assertIn("robots = 20", shared.stdout)
+        self.assertFalse((self.folder / "x").exists())
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_timestep_above_the_control_period(self):
         self.assert_refused(self.call("--out", "refused", "--set", "physics.timestep_s=0.02"), 2, "physics.timestep_s = 0.02", "control period")
 
-    def test_no_output_folder(self):
-        self.assert_refused(self.call(), 2, "--out")
+    def test_resuming_needs_the_folder(self):
+        self.assert_refused(self.call("--backend", "kinematic", "--replicates", 2, "--resume"), 2, "--resume", "--out")
 
     def test_existing_output_is_left_alone(self):
         self.run_ok("run", "--duration", 10)
@@ -297,7 +331,7 @@ class Refusals(PredatorPrey):
         (self.folder / "numbers.toml").write_text("seed = -1\n")
         self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "seed = -1", ">= 0")
         (self.folder / "numbers.toml").write_text("[world]\nrobot_count = 3\n")
-        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "world.robot_count", "unknown key")
+        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "numbers.toml: world.robot_count", "unknown key")
 
     def test_full_disk_keeps_what_was_written(self):
         limited = 'trap "" XFSZ; ulimit -f 200; exec "$@"'

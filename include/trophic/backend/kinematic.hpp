@@ -82,7 +82,7 @@ class Kinematic {
     validate(params, "kinematic");
     if (!(robot.walk.speed_m_s > 0.0)) {
       throw std::invalid_argument{"robot " + robot.name + ": walk.speed_m_s = " + number_text(robot.walk.speed_m_s) +
-                                  ": must be > 0 where robots walk without joints; measure_gait --walk measures it"};
+                                  ": must be > 0 where robots walk without joints; trophic measure-gait --walk measures it"};
     }
     if (!(limit_m_ > 0.0)) {
       throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +

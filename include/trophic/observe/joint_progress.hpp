@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <map>
@@ -14,13 +15,14 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/tally.hpp>
+#include <trophic/observe/terminal.hpp>
 #include <trophic/population/view.hpp>
 #include <utility>
 
 namespace trophic::observe {
 
-/// Shows on stderr, where that is a terminal, how far a set of runs is; writes a line to `out` for each that ends. For calls from
-/// several threads at once.
+/// Shows on stderr, where that is a terminal, how far a set of runs is, as much of it as fits one line; writes a line to `out`
+/// for each that ends. For calls from several threads at once.
 class JointProgress {
  public:
   /// `runs` are to be watched; `clock_s` is how long each of them is.
@@ -87,14 +89,17 @@ class JointProgress {
     std::string who;
     for (const auto& [name, time_s] : running_s_) {
       clock_s += time_s;
-      if (running_s_.size() <= 8) who += (who.empty() ? " (" : ", ") + name + " " + short_text(time_s) + " s";
+      if (running_s_.size() <= 8) who += (who.empty() ? "" : ", ") + name + " " + short_text(time_s) + " s";
     }
     const double share = clock_s / (clock_s_ * static_cast<double>(runs_));
     const double wall_s = watch_.elapsed_s();
-    return std::to_string(done_) + " of " + std::to_string(runs_) + " done, " + std::to_string(running_s_.size()) + " running" +
-           who + (who.empty() ? "" : ")") + "  " + short_text(100.0 * share) + " %  " +
-           short_text(clock_s * clock_scale_ / wall_s) + "x real time  " +
-           (share > 0.0 ? duration_text(wall_s / share - wall_s) : "?") + " left";
+    const std::array parts{std::to_string(done_) + " of " + std::to_string(runs_) + " done",
+                           short_text(100.0 * share) + " %",
+                           (share > 0.0 ? duration_text(wall_s / share - wall_s) : "?") + " left",
+                           std::to_string(running_s_.size()) + " running",
+                           short_text(clock_s * clock_scale_ / wall_s) + "x real time",
+                           who};
+    return fitting_line(parts, terminal_columns());
   }
 
   std::size_t runs_;

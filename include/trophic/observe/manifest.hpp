@@ -21,7 +21,7 @@
 namespace trophic::observe {
 
 /// Facts that only the program knows: command line, host, revision of its own source. trophic's programs give them
-/// (examples/facts.hpp); a program of your own gives what it knows.
+/// (trophic/command/facts.hpp); a program of your own gives what it knows.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
 /// The compiler that made this program, with its version: "g++ 12.2.0".

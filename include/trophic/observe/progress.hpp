@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/tally.hpp>
+#include <trophic/observe/terminal.hpp>
 #include <trophic/population/view.hpp>
 
 namespace trophic::observe {
@@ -42,7 +44,8 @@ class Stopwatch {
   return text;
 }
 
-/// Shows on stderr, where that is a terminal, how far the run is; counts for the summary everywhere.
+/// Shows on stderr, where that is a terminal, how far the run is, as much of it as fits one line; counts for the summary
+/// everywhere.
 class Progress {
  public:
   explicit Progress(bool show = ::isatty(STDERR_FILENO) != 0) : show_{show} {}
@@ -92,12 +95,17 @@ class Progress {
     const double done = (view.time_s - from_s_) / (run_.until_s - from_s_);
     const double wall_s = watch_.elapsed_s();
     const double rate = (view.time_s - from_s_) * run_.clock_scale / wall_s;
-    std::string text = short_text(view.time_s) + " of " + short_text(run_.until_s) + " s  " + short_text(100.0 * done) + " %  " +
-                       short_text(rate) + "x real time  " + (done > 0.0 ? duration_text(wall_s / done - wall_s) : "?") + " left ";
+    std::string counts;
     for (Species species = 0; species < view.web.size(); ++species) {
-      text += " " + std::to_string(view.count(species)) + " " + view.web.name(species);
+      counts += (species == 0 ? "" : " ") + std::to_string(view.count(species)) + " " + std::string{view.web.name(species)};
     }
-    return text + "  " + std::to_string(tally_.deaths()) + " deaths";
+    const std::array parts{short_text(view.time_s) + " of " + short_text(run_.until_s) + " s",
+                           short_text(100.0 * done) + " %",
+                           (done > 0.0 ? duration_text(wall_s / done - wall_s) : "?") + " left",
+                           short_text(rate) + "x real time",
+                           counts,
+                           std::to_string(tally_.deaths()) + " deaths"};
+    return fitting_line(parts, terminal_columns());
   }
 
   void clear() const {

@@ -21,7 +21,7 @@ namespace trophic::analysis {
 inline constexpr std::string_view shadow_slot = "heredity";
 inline constexpr std::string_view shadow_policy = "nothing_inherited";
 
-/// Where predator_prey --shadow put the shadows of these runs: PATH/shadow, where there is such a folder.
+/// Where --shadow put the shadows of these runs: PATH/shadow, where there is such a folder.
 [[nodiscard]] inline std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesystem::path> paths) {
   std::vector<std::filesystem::path> found;
   for (const std::filesystem::path& path : paths) {

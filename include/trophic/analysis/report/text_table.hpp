@@ -100,7 +100,7 @@ inline void print_table(std::ostream& out, const ShadowedSet& set, std::span<con
   if (set.shadow) {
     out << "shadow: " << detail::described(*set.shadow) << "\n";
   } else {
-    out << "no shadow: attribution and velocity have no null (predator_prey --shadow makes one)\n";
+    out << "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n";
   }
   out << detail::padded("metric", 42) << detail::padded("ours [95 %]", 30) << detail::padded("published", 12)
       << "ours - null [95 %]\n";

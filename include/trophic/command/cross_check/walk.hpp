@@ -18,7 +18,7 @@
 #include <trophic/locomotion/cpg.hpp>
 #include <vector>
 
-namespace cross_check {
+namespace trophic::command::cross_check {
 
 /// An engine with its settings, walking at one timestep towards one target angle.
 struct Condition {
@@ -35,7 +35,7 @@ struct Walk {
   double turn_rate_rad_s = 0.0;
   double power_W = 0.0;
   double torque_N_m = 0.0;
-  std::vector<trophic::GroundPose> path;  ///< every 2 s, the start included
+  std::vector<GroundPose> path;  ///< every 2 s, the start included
 };
 
 /// A number of a Walk that engines are compared by, and how the terminal shows it.
@@ -56,9 +56,9 @@ inline constexpr std::string_view default_settings = "default";
 
 /// Twelve robots out of each other's reach, each turned by 30 degrees more than the last: a gait meets the axes along which
 /// engines cut the friction cone at every angle.
-[[nodiscard]] inline std::vector<trophic::Pose> twelve_starts(const trophic::RobotModel& robot) {
+[[nodiscard]] inline std::vector<Pose> twelve_starts(const RobotModel& robot) {
   constexpr double apart_m = 40.0;
-  std::vector<trophic::Pose> starts;
+  std::vector<Pose> starts;
   for (int i = 0; i < 12; ++i) {
     const Eigen::AngleAxisd yaw{std::numbers::pi / 6.0 * i, Eigen::Vector3d::UnitZ()};
     starts.push_back(
@@ -68,32 +68,32 @@ inline constexpr std::string_view default_settings = "default";
 }
 
 /// Walks for `duration_s` on an endless floor with the gait at 60 Hz, as an ecology does. Throws Diverged. No random draws.
-template <trophic::JointDriven B>
-[[nodiscard]] std::vector<Walk> walk(const trophic::Habitat& habitat, const Condition& condition, double duration_s,
+template <JointDriven B>
+[[nodiscard]] std::vector<Walk> walk(const Habitat& habitat, const Condition& condition, double duration_s,
                                      const typename B::Params& params) {
   constexpr double control_hz = 60.0;
   constexpr int controls_per_sample = static_cast<int>(sample_s * control_hz);
-  const trophic::RobotModel& robot = habitat.robot;
+  const RobotModel& robot = habitat.robot;
   const std::size_t hinges = robot.hinges.size();
-  const auto sides = trophic::sides_of(robot);
-  const trophic::control::steering::TargetedSteering steering{};
-  const trophic::locomotion::Cpg cpg{habitat.gait};
-  const std::vector<trophic::Pose> starts = twelve_starts(robot);
-  B backend{robot, trophic::gait_evolution::endless_floor(), starts, {.timestep_s = condition.timestep_s}, params};
+  const auto sides = sides_of(robot);
+  const control::steering::TargetedSteering steering{};
+  const locomotion::Cpg cpg{habitat.gait};
+  const std::vector<Pose> starts = twelve_starts(robot);
+  B backend{robot, gait_evolution::endless_floor(), starts, {.timestep_s = condition.timestep_s}, params};
   Eigen::MatrixXd states = cpg.initial_states();
   std::vector<double> targets_rad(hinges);
   std::vector<double> before_rad(starts.size() * hinges, 0.0);
   std::vector<Walk> walks(starts.size());
   const auto sample = [&] {
     for (std::size_t i = 0; i < walks.size(); ++i) {
-      walks[i].path.push_back(trophic::ground_pose(backend.pose(i), robot.forward_rad));
+      walks[i].path.push_back(ground_pose(backend.pose(i), robot.forward_rad));
     }
   };
   const auto look_at_servos = [&] {
     for (std::size_t i = 0; i < walks.size(); ++i) {
       const std::span<const double> angles_rad = backend.joint_angles(i);
       for (std::size_t hinge = 0; hinge < hinges; ++hinge) {
-        const trophic::Servo& servo = robot.hinges[hinge].servo;
+        const Servo& servo = robot.hinges[hinge].servo;
         double& before = before_rad[i * hinges + hinge];
         const double velocity_rad_s = (angles_rad[hinge] - before) / condition.timestep_s;
         const double target_rad = std::clamp(targets_rad[hinge], -servo.target_limit_rad, servo.target_limit_rad);
@@ -122,8 +122,8 @@ template <trophic::JointDriven B>
   }
   for (Walk& walk : walks) {
     for (std::size_t i = 1; i < walk.path.size(); ++i) {
-      walk.speed_m_s += trophic::distance_m(walk.path[i - 1], walk.path[i]) / duration_s;
-      walk.turn_rate_rad_s += trophic::wrap_angle(walk.path[i].heading_rad - walk.path[i - 1].heading_rad) / duration_s;
+      walk.speed_m_s += distance_m(walk.path[i - 1], walk.path[i]) / duration_s;
+      walk.turn_rate_rad_s += wrap_angle(walk.path[i].heading_rad - walk.path[i - 1].heading_rad) / duration_s;
     }
     walk.power_W /= static_cast<double>(steps);
     walk.torque_N_m /= static_cast<double>(steps);
@@ -131,4 +131,4 @@ template <trophic::JointDriven B>
   return walks;
 }
 
-}  // namespace cross_check
+}  // namespace trophic::command::cross_check

@@ -13,13 +13,12 @@
 #include <string_view>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
+#include <trophic/command/cross_check/report.hpp>
+#include <trophic/command/cross_check/walk.hpp>
 #include <trophic/observe/csv.hpp>
 #include <vector>
 
-#include "gait.hpp"
-#include "report.hpp"
-
-namespace cross_check {
+namespace trophic::command::cross_check {
 
 /// A condition and what its robots did.
 struct Outcome {
@@ -38,7 +37,7 @@ struct Outcome {
   constexpr std::size_t sample = 5;
   std::vector<double> distances;
   for (std::size_t i = 0; i < a.walks.size(); ++i) {
-    distances.push_back(trophic::distance_m(a.walks[i].path[sample], b.walks[i].path[sample]));
+    distances.push_back(distance_m(a.walks[i].path[sample], b.walks[i].path[sample]));
   }
   return distances;
 }
@@ -75,7 +74,7 @@ class GaitReport {
     const Outcome& reference = outcomes.front();
     if (scales_.empty()) {
       for (const Quantity& quantity : quantities) {
-        scales_.push_back(std::max(std::abs(*trophic::analysis::mean_of(values_of(reference, quantity))), smallest_scale));
+        scales_.push_back(std::max(std::abs(*analysis::mean_of(values_of(reference, quantity))), smallest_scale));
       }
     }
     for (const Outcome& outcome : outcomes) {
@@ -87,7 +86,6 @@ class GaitReport {
   static constexpr double smallest_scale = 1e-3;
 
   void add(const Outcome& outcome, const Outcome& reference, const Outcome& mujoco, const Outcome& own) {
-    namespace analysis = trophic::analysis;
     const Condition& c = outcome.condition;
     std::cout << std::setw(7) << c.engine << std::setw(13) << c.settings << std::setw(8) << text(1e3 * c.timestep_s, 1)
               << std::setw(6) << text(c.target_angle_rad, 1);
@@ -107,7 +105,7 @@ class GaitReport {
       if (!is_judged || c.engine == reference.condition.engine) continue;
       std::ostringstream cell;
       cell << std::left << std::setw(20)
-           << text(100.0 * *test.difference / scales_[i], 1) + " % " + std::string{trophic::enum_name(test.verdict)};
+           << text(100.0 * *test.difference / scales_[i], 1) + " % " + std::string{enum_name(test.verdict)};
       differences += cell.str();
     }
     for (const auto& [name, other] : {std::pair{"distance_to_mujoco_m", &mujoco}, std::pair{"distance_to_own_m", &own}}) {
@@ -127,8 +125,8 @@ class GaitReport {
   }
 
   Csv& csv_;
-  trophic::observe::CsvFile paths_;
+  observe::CsvFile paths_;
   std::vector<double> scales_;  ///< one per quantity
 };
 
-}  // namespace cross_check
+}  // namespace trophic::command::cross_check

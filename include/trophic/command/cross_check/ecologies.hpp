@@ -14,11 +14,10 @@
 #include <trophic/analysis/data/run_set.hpp>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
+#include <trophic/command/cross_check/report.hpp>
 #include <trophic/params/params.hpp>
 
-#include "report.hpp"
-
-namespace cross_check {
+namespace trophic::command::cross_check {
 
 /// A metric of the paper and the difference between engines that would still leave its conclusion alone: shares (attribution, tag
 /// symmetry) by 0.05 and wall sticking by 0.1, a fraction of what separates the published values from their baselines; velocities
@@ -37,29 +36,28 @@ inline constexpr std::array margins{Margin{"attribution_caught", "all", 0.05},  
 
 /// Two sets of replicates that may be compared.
 struct Ecologies {
-  trophic::analysis::RunSet first;
-  trophic::analysis::RunSet second;
+  analysis::RunSet first;
+  analysis::RunSet second;
 };
 
 /// Reads two folders of replicates. Throws std::invalid_argument if their rule tables or durations differ, and as
 /// analysis::read_set does.
 [[nodiscard]] inline Ecologies read_ecologies(const std::filesystem::path& first, const std::filesystem::path& second) {
-  Ecologies sets{trophic::analysis::read_set(std::span{&first, 1}), trophic::analysis::read_set(std::span{&second, 1})};
+  Ecologies sets{analysis::read_set(std::span{&first, 1}), analysis::read_set(std::span{&second, 1})};
   const auto& a = sets.first.facts.front();
   const auto& b = sets.second.facts.front();
   if (a.rules != b.rules) {
     throw std::invalid_argument{second.string() + ": rules " + b.rules + ": must be " + a.rules + " as in " + first.string()};
   }
   if (a.until_s != b.until_s) {
-    throw std::invalid_argument{second.string() + ": " + trophic::number_text(b.until_s) + " s: must be " +
-                                trophic::number_text(a.until_s) + " s as in " + first.string()};
+    throw std::invalid_argument{second.string() + ": " + number_text(b.until_s) + " s: must be " + number_text(a.until_s) +
+                                " s as in " + first.string()};
   }
   return sets;
 }
 
 /// Prints a verdict per metric and adds a line per metric and engine to the CSV.
 inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
-  namespace analysis = trophic::analysis;
   const auto& facts = sets.first.facts.front();
   std::cout << "\n"
             << "rules " << facts.rules << ": first " << facts.backend << ", " << sets.first.runs.size() << " runs; second "
@@ -90,11 +88,11 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
       csv.add(subject, estimate, i == 0 ? std::nullopt : std::optional{test});
     }
     std::cout << std::setw(9) << text(unit * allowed, decimals) << std::setw(26)
-              << text(test.difference, test.interval, unit, decimals) << trophic::enum_name(test.verdict) << "\n";
+              << text(test.difference, test.interval, unit, decimals) << enum_name(test.verdict) << "\n";
   }
   for (const auto* set : {&sets.first, &sets.second}) {
     for (const std::string& remark : set->remarks) std::cout << "remark: " << remark << "\n";
   }
 }
 
-}  // namespace cross_check
+}  // namespace trophic::command::cross_check

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <trophic/command/flips.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/toml.hpp>
@@ -14,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "flips.hpp"
-
-namespace trophic::examples {
+namespace trophic::command {
 
 namespace detail {
 
@@ -85,4 +84,4 @@ std::vector<std::string> run_flip(const std::string& name, const Study& study) {
   return detail::run_table(name, detail::with_number_of<Base, Other, B>(name), study);
 }
 
-}  // namespace trophic::examples
+}  // namespace trophic::command

@@ -12,7 +12,7 @@
 #include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/observe/csv.hpp>
 
-namespace cross_check {
+namespace trophic::command::cross_check {
 
 /// What a line of cross_check.csv is about. Gaits have settings, timestep and target angle; metrics have species and group.
 struct Subject {
@@ -35,20 +35,20 @@ class Csv {
               "difference_lower,difference_upper,verdict"} {}
 
   /// Mean and 95 % interval over n robots or runs; `against_mujoco`: MuJoCo's at its default timestep are the test's first set.
-  void add(const Subject& subject, const trophic::analysis::Estimate& estimate,
-           const std::optional<trophic::analysis::EquivalenceTest>& against_mujoco = {}) {
+  void add(const Subject& subject, const analysis::Estimate& estimate,
+           const std::optional<analysis::EquivalenceTest>& against_mujoco = {}) {
     const auto lower = [](const auto& interval) { return interval ? std::optional{interval->lower} : std::nullopt; };
     const auto upper = [](const auto& interval) { return interval ? std::optional{interval->upper} : std::nullopt; };
-    const auto test = against_mujoco.value_or(trophic::analysis::EquivalenceTest{});
+    const auto test = against_mujoco.value_or(analysis::EquivalenceTest{});
     file_.row(subject.part, subject.engine, subject.settings, subject.timestep_s, subject.target_angle_rad, subject.quantity,
               subject.species, subject.group, subject.unit, estimate.mean, lower(estimate.interval), upper(estimate.interval),
               estimate.runs, against_mujoco ? std::optional{test.margin} : std::nullopt, test.difference, lower(test.interval),
-              upper(test.interval), against_mujoco ? trophic::enum_name(test.verdict) : std::string_view{});
+              upper(test.interval), against_mujoco ? enum_name(test.verdict) : std::string_view{});
     file_.flush();
   }
 
  private:
-  trophic::observe::CsvFile file_;
+  observe::CsvFile file_;
 };
 
 [[nodiscard]] inline std::string text(double value, int decimals) {
@@ -58,11 +58,11 @@ class Csv {
 }
 
 /// "mean [lower, upper]", as much of it as there is.
-[[nodiscard]] inline std::string text(const std::optional<double>& mean,
-                                      const std::optional<trophic::analysis::Interval>& interval, double unit, int decimals) {
+[[nodiscard]] inline std::string text(const std::optional<double>& mean, const std::optional<analysis::Interval>& interval,
+                                      double unit, int decimals) {
   std::string all = mean ? text(unit * *mean, decimals) : "none";
   if (interval) all += " [" + text(unit * interval->lower, decimals) + ", " + text(unit * interval->upper, decimals) + "]";
   return all;
 }
 
-}  // namespace cross_check
+}  // namespace trophic::command::cross_check

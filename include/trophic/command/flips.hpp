@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What `ablations` flips between two tables: each difference alone, groups of slots together, and biases in the brain.
+// What an ablation study flips between two tables: each difference alone, groups of slots together, and biases in the brain.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,7 +13,7 @@
 #include <trophic/rules/with_rules_of.hpp>
 #include <vector>
 
-namespace trophic::examples {
+namespace trophic::command {
 
 /// Slots that are flipped together. The last group takes all numbers of World and Physics, too.
 struct SlotGroup {
@@ -39,8 +40,9 @@ inline constexpr std::size_t world_group = slot_groups.size() - 1;
   }
   return seen == (std::uint64_t{1} << rules::slot_names.size()) - 1;
 }
-static_assert(groups_are_a_partition(), "each slot of a rule table belongs to one group of ablations");
+static_assert(groups_are_a_partition(), "each slot of a rule table belongs to one group of an ablation study");
 
+inline constexpr std::string_view direction_prefix = "from_";
 inline constexpr std::string_view base_name = "base";
 inline constexpr std::string_view biases_name = "brain_with_biases";
 
@@ -82,4 +84,4 @@ struct Study {
 template <class Base, class Other, Backend B>
 [[nodiscard]] std::vector<std::string> run_flip(const std::string& name, const Study& study);
 
-}  // namespace trophic::examples
+}  // namespace trophic::command

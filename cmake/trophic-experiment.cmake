@@ -1,0 +1,41 @@
+# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode]): a program of trophic/command, linked with the engines that are named,
+# or with every one that was found. Manifests and --version name the revision of the project's sources and the flags of the build.
+
+function(trophic_add_experiment name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "BACKENDS")
+  if(NOT "BACKENDS" IN_LIST ARGN)
+    foreach(backend mujoco ode)
+      if(TARGET trophic::${backend})
+        list(APPEND arg_BACKENDS ${backend})
+      endif()
+    endforeach()
+  endif()
+  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE trophic::command_compiled)
+  foreach(backend IN LISTS arg_BACKENDS)
+    target_link_libraries(${name} PRIVATE trophic::${backend}_compiled)
+  endforeach()
+  trophic_link_facts(${name})
+endfunction()
+
+# trophic_link_facts(NAME): what trophic/command/facts.hpp tells of the program. The revision is looked up at every build; its file is
+# compiled again, and the program is linked again, only when it changed.
+function(trophic_link_facts name)
+  string(MAKE_C_IDENTIFIER "trophic_facts_of_${PROJECT_NAME}" facts)
+  if(NOT TARGET ${facts})
+    set(revision ${PROJECT_BINARY_DIR}/trophic_facts/source_revision.cpp)
+    add_custom_target(
+      ${facts}_look_up_revision
+      BYPRODUCTS ${revision}
+      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
+      COMMENT "Looking up the source revision" VERBATIM)
+    add_library(${facts} OBJECT ${revision})
+    add_dependencies(${facts} ${facts}_look_up_revision)
+    string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+    string(REGEX REPLACE " +" " " build "${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
+    string(STRIP "${build}" build)
+    target_compile_definitions(${facts} PRIVATE "TROPHIC_BUILD=\"${build}\"")
+  endif()
+  target_sources(${name} PRIVATE $<TARGET_OBJECTS:${facts}>)
+  add_dependencies(${name} ${facts})
+endfunction()

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The program trophic: everything that does not depend on a rule table. `trophic --help` lists its commands.
+#include <trophic/command/backends.hpp>
+#include <trophic/command/facts.hpp>
+#include <trophic/command/run_command.hpp>
+
+#include "commands.hpp"
+
+int main(int argc, char** argv) {
+  using namespace trophic::command;
+  return run_command(argc, argv,
+                     {.name = {},
+                      .about = "Gaits for robots, and results from runs.",
+                      .options = {},
+                      .work = {},
+                      .subcommands = {commands::analyze(), commands::flip_table(), commands::cross_check(),
+                                      commands::evolve_gait(), commands::measure_gait()},
+                      .version = version_text(backend_versions<LinkedBackends>())});
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// `trophic analyze`, from runs to results: metrics with intervals beside the paper's values and their nulls.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/report/claim_verdict.hpp>
+#include <trophic/analysis/report/compare_sets.hpp>
+#include <trophic/analysis/report/report.hpp>
+#include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/report/text_table.hpp>
+#include <trophic/command/option.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/version.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail::analyze {
+
+struct Options {
+  std::vector<std::string> runs;
+  std::vector<std::string> compare;
+  std::optional<std::string> shadow;
+  std::optional<double> until_s;
+  bool published = false;
+  std::string out = "analysis";
+};
+
+inline void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
+  std::ofstream file{path};
+  file << json.dump(2) << '\n';
+  file.close();
+  if (!file) throw std::runtime_error{"cannot write " + path.string()};
+}
+
+inline void tell(const analysis::ShadowedSet& set) {
+  for (const std::string& remark : set.ours.remarks) std::cerr << "trophic analyze: " << remark << "\n";
+  if (!set.shadow) return;
+  for (const std::string& remark : set.shadow->remarks) std::cerr << "trophic analyze: " << remark << "\n";
+}
+
+inline void finish(const std::filesystem::path& out, std::span<const analysis::ShadowedSet> sets,
+                   const nlohmann::ordered_json& json) {
+  analysis::write_metrics(out / "metrics.csv", sets);
+  write_json(out / "summary.json", json);
+  std::cout << "files   " << out.string() << "/{metrics.csv,summary.json}" << std::endl;
+  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+}
+
+[[nodiscard]] inline nlohmann::ordered_json json_of(std::span<const analysis::ShadowedSet> sets) {
+  nlohmann::ordered_json json;
+  json["trophic"] = trophic::version;
+  for (const analysis::ShadowedSet& set : sets) {
+    json["sets"].push_back(analysis::summary_json(set, analysis::summarize(set.ours.runs, set.shadow_runs())));
+  }
+  return json;
+}
+
+[[nodiscard]] inline std::vector<std::filesystem::path> folders(const std::vector<std::string>& names) {
+  return {names.begin(), names.end()};
+}
+
+inline void measure(const Options& options) {
+  const std::array sets{analysis::read_shadowed_set(folders(options.runs), options.shadow, options.until_s)};
+  const auto out = observe::make_new_folder(options.out);
+  tell(sets[0]);
+  if (options.published) {
+    analysis::print_claims(std::cout, sets[0].ours, analysis::judge_claims(sets[0].ours.runs));
+  } else {
+    analysis::print_table(std::cout, sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
+  }
+  finish(out, sets, json_of(sets));
+}
+
+inline void compare(const Options& options) {
+  const auto both = folders(options.compare);
+  const auto read = [&](std::size_t i) {
+    return analysis::read_shadowed_set(std::span{both}.subspan(i, 1), {}, options.until_s);
+  };
+  std::array sets{read(0), read(1)};
+  analysis::check_comparable(sets[0].ours.facts.front(), sets[1].ours.facts.front());
+  if (sets[0].ours.label == sets[1].ours.label) {
+    sets[0].ours.label += " (a)";
+    sets[1].ours.label += " (b)";
+  }
+  const auto out = observe::make_new_folder(options.out);
+  for (const analysis::ShadowedSet& set : sets) tell(set);
+  const auto differences = analysis::compare_sets(sets[0], sets[1]);
+  analysis::print_differences(std::cout, sets[0], sets[1], differences);
+  nlohmann::ordered_json json = json_of(sets);
+  json["differences"] = analysis::differences_json(differences);
+  finish(out, sets, json);
+}
+
+inline void run(const Options& options) {
+  if (options.runs.empty() == options.compare.empty()) {
+    throw std::invalid_argument{"either folders of runs, or --compare and two of them"};
+  }
+  if (!options.compare.empty() && (options.shadow || options.published)) {
+    throw std::invalid_argument{"--compare: not with --shadow or --published"};
+  }
+  if (options.until_s && !(*options.until_s > 0.0 && std::isfinite(*options.until_s))) {
+    throw std::invalid_argument{"--until " + number_text(*options.until_s) + ": must be > 0"};
+  }
+  options.compare.empty() ? measure(options) : compare(options);
+}
+
+}  // namespace detail::analyze
+
+/// Metrics of runs, claims about them, and differences between two sets of them.
+[[nodiscard]] inline Command analyze() {
+  const auto options = std::make_shared<detail::analyze::Options>();
+  return {
+      .name = "analyze",
+      .about =
+          "Measures runs: the paper's metrics with 95 % intervals over runs, beside its published values and their nulls. The "
+          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow.",
+      .options = {{"runs", &options->runs, "folders of runs, or of replicates; pooled, so they must have one fingerprint"},
+                  {"--compare",
+                   &options->compare,
+                   "two such folders: the difference of every metric, raw and over their shadows",
+                   {},
+                   Words::suggested,
+                   2},
+                  {"--shadow", &options->shadow, "the runs' neutral shadow, where it is not in RUNS/shadow"},
+                  {"--until", &options->until_s, "measure only the first seconds of every run"},
+                  {"--published", &options->published,
+                   "a verdict on every published claim: reproduced, not reproduced, undecided"},
+                  {"--out", &options->out, "new folder for metrics.csv and summary.json (analysis)"}},
+      .work =
+          [options] {
+            detail::analyze::run(*options);
+            return 0;
+          },
+      .subcommands = {},
+      .version = {}};
+}
+
+}  // namespace trophic::command

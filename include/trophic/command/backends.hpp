@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The backends that a program was built with: one list, from which its --backend, its help and its errors follow.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/backend/contract.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/command/words.hpp>
+#include <type_traits>
+#include <utility>
+#include <vector>
+// Who links trophic::mujoco or trophic::ode has these definitions; a program that is built by hand needs -DTROPHIC_WITH_MUJOCO.
+#ifdef TROPHIC_WITH_MUJOCO
+#include <trophic/backend/mujoco.hpp>
+#endif
+#ifdef TROPHIC_WITH_ODE
+#include <trophic/backend/ode.hpp>
+#endif
+
+namespace trophic::command {
+
+/// Backends to choose from at run time.
+template <Backend... B>
+struct BackendList {
+  /// Calls `visit.operator()<B>()` for each.
+  template <class Visitor>
+  static void for_each(Visitor&& visit) {
+    (visit.template operator()<B>(), ...);
+  }
+};
+
+/// The kinematic backend and the engines that the program is linked with.
+using LinkedBackends = BackendList<backend::Kinematic
+#ifdef TROPHIC_WITH_MUJOCO
+                                   ,
+                                   backend::Mujoco
+#endif
+#ifdef TROPHIC_WITH_ODE
+                                   ,
+                                   backend::Ode
+#endif
+                                   >;
+
+/// What a program runs on unless told otherwise, whatever was found when it was built.
+inline constexpr std::string_view default_backend = "mujoco";
+
+/// An engine that trophic has a backend for, and the Debian packages that it needs.
+struct Engine {
+  std::string_view name;
+  std::string_view packages;
+};
+inline constexpr std::array known_engines{Engine{"mujoco", "libmujoco-dev libgl-dev libpugixml-dev"},
+                                          Engine{"ode", "libode-dev"}};
+
+template <class Backends>
+[[nodiscard]] std::vector<std::string> backend_names() {
+  std::vector<std::string> names;
+  Backends::for_each([&]<class B>() { names.emplace_back(B::name); });
+  return names;
+}
+
+/// The backends that have joints.
+template <class Backends>
+[[nodiscard]] std::vector<std::string> joint_driven_names() {
+  std::vector<std::string> names;
+  Backends::for_each([&]<class B>() {
+    if constexpr (JointDriven<B>) names.emplace_back(B::name);
+  });
+  return names;
+}
+
+/// "kinematic 1, mujoco 2.2.2".
+template <class Backends>
+[[nodiscard]] std::string backend_versions() {
+  std::string text;
+  Backends::for_each([&]<class B>() { text += (text.empty() ? "" : ", ") + std::string{B::name} + " " + B::version(); });
+  return text;
+}
+
+/// The sentence about a backend that is none of `names`: an engine that this program was built without, or no engine at all.
+[[nodiscard]] inline std::string about_missing_backend(const std::string& name, const std::vector<std::string>& names) {
+  const std::string option = "--backend " + name;
+  for (const Engine& engine : known_engines) {
+    if (engine.name != name) continue;
+    const std::string instead = names.empty() ? "" : ", or take --backend " + names.front();
+    return option + ": this program was built without it; apt-get install " + std::string{engine.packages} + " and build again" +
+           instead;
+  }
+  return must_be_one_of(option, names) + did_you_mean(nearest_word(name, names));
+}
+
+/// "physics: kinematic, mujoco (mujoco)": the help of --backend.
+[[nodiscard]] inline std::string backend_help(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "physics: " : ", ") + name;
+  return text + " (" + std::string{default_backend} + ")";
+}
+
+/// Calls `visit.operator()<B>()` for the backend of a name that has joints, and returns what that returns. Throws
+/// std::invalid_argument for any other name.
+template <class Backends, class Visitor>
+[[nodiscard]] int with_joint_driven(const std::string& name, Visitor&& visit) {
+  std::function<int()> call;
+  bool has_no_joints = false;
+  Backends::for_each([&]<class B>() {
+    if (B::name != name) return;
+    if constexpr (JointDriven<B>) {
+      call = [&visit] { return visit.template operator()<B>(); };
+    } else {
+      has_no_joints = true;
+    }
+  });
+  if (has_no_joints) throw std::invalid_argument{"--backend " + name + ": has no joints, so it walks no gait"};
+  if (!call) throw std::invalid_argument{about_missing_backend(name, joint_driven_names<Backends>())};
+  return call();
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Completion in bash, written from a command's own options.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <trophic/command/option.hpp>
+#include <variant>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail {
+
+[[nodiscard]] inline bool is_named(const Option& option) {
+  return option.name.starts_with('-');
+}
+
+/// A text that bash takes as it is.
+[[nodiscard]] inline std::string shell_text(std::string_view text) {
+  std::string text_in_quotes = "'";
+  for (const char c : text) text_in_quotes += c == '\'' ? std::string{"'\\''"} : std::string{c};
+  return text_in_quotes + "'";
+}
+
+[[nodiscard]] inline std::string lines(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : "\n") + word;
+  return shell_text(text);
+}
+
+/// What may follow an option, as a bash statement; empty for a flag, which nothing follows.
+[[nodiscard]] inline std::string values_of(const Option& option) {
+  if (std::holds_alternative<bool*>(option.target)) return "";
+  if (!option.words.empty()) {
+    const bool assigned = option.use == Words::assigned;
+    return (assigned ? "compopt -o nospace; offer " : "offer ") + lines(option.words) + (assigned ? " =" : "");
+  }
+  const bool text = std::holds_alternative<std::string*>(option.target) ||
+                    std::holds_alternative<std::optional<std::string>*>(option.target) ||
+                    std::holds_alternative<std::vector<std::string>*>(option.target);
+  return text ? "offer_files" : ":";
+}
+
+/// The cases of one command: first its options with values, then what may stand anywhere else.
+[[nodiscard]] inline std::string cases_of(const Command& command, std::string_view within) {
+  std::string text;
+  std::vector<std::string> anywhere{"--help"};
+  std::string places;
+  for (const Option& option : command.options) {
+    const std::string values = values_of(option);
+    if (!is_named(option)) {
+      places = "; [[ $word == -* ]] || " + values;
+      continue;
+    }
+    anywhere.push_back(option.name);
+    if (!values.empty()) text += "    " + shell_text(std::string{within} + " " + option.name) + ") " + values + " ;;\n";
+  }
+  if (within.empty()) {
+    anywhere.insert(anywhere.end(), {"--version", "--completion"});
+    text += "    ' --completion') offer bash ;;\n";
+  }
+  for (const Command& subcommand : command.subcommands) anywhere.push_back(subcommand.name);
+  text += "    " + shell_text(within) + "' '*) offer " + lines(anywhere) + places + " ;;\n";
+  return text;
+}
+
+}  // namespace detail
+
+/// The script that `source <(PROGRAM --completion bash)` loads: options, subcommands, the words of options that have them, and
+/// files elsewhere.
+[[nodiscard]] inline std::string bash_completion(const Command& command, const std::string& program) {
+  std::string function = "_";
+  for (const char c : program) {
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    function += kept ? c : '_';
+  }
+  std::string names;
+  std::string cases;
+  for (const Command& subcommand : command.subcommands) {
+    names += (names.empty() ? "" : "|") + subcommand.name;
+    cases += detail::cases_of(subcommand, subcommand.name);
+  }
+  cases += detail::cases_of(command, "");
+  std::string text = "# Completion of " + program + " in bash. Load it with: source <(" + program + " --completion bash)\n" +
+                     function + "() {\n" + R"(  local IFS=$'\n' command= i
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
+  # bash splits --name=VALUE at the sign.
+  if [[ $word == = ]]; then
+    word=
+  elif [[ $before == = ]]; then
+    before=${COMP_WORDS[COMP_CWORD - 2]}
+  fi
+  offer() { COMPREPLY+=($(compgen -S "${2-}" -W "$1" -- "$word")); }
+  offer_files() { compopt -o filenames; COMPREPLY+=($(compgen -f -- "$word")); }
+  COMPREPLY=()
+)";
+  if (!names.empty()) {
+    text += "  for ((i = 1; i < COMP_CWORD; ++i)); do\n    case ${COMP_WORDS[i]} in\n      " + names +
+            ") command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n";
+  }
+  return text + "  case \"$command $before\" in\n" + cases + "  esac\n  unset -f offer offer_files\n}\ncomplete -F " + function +
+         " " + detail::shell_text(program) + "\n";
+}
+
+}  // namespace trophic::command

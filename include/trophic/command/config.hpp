@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Numbers from a configuration file and from --set, for a table and a backend that may not be those they were written for.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/command/words.hpp>
+#include <trophic/params/settings.hpp>
+#include <trophic/params/toml.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+/// What --config and --set say.
+struct Config {
+  std::string file;  ///< empty where none was named
+  toml::table numbers;
+  std::optional<std::string> rule_table;
+  std::optional<std::string> engine;
+  std::vector<std::string> assignments;
+};
+
+/// Reads the file, if one is named. Throws as read_toml does.
+[[nodiscard]] inline Config read_config(const std::string& file, std::vector<std::string> assignments) {
+  Config config{.file = file, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = std::move(assignments)};
+  if (file.empty()) return config;
+  config.numbers = read_toml(file);
+  config.rule_table = take_choice(config.numbers, "rule_table");
+  config.engine = take_choice(config.numbers, "engine");
+  return config;
+}
+
+/// Throws std::invalid_argument where the file has numbers of a backend or of a rule table that is not the chosen one.
+inline void check_made_for(const Config& config, const std::string& rule_table, const std::string& engine) {
+  const auto check = [&](const std::optional<std::string>& there, const std::string& here, const std::string& key,
+                         const std::string& option, const std::string& section) {
+    const toml::table* numbers = config.numbers[section].as_table();
+    if (!there || *there == here || numbers == nullptr || numbers->empty()) return;
+    throw std::invalid_argument{config.file + ": was written for " + key + " = \"" + *there + "\" and has its numbers in [" +
+                                section + "], which are none of " + here + "; take " + option + " " + *there +
+                                ", or a file without " + key + " and [" + section + "]"};
+  };
+  check(config.engine, engine, "engine", "--backend", "backend");
+  check(config.rule_table, rule_table, "rule_table", "--rules", "rules");
+}
+
+/// The setting that a path which is none was meant to be: one that ends like it ("mutation.sd" for "rules.mutation.sd"), or the
+/// nearest.
+[[nodiscard]] inline std::optional<std::string> nearest_path(const std::string& path, const Settings& settings) {
+  std::vector<std::string> paths;
+  std::vector<std::string> ending;
+  for (const Setting& setting : settings) {
+    paths.push_back(setting.path);
+    if (setting.path.ends_with("." + path)) ending.push_back(setting.path);
+  }
+  return ending.size() == 1 ? std::optional{ending.front()} : nearest_word(path, paths);
+}
+
+namespace detail {
+
+inline void check_keys(const toml::table& table, const std::string& prefix, const Settings& settings, const std::string& where) {
+  for (const auto& [key, node] : table) {
+    const std::string path = join_path(prefix, key.str());
+    const bool known = std::ranges::any_of(settings, [&](const Setting& s) { return s.path == path; });
+    if (known) continue;
+    if (const toml::table* nested = node.as_table()) {
+      check_keys(*nested, path, settings, where);
+      continue;
+    }
+    const auto meant = nearest_path(path, settings);
+    if (meant) throw std::invalid_argument{where + path + ": unknown key" + did_you_mean(meant)};
+  }
+}
+
+}  // namespace detail
+
+/// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first key of a table that is near to a
+/// setting but none; the others are left to read_numbers.
+inline void check_keys(const toml::table& table, const Settings& settings, const std::string& where) {
+  detail::check_keys(table, "", settings, where);
+}
+
+/// Sets what the file says, then each assignment. Throws std::invalid_argument with the file's name for what it says wrong.
+template <class Numbers>
+void read_config_into(Numbers& numbers, const Config& config) {
+  const Settings settings = settings_of(numbers);
+  if (!config.file.empty()) {
+    const std::string where = config.file + ": ";
+    check_keys(config.numbers, settings, where);
+    try {
+      read_numbers(numbers, config.numbers);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument{where + error.what()};
+    }
+  }
+  for (const std::string& assignment : config.assignments) {
+    const toml::table table = read_assignment(assignment);
+    check_keys(table, settings, "--set ");
+    read_numbers(numbers, table);
+  }
+}
+
+}  // namespace trophic::command

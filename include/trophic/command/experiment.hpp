@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// A program for rule tables: `int main(int argc, char** argv) { return trophic::command::experiment<MyRules>(argc, argv); }`.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <trophic/command/backends.hpp>
+#include <trophic/command/config.hpp>
+#include <trophic/command/experiment_program.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/params/settings.hpp>
+#include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/rules/table.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail {
+
+template <class Rules, Backend B>
+[[nodiscard]] Experiment<Rules, B> numbers_of(const ExperimentOptions& options, const Config& config) {
+  Experiment<Rules, B> numbers;
+  constexpr bool has_threads = requires {
+    numbers.backend.threads;
+  };
+  if constexpr (has_threads) numbers.backend.threads = std::max(1U, std::thread::hardware_concurrency());
+  read_config_into(numbers, config);
+  apply(options, numbers.seed, numbers.world);
+  if constexpr (has_threads) {
+    if (options.replicates) numbers.backend.threads = 1;
+    if (options.threads) numbers.backend.threads = *options.threads;
+  }
+  validate(numbers, "");
+  return numbers;
+}
+
+template <class Rules, Backend B>
+[[nodiscard]] int run_once(const ExperimentOptions& options, const Experiment<Rules, B>& numbers) {
+  Ecology<Rules, B> ecology{numbers};
+  if (!options.save_mjcf.empty()) {
+    if constexpr (requires { ecology.backend().save_mjcf(options.save_mjcf); }) {
+      ecology.backend().save_mjcf(options.save_mjcf);
+    } else {
+      throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
+    }
+    if (options.out.empty()) return 0;
+  }
+  const observe::StopOnSignal stop;
+  observe::RunFolder folder{options.out, options.facts};
+  observe::Progress progress;
+  try {
+    ecology.run_until(numbers.world.duration_s, folder, progress, stop);
+  } catch (const std::exception& error) {
+    std::cerr << options.program << ": " << error.what() << "\nwhat was written before is in " << folder.path().string() << "\n";
+    return run_error;
+  }
+  report_run(folder, progress, ecology.view());
+  return 0;
+}
+
+template <class Rules, Backend B>
+[[nodiscard]] int run_table(const ExperimentOptions& options, const Config& config) {
+  const Experiment<Rules, B> numbers = numbers_of<Rules, B>(options, config);
+  if (options.print_config) return print_config(table_name<Rules>(), std::string{B::name}, settings_of(numbers));
+  if (!options.replicates) return run_once<Rules, B>(options, numbers);
+  const auto plan = plan_of(options, numbers.seed);
+  return report_unfinished(options,
+                           replicates::run_with_shadow<Rules, B>(numbers, plan, options.shadow, options.facts, std::cout));
+}
+
+template <class Rules, class Backends>
+void add_pairings(std::vector<Pairing>& pairings) {
+  const std::string table = table_name<Rules>();
+  Backends::for_each([&]<class B>() {
+    pairings.push_back({table, std::string{B::name}, [] { return settings_of(Experiment<Rules, B>{}); }, &run_table<Rules, B>});
+  });
+}
+
+}  // namespace detail
+
+/// The command line of an experiment with rule tables to choose from, on backends of one's own choice: `BackendList<...>`.
+template <class Backends, class... Rules>
+[[nodiscard]] int experiment_on(int argc, const char* const* argv) {
+  static_assert(sizeof...(Rules) > 0, "trophic::command::experiment needs at least one rule table");
+  std::vector<Pairing> pairings;
+  (detail::add_pairings<Rules, Backends>(pairings), ...);
+  return experiment_program(argc, argv, pairings, backend_versions<Backends>());
+}
+
+/// The command line of an experiment with rule tables to choose from, the first of them the default, on the kinematic backend and
+/// every engine that the program is linked with: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume
+/// and more. Returns the exit code: 0, 1 for what went wrong in a run, 2 for what is wrong with the arguments.
+template <class... Rules>
+[[nodiscard]] int experiment(int argc, const char* const* argv) {
+  return experiment_on<LinkedBackends, Rules...>(argc, argv);
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The command line of an experiment, whatever its rule tables and backends are.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <trophic/command/config.hpp>
+#include <trophic/ecology/world.hpp>
+#include <trophic/observe/manifest.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/params/settings.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/replicates/plan.hpp>
+#include <trophic/support/linkage.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+/// Everything that the command line says. What it leaves out comes from the configuration file, then from the rule table.
+struct ExperimentOptions {
+  std::optional<std::string> rules;
+  std::optional<std::string> backend;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> duration_s;
+  std::optional<std::uint64_t> robots;
+  std::optional<std::string> robot;
+  std::optional<std::uint64_t> threads;
+  std::optional<std::uint64_t> replicates;
+  std::optional<std::uint64_t> jobs;
+  bool resume = false;
+  bool shadow = false;
+  std::string config;
+  std::vector<std::string> assignments;
+  std::string out;
+  std::string save_mjcf;
+  bool print_config = false;
+  std::string program;  ///< as it was called
+  observe::Facts facts;
+};
+
+/// One rule table on one backend. A program has one for each that it was built with.
+struct Pairing {
+  std::string table;
+  std::string backend;
+  Settings (*settings)();  ///< all numbers as the table has them
+  int (*run)(const ExperimentOptions& options, const Config& config);
+};
+
+/// What --seed, --duration, --robots and --robot say.
+void apply(const ExperimentOptions& options, std::uint64_t& seed, World& world);
+
+/// The numbers of a table on a backend as a configuration file.
+[[nodiscard]] int print_config(const std::string& table, const std::string& backend, const Settings& settings);
+
+/// What --replicates, --jobs and --resume say, with the master seed.
+[[nodiscard]] replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed);
+
+/// Tells of replicates that are not complete, a sentence each, and returns the exit code.
+[[nodiscard]] int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished);
+
+/// Tells how a run ended that left its files in a folder.
+void report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view);
+
+/// Reads the command line of a program with these tables on these backends, each table on each backend; runs what it says and
+/// returns the exit code. The first table is the default; the default backend is `default_backend`, linked or not.
+[[nodiscard]] int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
+                                     const std::string& backend_versions);
+
+}  // namespace trophic::command
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/command/experiment_program.ipp>
+#endif

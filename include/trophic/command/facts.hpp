@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What manifests and --version say about the program itself.
+#pragma once
+
+#include <unistd.h>
+
+#include <array>
+#include <string>
+#include <trophic/command/run_command.hpp>
+#include <trophic/observe/manifest.hpp>
+#include <trophic/version.hpp>
+
+/// `git describe` of the program's sources at the last build, and its build type and flags. The CMake function
+/// trophic_add_experiment gives them; a program that is built otherwise lacks them.
+extern "C" {
+[[gnu::weak]] extern const char* const trophic_source_revision;
+[[gnu::weak]] extern const char* const trophic_build;
+}
+
+namespace trophic::command {
+
+/// A commit, "-dirty" where files had changed since; "unknown" where nobody told.
+[[nodiscard]] inline std::string source_revision() {
+  return &trophic_source_revision == nullptr ? "unknown" : trophic_source_revision;
+}
+
+/// Build type and flags, or what the compiler tells of them.
+[[nodiscard]] inline std::string build() {
+  if (&trophic_build != nullptr) return trophic_build;
+#ifdef __OPTIMIZE__
+  return "optimised";
+#else
+  return "not optimised";
+#endif
+}
+
+/// For manifests: the command line, the host, the revision of the sources and how they were compiled.
+[[nodiscard]] inline observe::Facts facts(int argc, const char* const* argv) {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return {{"command_line", command_line(argc, argv)},
+          {"host", host.data()},
+          {"source_revision", source_revision()},
+          {"build", build()}};
+}
+
+/// For --version. `backends`: names and versions.
+[[nodiscard]] inline std::string version_text(const std::string& backends) {
+  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncompiler  " + observe::compiler() +
+         "\nbuild     " + build() + "\nbackends  " + backends;
+}
+
+}  // namespace trophic::command

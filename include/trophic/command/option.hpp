@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A command and its options as data: what is parsed, explained by --help and completed by the shell.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace trophic::command {
+
+/// Where the value of an option goes; a bool makes a flag, a vector an option that may be repeated.
+using Target = std::variant<bool*, std::string*, std::optional<std::string>*, std::uint64_t*, std::optional<std::uint64_t>*,
+                            double*, std::optional<double>*, std::vector<std::string>*>;
+
+/// What the words of an option are for.
+enum class Words {
+  suggested,  ///< offered by completion; the command itself checks what it gets
+  demanded,   ///< anything else is refused
+  assigned,   ///< names to the left of "=", offered by completion
+};
+
+/// One option, or an argument that is known by its place.
+struct Option {
+  std::string name;  ///< "--seed"; an argument known by its place has no dashes
+  Target target;
+  std::string help;
+  std::vector<std::string> words = {};
+  Words use = Words::suggested;
+  std::size_t values = 0;  ///< of a vector: how many it takes at once; 0: any number
+  bool required = false;
+};
+
+/// A program or one of its subcommands.
+struct Command {
+  std::string name;   ///< of a subcommand; a program is called what the user calls it
+  std::string about;  ///< first lines of --help
+  std::vector<Option> options = {};
+  std::function<int()> work = {};  ///< returns the exit code; empty where a subcommand must be named
+  std::vector<Command> subcommands = {};
+  std::string version = {};  ///< what --version prints
+};
+
+/// Exit codes: what could be known from the arguments, and what went wrong later.
+inline constexpr int usage_error = 2;
+inline constexpr int run_error = 1;
+
+}  // namespace trophic::command

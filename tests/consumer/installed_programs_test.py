@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""installed_programs_test.py FOLDER: the programs in PREFIX/bin, under names that begin with trophic, with the models of PREFIX/share."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BIN = pathlib.Path(sys.argv.pop(1))
+PROGRAMS = ["trophic", "trophic-ablations", "trophic-predator-prey"]
+
+
+class InstalledPrograms(unittest.TestCase):
+    def test_names(self):
+        self.assertEqual(sorted(path.name for path in BIN.iterdir()), PROGRAMS)
+        for program in PROGRAMS:
+            shown = subprocess.run([BIN / program, "--version"], capture_output=True, text=True)
+            self.assertEqual((shown.returncode, shown.stderr), (0, ""))
+            self.assertIn("backends  kinematic", shown.stdout)
+
+    def test_a_run_takes_the_models_that_were_installed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            prefix = pathlib.Path(folder) / "elsewhere"
+            shutil.copytree(BIN.parent, prefix)
+            robot = prefix / "share/trophic/models/robots/spider.toml"
+            robot.write_text("broken = = 1\n")
+            run = [prefix / "bin/trophic-predator-prey", "--backend", "kinematic", "--duration", "10", "--out", "run"]
+            refused = subprocess.run(run, capture_output=True, text=True, cwd=folder)
+            self.assertNotEqual(refused.returncode, 0)
+            self.assertIn(str(robot), refused.stderr)
+            self.assertFalse((pathlib.Path(folder) / "run").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""own_table_test.py PROGRAM: a program of one's own, of one file, linked with no engine, has all that predator_prey has."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolder
+
+PROGRAM = sys.argv.pop(1)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+AGEING = "paper with senescence = old_age"
+
+
+class OwnTable(InFolder):
+    def call(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+
+    def call_ok(self, *arguments):
+        result = self.call(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def test_help_names_both_tables_and_every_option(self):
+        text = self.call_ok("--help")
+        self.assertIn(f"rule table: {AGEING} or paper ({AGEING})", text)
+        for option in ("rules", "backend", "seed", "duration", "robots", "robot", "threads", "replicates", "jobs", "resume", "shadow",
+                       "config", "set", "out", "save-mjcf", "print-config", "version", "completion"):
+            self.assertIn(f"--{option} ", text)
+
+    def test_the_first_table_is_the_default_and_its_numbers_are_listed(self):
+        printed = self.call_ok("--backend", "kinematic", "--print-config")
+        self.assertIn(f'rule_table = "{AGEING}"', printed)
+        self.assertIn("[rules.senescence]\nmax_age_s = ", printed)
+        self.assertNotIn("[rules.senescence]", self.call_ok("--backend", "kinematic", "--rules", "paper", "--print-config"))
+
+    def test_a_run_dies_of_old_age(self):
+        self.call_ok("--backend", "kinematic", "--set", "rules.senescence.max_age_s=50", "--duration", 200, "--out", "run")
+        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        self.assertEqual((manifest["status"], manifest["rule_table"]), ("complete", AGEING))
+        self.assertGreater(manifest["result"]["senescence"], 30)
+
+    def test_replicates_with_their_shadow(self):
+        self.call_ok("--backend", "kinematic", "--duration", 100, "--replicates", 2, "--shadow", "--out", "set")
+        for run in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
+            manifest = json.loads((self.folder / "set" / run / "manifest.json").read_text())
+            self.assertEqual(manifest["rules"]["senescence"], "old_age")
+            self.assertEqual(manifest["rules"]["heredity"], "nothing_inherited" if "shadow" in run else "own_copy")
+
+    def test_the_default_backend_is_mujoco_and_absent_is_one_sentence(self):
+        needed = {"mujoco": "", "ode": ""}
+        for engine in needed:
+            text = (ROOT / f"backends/{engine}/CMakeLists.txt").read_text()
+            packages = re.search(r"apt-get install ([\w .-]+)\"", text) or re.search(r"not built, (libode-dev) is missing", text)
+            needed[engine] = packages[1]
+        for arguments, engine in (([], "mujoco"), (["--backend", "mujoco"], "mujoco"), (["--backend", "ode"], "ode")):
+            result = self.call("--duration", 10, *arguments)
+            self.assertEqual(result.returncode, 2, result.stdout)
+            self.assertEqual(
+                result.stderr,
+                f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it; apt-get install {needed[engine]} "
+                "and build again, or take --backend kinematic\n",
+            )
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_version(self):
+        lines = dict(line.split(None, 1) for line in self.call_ok("--version").splitlines())
+        self.assertEqual(set(lines), {"trophic", "source", "compiler", "build", "backends"})
+        version = re.search(r'version = "([\d.]+)"', (ROOT / "include/trophic/version.hpp").read_text())[1]
+        self.assertEqual((lines["trophic"], lines["backends"]), (version, "kinematic 1"))
+        self.assertRegex(lines["compiler"], r"^(g|clang)\+\+ \d+")
+        self.call_ok("--backend", "kinematic", "--duration", 10, "--out", "run")
+        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        self.assertEqual((lines["source"], lines["build"]), (manifest["source_revision"], manifest["build"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/command/config.hpp>
+#include <trophic/ecology/experiment.hpp>
+#include <trophic/rules/paper.hpp>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace trophic;
+using namespace trophic::command;
+using Numbers = Experiment<rules::Paper, backend::Kinematic>;
+
+Config config_of(const std::string& text, std::vector<std::string> assignments = {}) {
+  const test::TemporaryFolder folder;
+  Config config = read_config(folder.file("numbers.toml", text), std::move(assignments));
+  config.file = "numbers.toml";
+  return config;
+}
+
+std::string message(const Config& config) {
+  return test::message_of([&] {
+    Numbers numbers;
+    read_config_into(numbers, config);
+  });
+}
+
+TEST_CASE("the file comes first, then each assignment in turn") {
+  Numbers numbers;
+  read_config_into(numbers,
+                   config_of("engine = 'kinematic'\nseed = 3\n[world]\nrobots = 20\n", {"world.robots=22", "world.robots=24"}));
+  CHECK(numbers.seed == 3);
+  CHECK(numbers.world.robots == 24);
+}
+
+TEST_CASE("an unknown key names its file and what was meant") {
+  CHECK(message(config_of("[rules.mutation]\nsdd = 1\n")) ==
+        "numbers.toml: rules.mutation.sdd: unknown key; did you mean rules.mutation.sd?");
+  CHECK(message(config_of("", {"mutation.sd=1"})) == "--set mutation.sd: unknown key; did you mean rules.mutation.sd?");
+  CHECK(message(config_of("", {"sead=1"})) == "--set sead: unknown key; did you mean seed?");
+  CHECK(message(config_of("seed = 'x'\n")).starts_with("numbers.toml: seed = "));
+}
+
+TEST_CASE("a key that is near to nothing lists what there is") {
+  CHECK(message(config_of("", {"rules.mutation.colour=1"})) == "rules.mutation.colour: unknown key; known here: sd");
+}
+
+TEST_CASE("a path without its beginning is known where it is the end of one setting alone") {
+  const Settings settings{{"a.x.sd", 1.0, ""}, {"b.x.sd", 1.0, ""}, {"b.y.range_m", 1.0, ""}};
+  CHECK(nearest_path("y.range_m", settings) == "b.y.range_m");
+  CHECK(nearest_path("range_m", settings) == "b.y.range_m");
+  CHECK(nearest_path("sd", settings) == std::nullopt);
+}
+
+TEST_CASE("a file of another backend or table is refused only for the numbers that it has of it") {
+  const Config full = config_of("engine = 'mujoco'\nrule_table = 'paper'\n[backend]\nthreads = 2\n[rules.mutation]\nsd = 0.1\n");
+  CHECK_NOTHROW(check_made_for(full, "paper", "mujoco"));
+  CHECK(test::message_of([&] { check_made_for(full, "paper", "kinematic"); }) ==
+        "numbers.toml: was written for engine = \"mujoco\" and has its numbers in [backend], which are none of kinematic; take "
+        "--backend mujoco, or a file without engine and [backend]");
+  CHECK(test::message_of([&] { check_made_for(full, "released", "mujoco"); }).find("rule_table = \"paper\"") !=
+        std::string::npos);
+  const Config world = config_of("engine = 'mujoco'\nrule_table = 'paper'\n[world]\nrobots = 20\n");
+  CHECK_NOTHROW(check_made_for(world, "released", "kinematic"));
+  CHECK_NOTHROW(check_made_for(config_of("[backend]\nthreads = 2\n"), "paper", "kinematic"));
+}
+
+}  // namespace
