@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 #include <trophic/command/config.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
