@@ -96,6 +96,7 @@
 #include <trophic/load/models.hpp>
 #include <trophic/load/robot.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/locomotion/cpg.hpp>
 #include <trophic/locomotion/cpg_integration.hpp>
 #include <trophic/locomotion/locomotion.hpp>
@@ -114,6 +115,7 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/observe/tally.hpp>
+#include <trophic/params/numbers_text.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/params/toml.hpp>

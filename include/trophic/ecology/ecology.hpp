@@ -16,6 +16,7 @@
 #include <trophic/locomotion/locomotion.hpp>
 #include <trophic/locomotion/steerable.hpp>
 #include <trophic/observe/hooks.hpp>
+#include <trophic/params/numbers_text.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/population/population.hpp>
@@ -106,7 +107,7 @@ class Ecology {
                      .until_s = until_s,
                      .fingerprint = {}};
     for_each_rule<Rules>([&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); });
-    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_) + (SteeringDriven<B> ? walk_text(habitat_.robot) : ""));
+    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_));
     return run;
   }
 

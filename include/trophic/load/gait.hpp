@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/load/models.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/replace_file.hpp>
 #include <vector>
 
 namespace trophic {
@@ -66,40 +66,32 @@ namespace trophic {
   return gait;
 }
 
-/// The gait as TOML text; `load_gait` reads back exactly the same gait (but pairs with weight 0 are left out).
-[[nodiscard]] inline std::string to_toml(const Gait& gait) {
+/// Writes what `load_gait` reads back as exactly the same gait (but pairs with weight 0 are left out).
+inline void put_gait(TomlWriter& writer, const Gait& gait) {
   validate(gait);
-  const auto quoted = [](const std::string& text) {
-    std::ostringstream written;
-    written << toml::value<std::string>{text};
-    return written.str();
-  };
-  std::string text =
-      "name = " + quoted(gait.name) + "\nrobot = " + quoted(gait.robot) + "\nprovenance = " + quoted(gait.provenance);
-  std::string hinges;
-  std::string internal;
-  std::string pairs;
+  writer.put("name", gait.name);
+  writer.put("robot", gait.robot);
+  writer.put("provenance", gait.provenance);
+  writer.put("hinges", gait.hinges);
+  writer.put("internal", std::vector<double>(gait.internal.begin(), gait.internal.end()));
   for (std::size_t i = 0; i < gait.hinges.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    hinges += (i == 0 ? "" : ", ") + quoted(gait.hinges[i]);
-    internal += (i == 0 ? "" : ", ") + detail::toml_float(gait.internal[row]);
     for (std::size_t j = i + 1; j < gait.hinges.size(); ++j) {
-      const double weight = gait.coupling(row, static_cast<Eigen::Index>(j));
+      const double weight = gait.coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       if (weight == 0.0) continue;
-      pairs += "\n[[coupling]]\nfrom = " + quoted(gait.hinges[i]) + "\nto = " + quoted(gait.hinges[j]) +
-               "\nweight = " + detail::toml_float(weight) + "\n";
+      writer.element("coupling");
+      writer.put("from", gait.hinges[i]);
+      writer.put("to", gait.hinges[j]);
+      writer.put("weight", weight);
     }
   }
-  return text + "\n\nhinges = [" + hinges + "]\ninternal = [" + internal + "]\n" + pairs;
 }
 
-/// Writes `to_toml(gait)` to a new file. Throws std::runtime_error if the file exists or cannot be written completely.
+/// Writes the gait to a new file. Throws std::runtime_error if the file exists or cannot be written completely.
 inline void save_gait(const Gait& gait, const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) throw std::runtime_error{file.string() + ": exists, not overwritten"};
-  std::ofstream stream{file, std::ios::binary};
-  stream << to_toml(gait);
-  stream.close();
-  if (!stream) throw std::runtime_error{file.string() + ": cannot be written"};
+  TomlWriter writer;
+  put_gait(writer, gait);
+  replace_file(file, writer.text());
 }
 
 }  // namespace trophic
