@@ -6,28 +6,13 @@
 #include <string>
 #include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/observe/csv.hpp>
+#include <unit/analysis/flip_sets.hpp>
 #include <vector>
-
-namespace {
 
 using namespace trophic;
 using namespace trophic::analysis;
-
-/// Six runs: two metrics around these values.
-RunSet set_around(double attribution, double hunger) {
-  RunSet set;
-  for (int i = 0; i < 6; ++i) {
-    const double shift = i % 2 == 0 ? 0.01 : -0.01;
-    set.runs.push_back({.measurements = {{{"attribution_caught", "prey", "all", "1"}, attribution + shift, {}},
-                                         {{"hunger", "predator", "all", "ticks"}, hunger + shift, {}}},
-                        .curves = {}});
-  }
-  return set;
-}
-
-const ShadowedSet base{set_around(0.5, 10.0), set_around(0.4, 9.0)};
-
-}  // namespace
+using test::base;
+using test::set_around;
 
 TEST_CASE("the table has what is decided and nothing else") {
   auto effects = effects_of("wide", compare_sets(base, {set_around(0.5, 12.0), base.shadow}));
