@@ -13,6 +13,7 @@
 #include <trophic/gait_evolution/pre_experiment.hpp>
 #include <trophic/gait_evolution/tables.hpp>
 #include <trophic/load/robot.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
@@ -63,8 +64,12 @@ constexpr const char* default_backend = "ode";
 
 template <class Table, class Backend>
 std::string settings_text(const gait_evolution::Numbers<Table, Backend>& numbers) {
-  return "rule_table = \"" + std::string{Table::name} + "\"\nfitness_rule = \"" + std::string{Table::Fitness::name} +
-         "\"\nengine = \"" + std::string{Backend::name} + "\"\n" + trophic::toml_text(trophic::settings_of(numbers));
+  trophic::TomlWriter writer;
+  writer.put("rule_table", Table::name);
+  writer.put("fitness_rule", Table::Fitness::name);
+  writer.put("engine", Backend::name);
+  writer.put_all(trophic::settings_of(numbers));
+  return writer.text();
 }
 
 template <class Table, class Backend>
@@ -99,7 +104,7 @@ int run(const Options& options, const toml::table& config) {
   if (options.resume.empty()) {
     if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
     folder = observe::make_new_folder(options.out);
-    trophic::detail::replace_file(folder / "settings.toml", settings_text(numbers));
+    trophic::replace_file(folder / "settings.toml", settings_text(numbers));
   } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
     gait_evolution::resume(experiment, folder);
   }

@@ -11,8 +11,9 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
+#include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/analysis/report/flips.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_folder.hpp>
@@ -92,22 +93,6 @@ Direction read_direction(const std::filesystem::path& folder, std::size_t jobs) 
   return direction;
 }
 
-void write_rows(trophic::observe::CsvFile& file, const std::string& direction, std::span<const analysis::FlipEffect> effects) {
-  for (const analysis::FlipEffect& effect : effects) {
-    const analysis::Difference& d = effect.difference;
-    const auto bound = [&](double analysis::Interval::*which) {
-      return d.interval ? std::optional{(*d.interval).*which} : std::nullopt;
-    };
-    file.row(effect.flip, direction, effect.name.metric, effect.name.species, effect.name.group, effect.name.unit,
-             effect.over_shadow ? "over_shadow" : "raw", effect.base.runs, effect.flipped.runs, effect.base.mean,
-             effect.flipped.mean, d.value, bound(&analysis::Interval::lower), bound(&analysis::Interval::upper), d.p, d.adjusted,
-             !d.adjusted   ? ""
-             : d.differs() ? "yes"
-                           : "no");
-  }
-  file.flush();
-}
-
 void write(const Options& options) {
   std::vector<Direction> directions;
   for (const char* name : {"from_paper", "from_released"}) {
@@ -118,13 +103,14 @@ void write(const Options& options) {
   if (directions.empty()) throw std::invalid_argument{options.runs.string() + ": has neither from_paper nor from_released"};
 
   const auto out = trophic::observe::make_new_folder(options.out);
-  trophic::observe::CsvFile csv{
-      out / "flips.csv",
-      "flip,direction,metric,species,group,unit,compared,runs_base,runs_flipped,base,flipped,difference,"
-      "lower,upper,p,p_holm,decided"};
+  trophic::observe::CsvFile<analysis::FlipRow> csv{out / "flips.csv"};
+  const auto write_rows = [&csv](const std::string& direction, std::span<const analysis::FlipEffect> effects) {
+    for (const analysis::FlipEffect& effect : effects) csv.write(analysis::row_of(effect, direction));
+    csv.flush();
+  };
   std::ofstream text{out / "flips.md"};
   for (const Direction& direction : directions) {
-    write_rows(csv, direction.name, direction.effects);
+    write_rows(direction.name, direction.effects);
     text << "## " << direction.name << "\n\n";
     analysis::print_decided(text, direction.effects);
     text << "\np: corrected for all flips and metrics of this direction; intervals are those of single comparisons.\n\n";
@@ -134,7 +120,7 @@ void write(const Options& options) {
     analysis::check_comparable(paper->base->ours.facts.front(), released->base->ours.facts.front());
     auto whole = analysis::effects_of("released", analysis::compare_sets(*paper->base, *released->base));
     analysis::adjust_together(whole);
-    write_rows(csv, "paper_to_released", whole);
+    write_rows("paper_to_released", whole);
     std::vector<std::string> groups;
     for (const examples::SlotGroup& group : examples::slot_groups) groups.emplace_back(group.name);
     text << "## Together\n\nFirst: paper. Second: released. Each group of rules alone put into the first, and taken out of the "

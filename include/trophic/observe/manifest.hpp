@@ -2,17 +2,14 @@
 // manifest.json: what made a run, and how it ended.
 #pragma once
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/support/replace_file.hpp>
 #include <trophic/version.hpp>
 #include <utility>
 #include <variant>
@@ -102,14 +99,7 @@ class Manifest {
     write();
   }
 
-  void write() const {
-    const std::filesystem::path temporary = path_.string() + ".part";
-    std::ofstream file{temporary};
-    file << content_.dump(2) << '\n';
-    file.close();
-    if (!file) throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
-    std::filesystem::rename(temporary, path_);
-  }
+  void write() const { replace_file(path_, content_.dump(2) + '\n'); }
 
   std::filesystem::path path_;
   Facts facts_;
