@@ -82,6 +82,16 @@ def complete_umbrella():
     return [f"trophic.hpp lacks #include <{path.relative_to(CORE)}>" for path in missing]
 
 
+def analysis_rooms():
+    """Arrows in analysis run data -> metrics -> report and statistics -> report, and nowhere else."""
+    seen = {"data": {"data"}, "statistics": {"statistics"}, "metrics": {"data", "metrics"}}
+    return [
+        offence
+        for room, known in seen.items()
+        for offence in lines_with(rf"#include <trophic/analysis/(?!({'|'.join(known)})/)", sources(f"include/trophic/analysis/{room}"))
+    ]
+
+
 def nothing_unfinished():
     """What is in the tree is done."""
     files = sources("include", "backends", "examples", "tests", "models", suffixes=(".hpp", ".ipp", ".cpp", ".md", ".toml", ".txt"))

@@ -12,6 +12,7 @@
 #include <trophic/command/facts.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
@@ -27,7 +28,11 @@ TROPHIC_INLINE void apply(const ExperimentOptions& options, std::uint64_t& seed,
 }
 
 TROPHIC_INLINE int print_config(const std::string& table, const std::string& backend, const Settings& settings) {
-  std::cout << "rule_table = \"" << table << "\"\nengine = \"" << backend << "\"\n" << toml_text(settings) << std::flush;
+  TomlWriter writer;
+  writer.put("rule_table", table);
+  writer.put("engine", backend);
+  writer.put_all(settings);
+  std::cout << writer.text() << std::flush;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
   return 0;
 }
@@ -146,7 +151,7 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
 }  // namespace detail
 
 TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
-                              const std::string& backend_versions) {
+                                      const std::string& backend_versions) {
   ExperimentOptions options;
   options.program = program_name(argv[0]);
   options.facts = facts(argc, argv);

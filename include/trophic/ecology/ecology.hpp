@@ -106,7 +106,7 @@ class Ecology {
                      .until_s = until_s,
                      .fingerprint = {}};
     for_each_rule<Rules>([&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); });
-    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_) + (SteeringDriven<B> ? walk_text(habitat_.robot) : ""));
+    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_));
     return run;
   }
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
-
 #include <string>
+#include <trophic/params/params.hpp>
 #include <trophic/support/linkage.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic {
@@ -22,6 +23,11 @@ struct Gait {
   Eigen::MatrixXd coupling;         ///< n x n, antisymmetric: c_ij between x_i and x_j; 0 where not coupled
 
   bool operator==(const Gait&) const = default;
+
+  static constexpr auto fields() {
+    return std::tuple{field("name", &Gait::name),     field("robot", &Gait::robot),       field("provenance", &Gait::provenance),
+                      field("hinges", &Gait::hinges), field("internal", &Gait::internal), field("coupling", &Gait::coupling)};
+  }
 };
 
 /// Throws std::invalid_argument unless sizes agree, all weights are finite and the coupling is antisymmetric.

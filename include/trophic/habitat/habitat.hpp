@@ -6,7 +6,9 @@
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/robot_model.hpp>
+#include <trophic/params/params.hpp>
 #include <trophic/support/linkage.hpp>
+#include <tuple>
 
 namespace trophic {
 
@@ -15,13 +17,14 @@ struct Habitat {
   RobotModel robot;
   Arena arena;
   Gait gait;
+
+  static constexpr auto fields() {
+    return std::tuple{field("robot", &Habitat::robot), field("arena", &Habitat::arena), field("gait", &Habitat::gait)};
+  }
 };
 
-/// Every number of a habitat as text, for fingerprints: two habitats with the same text move alike where robots have joints.
+/// Every number of a habitat as text, for fingerprints: params/numbers_text.hpp.
 [[nodiscard]] std::string numbers_text(const Habitat& habitat);
-
-/// The numbers by which a robot moves where it has no joints.
-[[nodiscard]] std::string walk_text(const RobotModel& robot);
 
 }  // namespace trophic
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/load/models.hpp>
@@ -11,14 +10,16 @@
 
 namespace trophic {
 
+class TomlWriter;
+
 /// The gait of a file, by name ("spider_published") or path (format: models/README.md). Throws std::runtime_error for a file that
 /// cannot be found, read or parsed and std::invalid_argument "FILE: KEY = VALUE: must be ..." for its content.
 [[nodiscard]] Gait load_gait(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR);
 
-/// The gait as TOML text; `load_gait` reads back exactly the same gait (but pairs with weight 0 are left out).
-[[nodiscard]] std::string to_toml(const Gait& gait);
+/// Writes what `load_gait` reads back as exactly the same gait (but pairs with weight 0 are left out).
+void put_gait(TomlWriter& writer, const Gait& gait);
 
-/// Writes `to_toml(gait)` to a new file. Throws std::runtime_error if the file exists or cannot be written completely.
+/// Writes the gait to a new file. Throws std::runtime_error if the file exists or cannot be written completely.
 void save_gait(const Gait& gait, const std::filesystem::path& file);
 
 }  // namespace trophic

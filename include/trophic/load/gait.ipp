@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/load/gait.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/replace_file.hpp>
 #include <vector>
 
 namespace trophic {
@@ -63,38 +63,30 @@ TROPHIC_INLINE Gait load_gait(std::string_view name_or_path, std::string_view in
   return gait;
 }
 
-TROPHIC_INLINE std::string to_toml(const Gait& gait) {
+TROPHIC_INLINE void put_gait(TomlWriter& writer, const Gait& gait) {
   validate(gait);
-  const auto quoted = [](const std::string& text) {
-    std::ostringstream written;
-    written << toml::value<std::string>{text};
-    return written.str();
-  };
-  std::string text =
-      "name = " + quoted(gait.name) + "\nrobot = " + quoted(gait.robot) + "\nprovenance = " + quoted(gait.provenance);
-  std::string hinges;
-  std::string internal;
-  std::string pairs;
+  writer.put("name", gait.name);
+  writer.put("robot", gait.robot);
+  writer.put("provenance", gait.provenance);
+  writer.put("hinges", gait.hinges);
+  writer.put("internal", std::vector<double>(gait.internal.begin(), gait.internal.end()));
   for (std::size_t i = 0; i < gait.hinges.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    hinges += (i == 0 ? "" : ", ") + quoted(gait.hinges[i]);
-    internal += (i == 0 ? "" : ", ") + detail::toml_float(gait.internal[row]);
     for (std::size_t j = i + 1; j < gait.hinges.size(); ++j) {
-      const double weight = gait.coupling(row, static_cast<Eigen::Index>(j));
+      const double weight = gait.coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       if (weight == 0.0) continue;
-      pairs += "\n[[coupling]]\nfrom = " + quoted(gait.hinges[i]) + "\nto = " + quoted(gait.hinges[j]) +
-               "\nweight = " + detail::toml_float(weight) + "\n";
+      writer.element("coupling");
+      writer.put("from", gait.hinges[i]);
+      writer.put("to", gait.hinges[j]);
+      writer.put("weight", weight);
     }
   }
-  return text + "\n\nhinges = [" + hinges + "]\ninternal = [" + internal + "]\n" + pairs;
 }
 
 TROPHIC_INLINE void save_gait(const Gait& gait, const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) throw std::runtime_error{file.string() + ": exists, not overwritten"};
-  std::ofstream stream{file, std::ios::binary};
-  stream << to_toml(gait);
-  stream.close();
-  if (!stream) throw std::runtime_error{file.string() + ": cannot be written"};
+  TomlWriter writer;
+  put_gait(writer, gait);
+  replace_file(file, writer.text());
 }
 
 }  // namespace trophic

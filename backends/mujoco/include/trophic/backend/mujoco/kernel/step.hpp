@@ -22,16 +22,12 @@ using StepFunction = unsigned (*)(const KernelModel&, LaneState&, Workspace&, un
 #endif
 
 /// The fastest that this processor has.
-[[nodiscard]] inline StepFunction fastest_step() {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) return step_avx2;
-#endif
-  return step_portable;
-}
+[[nodiscard]] StepFunction fastest_step();
 
 }  // namespace trophic::backend::kernel
 
 #if TROPHIC_HEADER_ONLY
+#include <trophic/backend/mujoco/kernel/step.ipp>
 #include <trophic/backend/mujoco/kernel/step_avx2.ipp>
 #include <trophic/backend/mujoco/kernel/step_portable.ipp>
 #endif

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A neutral shadow: the same ecology in which nothing is inherited, as the null of every metric.
+// A neutral shadow: the same ecology in which nothing is inherited. Where it lies, and whether it is one.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/data/read_run.hpp>
-#include <trophic/analysis/data/run_set.hpp>
+#include <trophic/analysis/data/run_facts.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::analysis {
@@ -62,28 +59,6 @@ inline void check_shadow(const RunFacts& ours, const RunFacts& shadow) {
     refuse("it is " + shadow.status + " at " + number_text(shadow.until_s) + " s: must be " + ours.status + " at " +
            number_text(ours.until_s) + " s");
   }
-}
-
-/// A set with its shadow, where there is one.
-struct ShadowedSet {
-  RunSet ours;
-  std::optional<RunSet> shadow;
-  /// The shadow's runs; none without one.
-  [[nodiscard]] std::span<const RunMetrics> shadow_runs() const {
-    return shadow ? std::span<const RunMetrics>{shadow->runs} : std::span<const RunMetrics>{};
-  }
-};
-
-/// Reads a set and its shadow: `elsewhere`, or else what shadow_folders finds. Throws as read_set and check_shadow do.
-[[nodiscard]] inline ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths,
-                                                   const std::optional<std::filesystem::path>& elsewhere = {},
-                                                   std::optional<double> until_s = {}) {
-  ShadowedSet set{read_set(paths, until_s), {}};
-  const auto folders = elsewhere ? std::vector{*elsewhere} : shadow_folders(paths);
-  if (folders.empty()) return set;
-  set.shadow = read_set(folders, until_s);
-  check_shadow(set.ours.facts.front(), set.shadow->facts.front());
-  return set;
 }
 
 }  // namespace trophic::analysis

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs that belong together: one experiment, several seeds.
+// Which runs belong together: one experiment, several seeds.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,19 +9,16 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/analysis/data/read_run.hpp>
-#include <trophic/analysis/metrics/run_metrics.hpp>
+#include <trophic/analysis/data/run_facts.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::analysis {
 
-/// Runs of one fingerprint with what was measured in each.
-struct RunSet {
-  std::string label;             ///< name of the rule table
-  std::vector<RunFacts> facts;   ///< one per run
-  std::vector<RunMetrics> runs;  ///< in the order of `facts`
+/// Runs of one fingerprint.
+struct PooledRuns {
+  std::vector<RunFacts> facts;  ///< at least one
   std::vector<std::string> remarks;
 };
 
@@ -76,43 +71,32 @@ struct RunSet {
   return "";
 }
 
-/// Reads and measures runs that may be pooled; with `until_s`, only their first seconds. A run without a readable manifest is
-/// left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, status or duration, if one is there
-/// twice or is shorter than `until_s`; std::runtime_error if nothing can be read.
-[[nodiscard]] inline RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s = {}) {
-  RunSet set;
+/// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
+/// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, status or duration,
+/// or if one is there twice; std::runtime_error if nothing can be read.
+[[nodiscard]] inline PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut) {
+  PooledRuns pooled;
   std::vector<std::filesystem::path> folders;
   for (const std::filesystem::path& path : paths) {
-    for (auto& folder : run_folders(path, set.remarks)) folders.push_back(std::move(folder));
+    for (auto& folder : run_folders(path, pooled.remarks)) folders.push_back(std::move(folder));
   }
   for (const std::filesystem::path& folder : folders) {
     RunFacts facts;
     try {
       facts = read_facts(folder);
     } catch (const std::runtime_error& error) {
-      set.remarks.push_back(std::string{error.what()} + "; left out");
+      pooled.remarks.push_back(std::string{error.what()} + "; left out");
       continue;
     }
-    for (const RunFacts& other : set.facts) {
-      if (const std::string why = why_not_pooled(facts, other, until_s.has_value()); !why.empty()) {
-        throw std::invalid_argument{why};
-      }
+    for (const RunFacts& other : pooled.facts) {
+      if (const std::string why = why_not_pooled(facts, other, is_cut); !why.empty()) throw std::invalid_argument{why};
     }
-    set.facts.push_back(std::move(facts));
+    pooled.facts.push_back(std::move(facts));
   }
-  if (set.facts.empty()) {
-    const std::string why = set.remarks.empty() ? "" : ": " + set.remarks.front();
-    throw std::runtime_error{"no run can be read" + why};
+  if (pooled.facts.empty()) {
+    throw std::runtime_error{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
   }
-  set.label = set.facts.front().rules;
-  for (RunFacts& facts : set.facts) {
-    RunData run = read_run(facts.folder);
-    if (until_s) cut_to(run, *until_s);
-    facts.until_s = run.facts.until_s;
-    set.remarks.insert(set.remarks.end(), run.remarks.begin(), run.remarks.end());
-    set.runs.push_back(measure_run(run));
-  }
-  return set;
+  return pooled;
 }
 
 }  // namespace trophic::analysis

@@ -1,53 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Results for machines: metrics.csv and summary.json.
+// Results for machines: summary.json.
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
-#include <trophic/analysis/data/run_set.hpp>
-#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/report/claim_verdict.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/summary.hpp>
-#include <trophic/observe/csv.hpp>
 
 namespace trophic::analysis {
-
-/// Writes every measurement and every curve of every run, one value a row. Columns: set, run, seed, metric, species, group,
-/// baseline (empty: observed; "shadow": observed in the shadow of that seed), time_s (of a curve, the end of its window; empty:
-/// of the whole run), value (empty: could not be computed), unit. Throws std::runtime_error if the file exists or cannot be
-/// written.
-inline void write_metrics(const std::filesystem::path& path, std::span<const ShadowedSet> sets) {
-  observe::CsvFile file{path, "set,run,seed,metric,species,group,baseline,time_s,value,unit"};
-  const auto write = [&](const std::string& label, const RunSet& set, bool is_shadow) {
-    for (std::size_t i = 0; i < set.runs.size(); ++i) {
-      std::string run = set.facts[i].folder.lexically_normal().filename().string();
-      std::ranges::replace(run, ',', '_');
-      const auto row = [&](const MetricName& name, const std::string& baseline, std::optional<double> time_s,
-                           std::optional<double> value) {
-        if (is_shadow && !baseline.empty()) return;  // its own baselines say nothing about the set
-        file.row(label, run, set.facts[i].seed, name.metric, name.species, name.group,
-                 is_shadow ? std::string{shadow_name} : baseline, time_s, value, name.unit);
-      };
-      for (const Measurement& measurement : set.runs[i].measurements) {
-        row(measurement.name, "", {}, measurement.value);
-        for (const Baseline& baseline : measurement.baselines) row(measurement.name, baseline.name, {}, baseline.value);
-      }
-      for (const Curve& curve : set.runs[i].curves) {
-        for (const Point& point : curve.points) row(curve.name, curve.baseline, point.time_s, point.value);
-      }
-      file.flush();
-    }
-  };
-  for (const ShadowedSet& set : sets) {
-    write(set.ours.label, set.ours, false);
-    if (set.shadow) write(set.ours.label, *set.shadow, true);
-  }
-}
 
 namespace detail {
 
