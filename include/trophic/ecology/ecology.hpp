@@ -12,6 +12,7 @@
 #include <string_view>
 #include <trophic/backend/contract.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/refused.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/locomotion/locomotion.hpp>
 #include <trophic/locomotion/steerable.hpp>
@@ -34,7 +35,7 @@ namespace trophic {
 /// A tick is `World::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn, catches,
 /// senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run, whatever the
 /// number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is a RuleError.
-template <class Rules, Backend B>
+template <class Rules, Backend B, bool is_table>
 class Ecology {
  public:
   using Params = Experiment<Rules, B>;

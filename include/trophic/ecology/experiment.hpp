@@ -20,7 +20,7 @@ struct Experiment {
   std::uint64_t seed = 1;
   World world = Rules::world();
   Physics physics = Rules::physics();
-  RuleNumbers<Rules> rules{};
+  RuleParams<Rules> rules{};
   typename B::Params backend{};
 
   static constexpr auto fields() {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/load/habitat.hpp>
 #include <trophic/params/numbers_text.hpp>
