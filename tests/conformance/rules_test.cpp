@@ -12,6 +12,7 @@
 #include <trophic/params/settings.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
+#include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/paper.hpp>
@@ -34,17 +35,17 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, community::PredatorPrey);
 TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, placement::Scattered, placement::UniformSquare);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxisHeading, perception::heading::RootYawHeading);
-TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::Everybody);
-TEST_CASE_TEMPLATE_INVOKE(trophic_sighting_input_suite, perception::sensors::SideOfAdversary,
-                          perception::sensors::SideAwayFromHunter, perception::sensors::DistanceOverTerrain,
-                          perception::sensors::DistanceOverScale);
-TEST_CASE_TEMPLATE_INVOKE(trophic_population_input_suite, perception::sensors::TagRatioOfAll,
-                          perception::sensors::TagRatioOfActive);
-TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindSeesNothing,
-                          perception::blind_rule::BlindKeepsOutputs);
+TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::Everybody,
+                          perception::visibility::WithinRange);
+TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdversary, perception::sensors::SideAwayFromHunter,
+                          perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverScale,
+                          perception::sensors::TagRatioOfAll, perception::sensors::TagRatioOfActive);
+TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindDecides,
+                          perception::blind_rule::BlindKeepsDecision);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
 TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::TagSampling);
-TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainWithBiases);
+TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainZeroRight,
+                          control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases);
 TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, control::decision_order::DecideTogether,
                           control::decision_order::DecideInTurn);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering);

@@ -17,10 +17,11 @@
 #include <trophic/death/starvation/hungriest_starves.hpp>
 #include <trophic/death/starvation_schedule/crowding_interval.hpp>
 #include <trophic/ecology/world.hpp>
-#include <trophic/perception/blind_rule/blind_sees_nothing.hpp>
+#include <trophic/perception/blind_rule/blind_decides.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
+#include <trophic/perception/sensors/list.hpp>
 #include <trophic/perception/sensors/side_of_adversary.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_all.hpp>
 #include <trophic/perception/tag_switch/tag_cool_down.hpp>
@@ -51,10 +52,9 @@ struct Paper {
 
   using Heading = perception::heading::ForwardAxisHeading;
   using Visibility = perception::visibility::SameTag;
-  using AngleInput = perception::sensors::SideOfAdversary;
-  using DistanceInput = perception::sensors::DistanceOverTerrain;
-  using TagRatioInput = perception::sensors::TagRatioOfAll;
-  using BlindRule = perception::blind_rule::BlindSeesNothing;
+  using Sensors = perception::sensors::List<perception::sensors::SideOfAdversary, perception::sensors::DistanceOverTerrain,
+                                            perception::sensors::TagRatioOfAll>;
+  using BlindRule = perception::blind_rule::BlindDecides;
   using NewbornTag = perception::newborn_tag::KeepsBodyTag;
   using TagSwitch = perception::tag_switch::TagCoolDown;
   using Brain = control::brain::CognitiveBrain;

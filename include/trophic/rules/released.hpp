@@ -3,10 +3,11 @@
 #pragma once
 
 #include <string_view>
+#include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/control/decision_order/decide_in_turn.hpp>
 #include <trophic/death/capture/catch_closest.hpp>
 #include <trophic/death/reprieve/near_remembered_adversary.hpp>
-#include <trophic/perception/blind_rule/blind_keeps_outputs.hpp>
+#include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/side_away_from_hunter.hpp>
@@ -38,14 +39,12 @@ struct Released {
 
   using Heading = perception::heading::RootYawHeading;
   using Visibility = perception::visibility::SameTag;
-  using AngleInput = perception::sensors::SideAwayFromHunter;
-  using DistanceInput = perception::sensors::DistanceOverScale;
-  using TagRatioInput = perception::sensors::TagRatioOfActive;
-  using BlindRule = perception::blind_rule::BlindKeepsOutputs;
+  using Sensors = perception::sensors::List<perception::sensors::SideAwayFromHunter, perception::sensors::DistanceOverScale,
+                                            perception::sensors::TagRatioOfActive>;
+  using BlindRule = perception::blind_rule::BlindKeepsDecision;
   using NewbornTag = perception::newborn_tag::KeepsBodyTag;
   using TagSwitch = perception::tag_switch::TagSampling;
-  using Brain = control::brain::CognitiveBrain;
-  static constexpr Brain::Params brain{.zero_turns_right = true};
+  using Brain = control::brain::CognitiveBrainZeroRight;
   using DecisionOrder = control::decision_order::DecideInTurn;
   using Steering = control::steering::TargetedSteering;
 

@@ -29,8 +29,8 @@ struct WastefulPlacement : placement::UniformSquare {
   }
 };
 struct WastefulTag : perception::newborn_tag::RandomTag {
-  [[nodiscard]] int tag(std::optional<int> body_tag, Rng& rng) const {
-    const int drawn = RandomTag::tag(body_tag, rng);
+  [[nodiscard]] int tag(std::optional<int> body_tag, std::span<const int> tags, Rng& rng) const {
+    const int drawn = RandomTag::tag(body_tag, tags, rng);
     draw_three(rng);
     return drawn;
   }
@@ -49,8 +49,8 @@ struct WastefulSource : reproduction::genome_source::RandomOrInherited {
   }
 };
 struct WastefulMutation : reproduction::mutation::NormalMutation {
-  void mutate(std::span<double> weights, Rng& rng) const {
-    NormalMutation::mutate(weights, rng);
+  void mutate(std::span<double> weights, const Individual& offspring, Rng& rng) const {
+    NormalMutation::mutate(weights, offspring, rng);
     draw_three(rng);
   }
 };
@@ -76,9 +76,9 @@ struct WastefulParent : reproduction::parent::NearestVictim {
 };
 /// Draws three numbers first, so that its own mutations are others.
 struct OtherMutation : reproduction::mutation::NormalMutation {
-  void mutate(std::span<double> weights, Rng& rng) const {
+  void mutate(std::span<double> weights, const Individual& offspring, Rng& rng) const {
     draw_three(rng);
-    NormalMutation::mutate(weights, rng);
+    NormalMutation::mutate(weights, offspring, rng);
   }
 };
 

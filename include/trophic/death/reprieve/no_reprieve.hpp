@@ -10,7 +10,7 @@ namespace trophic::death::reprieve {
 /// Rule: hunger alone decides.   Reads: nothing.   Random draws: 0.
 struct NoReprieve {
   static constexpr std::string_view name = "no_reprieve";
-  [[nodiscard]] bool spared(BodyIndex, const View&) const { return false; }
+  [[nodiscard]] bool spared(BodyIndex, const View&, const perception::Perceives&) const { return false; }
 };
 static_assert(Reprieve<NoReprieve>);
 
