@@ -37,6 +37,7 @@
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/control/brain/cognitive_network.hpp>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/tanh_network.hpp>
 #include <trophic/control/decision_order/contract.hpp>
 #include <trophic/control/decision_order/decide_in_turn.hpp>
@@ -57,6 +58,7 @@
 #include <trophic/death/rescue/contract.hpp>
 #include <trophic/death/rescue/sacrifice_random_victim.hpp>
 #include <trophic/death/senescence/contract.hpp>
+#include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/contract.hpp>
@@ -114,6 +116,7 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/state_log.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/params/group.hpp>
@@ -180,12 +183,15 @@
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
+#include <trophic/rules/by_species.hpp>
 #include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/rules/with_rules_of.hpp>
+#include <trophic/rules/with_sensor.hpp>
+#include <trophic/support/joined_text.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>

@@ -130,7 +130,7 @@ template <class Policy>
 [[nodiscard]] StateOf<Policy> own_state(const Policy& policy, const Individual& individual, std::uint64_t seed) {
   StateOf<Policy> own{};
   if constexpr (Stateful<Policy>) {
-    own = policy.born(nullptr, own);
+    own = policy.born(individual, nullptr, own);
     Rng rng{seed, Stream::user, individual.genome->id, 77};
     detail::draw(own, rng);
   }
@@ -154,7 +154,7 @@ void check_state() {
     static_assert(Parameters<State> && trophic::detail::members_of<State> == trophic::detail::fields_of<State> &&
                   trophic::detail::listed_once<State>());
     static_assert(trophic::detail::only_state_members<State>() && trophic::detail::BornWithState<Policy>);
-    CHECK_NOTHROW(static_cast<void>(make_policy<Policy>({}).born(nullptr, State{})));
+    CHECK_NOTHROW(static_cast<void>(make_policy<Policy>({}).born(Individual{}, nullptr, State{})));
   }
 }
 

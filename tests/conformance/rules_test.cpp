@@ -7,7 +7,9 @@
 #include <conformance/placement_suite.hpp>
 #include <conformance/reproduction_suite.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/death/reprieve/no_reprieve.hpp>
+#include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
@@ -45,7 +47,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::Blin
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
 TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::TagSampling);
 TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainZeroRight,
-                          control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases);
+                          control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases,
+                          control::brain::HebbianBrain);
 TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, control::decision_order::DecideTogether,
                           control::decision_order::DecideInTurn);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering);
@@ -70,4 +73,5 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, death::reprieve::NearPerceived
                           death::reprieve::NoReprieve);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, death::starvation::HungriestStarves);
 TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, death::rescue::SacrificeRandomVictim);
-TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge);
+TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge,
+                          death::senescence::EnergyStore);

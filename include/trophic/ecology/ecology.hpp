@@ -114,7 +114,7 @@ class Ecology {
   }
 
  private:
-  using SensorValues = typename Rules::Sensors::Values;
+  using SensorValues = typename Population<Rules>::Sensors::Values;
 
   struct Checked {
     Params params;

@@ -10,8 +10,8 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/rule_states.hpp>
 #include <trophic/population/view.hpp>
@@ -21,18 +21,28 @@
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <trophic/support/units.hpp>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace trophic {
+
+namespace detail {
+
+/// The sensors of a table; none in the place of what is no list, which `CheckRules` reports.
+template <class Rules, class Sensors = typename slot_sensors<Rules>::type>
+using sensors_of = std::conditional_t<perception::SensorList<Sensors>, Sensors, perception::sensors::List<>>;
+
+}  // namespace detail
 
 /// One individual per body, from the founders on, and the states of all rules: the only writer of both. Applies the birth rules
 /// of a table; which body falls vacant, and when, is the ecology's.
 template <class Rules>
 class Population {
  public:
-  static_assert(control::detail::SameInputs<Rules::Sensors::size,
-                                            control::detail::inputs_taken<typename Rules::Brain, Rules::Sensors::size>>,
+  using Sensors = detail::sensors_of<Rules>;
+  static_assert(control::detail::SameInputs<
+                    Sensors::size, control::detail::inputs_taken<typename detail::slot_brain<Rules>::type, Sensors::size>>,
                 "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
 
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
@@ -44,8 +54,8 @@ class Population {
     for (const Species species : founders) check_index("community", "species", species, web.size());
     for (const Species species : founders) {
       Individual born = newborn(species, 0.0, 0, nullptr);
-      for_each_state(rules_, states_, []<class P>(std::string_view, const P& policy, BodyStates<P>& states) {
-        states.push_back(policy.born(nullptr, StateOf<P>{}));
+      for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
+        states.push_back(policy.born(born, nullptr, StateOf<P>{}));
       });
       born.genome = drawn_genome(born.id);
       individuals_.push_back(std::move(born));
@@ -66,7 +76,7 @@ class Population {
 
   /// All bodies have moved since they stood at `before`.
   void walk(std::span<const GroundPose> before, const View& view) {
-    for_each_state(rules_, states_, [&](std::string_view, const auto& policy, auto& states) {
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
       if constexpr (requires { policy.on_walk(states[0], BodyIndex{}, 0.0, view); }) {
         for (BodyIndex body = 0; body < individuals_.size(); ++body) {
           policy.on_walk(states[body], body, distance_m(before[body], view.poses[body]), view);
@@ -78,7 +88,7 @@ class Population {
   /// The hunter eats. Its victim is still there, for `succeed` to replace.
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
     individuals_[hunter].fed_tick = view.tick;
-    for_each_state(rules_, states_, [&](std::string_view, const auto& policy, auto& states) {
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
       if constexpr (requires { policy.on_catch(states[hunter], hunter, victim, view); }) {
         policy.on_catch(states[hunter], hunter, victim, view);
       }
@@ -93,7 +103,7 @@ class Population {
     Individual& self = individuals_[body];
     self.adversary = sighting ? std::optional{sighting->adversary} : std::nullopt;
     self.adversary_distance_m = sighting ? sighting->distance_m : std::numeric_limits<double>::quiet_NaN();
-    for_each_state(rules_, states_, [&](std::string_view, const auto& policy, auto& states) {
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
       if constexpr (requires { policy.on_sighting(states[body], body, sighting, view); }) {
         policy.on_sighting(states[body], body, sighting, view);
       }
@@ -135,7 +145,7 @@ class Population {
   void succeed(BodyIndex body, Species species, const Succession& succession, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
     auto genome = succession.parent ? rules_.heredity.inherit(succession.parent->genome) : nullptr;
-    bear_states(body, genome ? body_of(succession.parent->id) : std::nullopt);
+    bear_states(born, body, genome ? body_of(succession.parent->id) : std::nullopt);
     if (succession.parent) {
       descend(born, body, *succession.parent, std::move(genome));
     } else {
@@ -157,9 +167,9 @@ class Population {
   }
 
   /// What the rules keep for a newborn.
-  void bear_states(BodyIndex body, std::optional<BodyIndex> parent) {
-    for_each_state(rules_, states_, [&](std::string_view, const auto& policy, auto& states) {
-      states[body] = policy.born(parent ? &states[*parent] : nullptr, std::as_const(states)[body]);
+  void bear_states(const Individual& born, BodyIndex body, std::optional<BodyIndex> parent) {
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
+      states[body] = policy.born(born, parent ? &states[*parent] : nullptr, std::as_const(states)[body]);
     });
   }
 
@@ -179,7 +189,7 @@ class Population {
   }
 
   [[nodiscard]] std::shared_ptr<Genome> drawn_genome(IndividualId id) {
-    const std::size_t size = rules_.brain.genome_size(Rules::Sensors::size, control::Decision::outputs);
+    const std::size_t size = rules_.brain.genome_size(Sensors::size, control::Decision::outputs);
     auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(size)});
     Rng rng{seed_, Stream::initial_genome, id};
     rules_.initial_genome.draw(genome->weights, rng);

@@ -39,7 +39,7 @@ struct CheckStates {
                 " may hold numbers, enumerations, Ancestors, each also optional, and vectors of numbers: what can be saved"); \
   static_assert(!Stateful<Slot> || BornWithState<Slot>,                                                                       \
                 "the policy in Rules::" #Slot                                                                                 \
-                " has a State, so it needs State born(const State* parent, const State& body) "                               \
+                " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) "    \
                 "const: what a newborn starts with; see trophic/population/state.hpp");                                       \
   static_assert(Hooks<Slot>::ok);
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_STATE)
@@ -66,12 +66,23 @@ struct RuleStates {
 #undef TROPHIC_STATES
 };
 
-/// Calls `visit(slot_name, policy, states)` for each slot whose policy has a State.
-template <class Rules, class States, class Visitor>
-void for_each_state(const Policies<Rules>& rules, States& states, Visitor&& visit) {
+/// Calls `visit(slot_name, states)` for each slot whose policy has a State.
+template <class Rules, class Visitor>
+void for_each_state(const RuleStates<Rules>& states, [[maybe_unused]] Visitor&& visit) {
 #define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                \
-  if constexpr (Stateful<std::remove_cvref_t<decltype(rules.member)>>) { \
-    visit(std::string_view{#member}, rules.member, states.member);       \
+  if constexpr (Stateful<typename detail::slot_##member<Rules>::type>) { \
+    visit(std::string_view{#member}, states.member);                     \
+  }
+  TROPHIC_RULE_SLOTS(TROPHIC_VISIT_STATE)
+#undef TROPHIC_VISIT_STATE
+}
+
+/// Calls `visit(policy, states)` for each slot whose policy has a State.
+template <class Rules, class Visitor>
+void for_each_state(const Policies<Rules>& rules, RuleStates<Rules>& states, [[maybe_unused]] Visitor&& visit) {
+#define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                \
+  if constexpr (Stateful<typename detail::slot_##member<Rules>::type>) { \
+    visit(rules.member, states.member);                                  \
   }
   TROPHIC_RULE_SLOTS(TROPHIC_VISIT_STATE)
 #undef TROPHIC_VISIT_STATE

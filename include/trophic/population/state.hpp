@@ -17,11 +17,12 @@
 /// A rule with a state is a policy with a nested `struct State { ... };` that lists its members by `fields()` as Params do. The
 /// population keeps one State for each body and slot. Policies stay const: the population hands a policy its own state.
 ///
-///   State born(const State* parent, const State& body) const
+///   State born(const Individual& newborn, const State* parent, const State& body) const
 ///
-/// is what a newborn starts with; a policy with a State must have it. `parent` is the state of its living parent, null for
-/// founders, random newcomers and offspring of the dead. `body` is the state of the body's last owner, State{} for founders.
-/// `return {};` resets it, `return body;` keeps it with the body, `return parent ? *parent : State{};` inherits it.
+/// is what a newborn starts with; a policy with a State must have it. The newborn has no genome yet. `parent` is the state of its
+/// living parent; null for founders, random newcomers, offspring of the dead and where Heredity passes nothing on. `body` is the
+/// state of the body's last owner; State{} for founders. `return {};` resets it, `return body;` keeps it with the body,
+/// `return parent ? *parent : State{};` inherits it.
 ///
 /// The question of a slot that is about one body may take `const State& own` as its last argument, one about the whole population
 /// `std::span<const State> states`, by body: see the slot's contract. A brain's decide takes `State& own`.
@@ -126,8 +127,9 @@ TROPHIC_STATE_HOOKS(TROPHIC_PROBE_HOOK)
 
 /// A policy with a State can tell what a newborn starts with.
 template <class P>
-concept BornWithState = requires(const P& policy, const typename P::State* parent, const typename P::State& body) {
-  { policy.born(parent, body) } -> std::same_as<typename P::State>;
+concept BornWithState = requires(const P& policy, const Individual& newborn, const typename P::State* parent,
+                                 const typename P::State& body) {
+  { policy.born(newborn, parent, body) } -> std::same_as<typename P::State>;
 };
 
 }  // namespace detail
@@ -140,11 +142,12 @@ using StateOf = typename detail::state_of<P>::type;
 template <class P>
 class BodyStates {
  public:
-  [[nodiscard]] const NoState& operator[](BodyIndex) const { return none; }
+  [[nodiscard]] const NoState& operator[](BodyIndex) const { return none_; }
+  [[nodiscard]] NoState& operator[](BodyIndex) { return none_; }
   [[nodiscard]] std::span<const NoState> all() const { return {}; }
 
  private:
-  static constexpr NoState none{};
+  NoState none_;
 };
 
 template <Stateful P>

@@ -2,9 +2,11 @@
 // The order within a tick and what each step does, on scenes of a few robots that stand still.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -19,6 +21,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
+#include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
 #include <trophic/reproduction/parent/last_killer.hpp>
 #include <trophic/reproduction/parent/last_seen_victim.hpp>
@@ -220,6 +223,43 @@ TEST_CASE("ecology: the tags that the brain lists are told, and refused before t
   CHECK(Kinematics<Rules>{params}.describe(1.0).tags == std::vector<int>{1, -1});
   CHECK(made_with({}) == "the policy in rules.brain returned no tags(): must list every tag that it may choose");
   CHECK(made_with({1, -1, 1}) == "the policy in rules.brain returned tags() with 1 twice: must list each tag once");
+}
+
+namespace {
+
+/// Wants each of three tags in turn, by the sign of nothing but its first weight and the tag ratio.
+struct ThreeTags {
+  static constexpr std::string_view name = "three_tags";
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t) const { return inputs; }
+  [[nodiscard]] std::vector<int> tags() const { return {5, 6, 7}; }
+  [[nodiscard]] control::Decision decide(std::span<const double> inputs, std::span<const double> weights) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) sum += inputs[i] * weights[i];
+    return {.target_angle_rad = sum, .tag = sum < -0.3 ? 5 : sum < 0.3 ? 6 : 7};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("ecology: a brain may list three tags") {
+  using Rules = with_newborn_tag<with_brain<rules::Paper, ThreeTags>, perception::newborn_tag::RandomTag>;
+  struct Tags {
+    void on_tick(const View& view) {
+      for (const Individual& one : view.robots) {
+        ++shown[one.tag];
+        if (one.adversary) CHECK((one.tag >= 5 && one.tag <= 7));
+      }
+    }
+    std::map<int, std::size_t> shown;
+  } tags;
+  Kinematics<Rules> ecology{{.seed = 3}};
+  test::Recorder recorder;
+  ecology.run_until(300.0, tags, recorder);
+  REQUIRE(tags.shown.size() == 3);
+  for (const int tag : {5, 6, 7}) CHECK(tags.shown[tag] > 100);
+  CHECK(
+      std::ranges::any_of(recorder.events, [](const std::string& line) { return line.find("tag_switch") != std::string::npos; }));
+  CHECK(ecology.describe(1.0).tags == std::vector<int>{5, 6, 7});
 }
 
 TEST_CASE("ecology: a body is caught once in a tick, whatever the policy returns") {

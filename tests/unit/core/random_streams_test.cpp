@@ -82,13 +82,30 @@ struct OtherMutation : reproduction::mutation::NormalMutation {
   }
 };
 
+/// Sees seven of ten of its tag.
+struct Haze : perception::visibility::SameTag {
+  static constexpr std::string_view name = "haze";
+  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng& rng) const {
+    return rng.chance(0.7) && SameTag::perceives(self, other, view, rng);
+  }
+};
+struct WastefulHaze : Haze {
+  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng& rng) const {
+    const bool seen = Haze::perceives(self, other, view, rng);
+    draw_three(rng);
+    return seen;
+  }
+};
+
 /// Paper with every rule that draws random numbers doing so at each chance.
 struct Frugal : rules::Paper {
+  using Visibility = Haze;
   using Placement = placement::UniformSquare;
   using NewbornTag = perception::newborn_tag::RandomTag;
   using Capture = death::capture::CatchClosest;
 };
 struct Wasteful : rules::Paper {
+  using Visibility = WastefulHaze;
   using Placement = WastefulPlacement;
   using NewbornTag = WastefulTag;
   using InitialGenome = WastefulWeights;
@@ -138,4 +155,30 @@ TEST_CASE("random streams: other mutations change nothing of what else is drawn 
   const auto head = [](const std::string& line) { return line.substr(0, line.find(" ", line.find("parent ") + 7)); };
   CHECK(head(frugal.all[first]) == head(other.all[first]));
   CHECK(frugal.all[first] != other.all[first]);
+}
+
+TEST_CASE("random streams: whom a hazy robot sees depends on the two and the tick, in whatever order robots are searched") {
+  using Rules = with_visibility<rules::Paper, Haze>;
+  struct Check {
+    void on_tick(const View& view) {
+      for (BodyIndex self = 0; self < view.robots.size(); ++self) {
+        std::optional<BodyIndex> closest;
+        for (BodyIndex other = 0; other < view.robots.size(); ++other) {
+          Rng rng{12, Stream::visibility, view.robots[self].id, static_cast<std::uint64_t>(view.tick), view.robots[other].id};
+          if (!view.web.opponents(view.robots[self].species, view.robots[other].species)) continue;
+          if (!Haze{}.perceives(self, other, view, rng)) continue;
+          if (!closest || view.distance_m(self, other) < view.distance_m(self, *closest)) closest = other;
+        }
+        CHECK(view.robots[self].adversary == closest);
+        if (closest) ++seen;
+      }
+    }
+    std::size_t seen = 0;
+  } check;
+  Ecology<Rules, backend::Kinematic>::Params params{.seed = 12};
+  params.world.robots = 80;  // so many are searched on a grid
+  params.rules.tag_switch.cool_down_s = 1e6;
+  Ecology<Rules, backend::Kinematic> ecology{params};
+  ecology.run_until(60.0, check);
+  CHECK(check.seen > 1000);
 }

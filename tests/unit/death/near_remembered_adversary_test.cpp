@@ -25,7 +25,7 @@ TEST_CASE("near remembered adversary: the stored distance decides, not where any
 TEST_CASE("near remembered adversary: a body that never perceived anybody is exempt") {
   const HandPopulation robots{{{.species = predator}}};
   const NearRememberedAdversary rule;
-  CHECK(rule.spared(0, robots.view(), robots.perceives(), rule.born(nullptr, {})));
+  CHECK(rule.spared(0, robots.view(), robots.perceives(), rule.born({}, nullptr, {})));
 }
 
 TEST_CASE("near remembered adversary: the distance is stored while somebody is perceived and outlives blindness and births") {
@@ -37,5 +37,5 @@ TEST_CASE("near remembered adversary: the distance is stored while somebody is p
   rule.on_sighting(own, 0, std::nullopt, robots.view());
   CHECK(own.adversary_distance_m == 7.0);
   const NearRememberedAdversary::State parent{.adversary_distance_m = 3.0};
-  CHECK(rule.born(&parent, own).adversary_distance_m == 7.0);
+  CHECK(rule.born({}, &parent, own).adversary_distance_m == 7.0);
 }

@@ -30,5 +30,5 @@ TEST_CASE("last killer: a catch is remembered in the caught body, whoever is bor
   REQUIRE(own.killer);
   CHECK(own.killer->id == 1);
   CHECK(own.killer->genome == robots.individuals[1].genome);
-  CHECK(rule.born(nullptr, own).killer == own.killer);
+  CHECK(rule.born({}, nullptr, own).killer == own.killer);
 }

@@ -35,7 +35,7 @@ TEST_CASE("last seen victim: renewed when another body becomes the closest, whoe
   CHECK(look(2) == 2);
   CHECK(look(1) == 50);
   CHECK(look(std::nullopt) == 50);
-  CHECK(rule.born(nullptr, own).victim == own.victim);
+  CHECK(rule.born({}, nullptr, own).victim == own.victim);
   rule.on_catch(own, 0, 2, robots.view());
   CHECK_FALSE(own.body);
   CHECK_FALSE(own.victim);

@@ -29,7 +29,7 @@ struct NearRememberedAdversary {
     double adversary_distance_m = 0.0;  ///< to the adversary when one was last perceived; 0 before the first
     static constexpr auto fields() { return std::tuple{field("adversary_distance_m", &State::adversary_distance_m)}; }
   };
-  [[nodiscard]] State born(const State*, const State& body) const { return body; }
+  [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }
   void on_sighting(State& own, BodyIndex, const std::optional<Sighting>& sighting, const View&) const {
     if (sighting) own.adversary_distance_m = sighting->distance_m;
   }

@@ -13,6 +13,7 @@
 #include <trophic/params/policy.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/population/state.hpp>
+#include <trophic/support/joined_text.hpp>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -21,22 +22,18 @@ namespace trophic::perception::sensors {
 
 namespace detail {
 
-/// The names of some sensors as one text: "a + b + c".
+/// The name of a sensor; none for what is no sensor, which List reports.
+template <class One>
+[[nodiscard]] consteval std::string_view name_of() {
+  if constexpr (perception::detail::NamedSensor<One>) return One::name;
+  return {};
+}
+
 template <class... Sensors>
 struct Names {
-  static constexpr std::array<std::string_view, sizeof...(Sensors)> names{Sensors::name...};
+  static constexpr std::array<std::string_view, sizeof...(Sensors)> names{name_of<Sensors>()...};
+  static constexpr const auto& words = names;
   static constexpr std::string_view separator = " + ";
-  static constexpr std::size_t length = (std::string_view{Sensors::name}.size() + ... + 0) +
-                                        separator.size() * (sizeof...(Sensors) > 0 ? sizeof...(Sensors) - 1 : 0);
-  static constexpr std::array<char, length> text = [] {
-    std::array<char, length> joined{};
-    auto* end = joined.data();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (i > 0) end = std::ranges::copy(separator, end).out;
-      end = std::ranges::copy(names[i], end).out;
-    }
-    return joined;
-  }();
 };
 
 /// 0 for what is no sensor, which List reports.
@@ -62,7 +59,7 @@ class List {
   static constexpr bool is_sensor_list = true;
   static constexpr std::size_t count = sizeof...(Sensors);
   static constexpr std::size_t size = (detail::size_of<Sensors>() + ... + 0);
-  static constexpr std::string_view name{detail::Names<Sensors...>::text.data(), detail::Names<Sensors...>::text.size()};
+  static constexpr std::string_view name = JoinedText<detail::Names<Sensors...>>::view;
 
   /// The sensor at a place of the list.
   template <std::size_t place>

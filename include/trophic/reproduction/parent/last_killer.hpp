@@ -20,7 +20,7 @@ struct LastKiller {
     std::optional<Ancestor> killer;  ///< who last caught somebody in it
     static constexpr auto fields() { return std::tuple{field("killer", &State::killer)}; }
   };
-  [[nodiscard]] State born(const State*, const State& body) const { return body; }
+  [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }
   void on_caught(State& own, BodyIndex, BodyIndex hunter, const View& view) const {
     own.killer = view.robots[hunter].as_ancestor();
   }

@@ -23,7 +23,7 @@ struct LastSeenVictim {
     std::optional<Ancestor> victim;  ///< who lived in that body when it became the closest
     static constexpr auto fields() { return std::tuple{field("body", &State::body), field("victim", &State::victim)}; }
   };
-  [[nodiscard]] State born(const State*, const State& body) const { return body; }
+  [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }
   void on_catch(State& own, BodyIndex, BodyIndex, const View&) const { own = {}; }
   void on_sighting(State& own, BodyIndex self, const std::optional<Sighting>& sighting, const View& view) const {
     if (!sighting || own.body == sighting->adversary) return;
