@@ -7,7 +7,7 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/gait_evolution/measure_walk.hpp>
 #include <trophic/gait_evolution/trial.hpp>
-#include <trophic/habitat/gait.hpp>
+#include <trophic/load/gait.hpp>
 #include <trophic/load/robot.hpp>
 #include <trophic/params/params.hpp>
 #include <vector>

@@ -16,7 +16,7 @@
 #include <mujoco/worlds.hpp>
 #include <optional>
 #include <string>
-#include <trophic/habitat/gait.hpp>
+#include <trophic/load/gait.hpp>
 #include <trophic/locomotion/cpg.hpp>
 #include <tuple>
 #include <vector>

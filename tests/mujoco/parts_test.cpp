@@ -59,7 +59,7 @@ TEST_CASE("sets are those of comparing all pairs") {
 
 TEST_CASE("a pool does each item once, job after job, on any number of threads") {
   for (const std::size_t threads : {1U, 2U, 5U}) {
-    ThreadPool pool{threads};
+    trophic::ThreadPool pool{threads};
     CHECK(pool.threads() == threads);
     for (std::size_t items = 0; items < 200; ++items) {
       std::vector<std::atomic<int>> done(items);
@@ -75,7 +75,7 @@ TEST_CASE("a pool does each item once, job after job, on any number of threads")
 }
 
 TEST_CASE("a pool hands on an exception and stays usable") {
-  ThreadPool pool{3};
+  trophic::ThreadPool pool{3};
   const auto fail_at_7 = [](std::size_t item, std::size_t) {
     if (item == 7) throw std::runtime_error{"seven"};
   };

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/load/arena.hpp>
 #include <trophic/load/gait.hpp>
