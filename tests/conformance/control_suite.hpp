@@ -5,6 +5,7 @@
 
 #include <conformance/policy_suite.hpp>
 #include <numbers>
+#include <span>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/decision_order/contract.hpp>
 #include <trophic/control/steering/contract.hpp>
@@ -17,19 +18,26 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   CHECK_NOTHROW(check_tags(policy.tags()));
-  CHECK(policy.genome_size() == conformance::defaulted<Policy>().genome_size());
+  constexpr std::size_t free_inputs = 4;
+  constexpr std::size_t given = control::detail::inputs_taken<Policy, free_inputs>;
+  const auto born_with = [&](std::uint64_t seed) {
+    return conformance::own_state(policy, test::HandPopulation{{{}}}.individuals[0], seed);
+  };
   for (const std::uint64_t seed : conformance::seeds) {
     Rng rng{seed, Stream::user};
-    std::vector<double> weights(policy.genome_size());
+    std::vector<double> weights(policy.genome_size(given, control::Decision::outputs));
     for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
-    const perception::BrainInputs inputs{
-        .angle = rng.uniform(-1.0, 1.0), .distance = rng.uniform(-1.0, 1.0), .tag_ratio = rng.uniform(-1.0, 1.0)};
-    const control::Decision decision = policy.decide(inputs, weights);
+    std::vector<double> inputs(given);
+    for (double& input : inputs) input = rng.uniform(-1.0, 1.0);
+    const std::vector<double> genome = weights;
+    auto own = born_with(seed);
+    const control::Decision decision = control::ask::decide(policy, own, std::span{inputs}, std::span{genome});
+    CHECK(genome == weights);
     CHECK(std::ranges::count(policy.tags(), decision.tag) == 1);
     CHECK(std::abs(decision.target_angle_rad) <= std::numbers::pi);
-    const control::Decision again = policy.decide(inputs, weights);
-    CHECK(again.tag == decision.tag);
-    CHECK(again.target_angle_rad == decision.target_angle_rad);
+    auto same = born_with(seed);
+    CHECK((control::ask::decide(policy, same, std::span{inputs}, std::span{genome}) == decision));
+    if constexpr (Stateful<Policy>) CHECK(first_difference(own, same) == "");
   }
 }
 

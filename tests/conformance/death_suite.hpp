@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <trophic/death/activation/contract.hpp>
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/floor/contract.hpp>
@@ -24,8 +25,10 @@ TEST_CASE_TEMPLATE_DEFINE("activation", Policy, trophic_activation_suite) {
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-    conformance::check_each_robot(
-        robots, seed, [&](const test::HandPopulation& any, BodyIndex body) { return policy.activates(body, any.view()); });
+    conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
+      const auto own = conformance::own_state(policy, any.individuals[body], seed);
+      return death::ask::activates(policy, own, body, any.view());
+    });
   });
 }
 
@@ -38,13 +41,19 @@ TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
     const View view = robots.view();
     const auto pairs_in = [&](const test::HandPopulation& any) {
       Rng rng{seed, Stream::user};
+      const auto kept = conformance::own_states(policy, any, seed);
+      const std::span<const StateOf<Policy>> states{kept};
       std::vector<std::pair<BodyIndex, BodyIndex>> pairs;
-      for (const auto& capture : policy.captures(any.view(), rng)) pairs.emplace_back(capture.hunter, capture.victim);
+      for (const auto& capture : death::ask::captures(policy, states, any.view(), rng))
+        pairs.emplace_back(capture.hunter, capture.victim);
       return pairs;
     };
     conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((pairs_in(same) == pairs_in(robots))); });
     std::set<BodyIndex> victims;
-    for (const auto& capture : conformance::asked_twice(seed, [&](Rng& rng) { return policy.captures(view, rng); })) {
+    const auto kept = conformance::own_states(policy, robots, seed);
+    const std::span<const StateOf<Policy>> states{kept};
+    const auto ask = [&](Rng& rng) { return death::ask::captures(policy, states, view, rng); };
+    for (const auto& capture : conformance::asked_twice(seed, ask)) {
       REQUIRE(capture.hunter < view.robots.size());
       REQUIRE(capture.victim < view.robots.size());
       CHECK(view.web.eats(view.robots[capture.hunter].species, view.robots[capture.victim].species));
@@ -88,8 +97,10 @@ TEST_CASE_TEMPLATE_DEFINE("reprieve", Policy, trophic_reprieve_suite) {
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-    conformance::check_each_robot(
-        robots, seed, [&](const test::HandPopulation& any, BodyIndex body) { return policy.spared(body, any.view()); });
+    conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
+      const auto own = conformance::own_state(policy, any.individuals[body], seed);
+      return death::ask::spared(policy, own, body, any.view(), any.perceives());
+    });
   });
 }
 
@@ -101,7 +112,9 @@ TEST_CASE_TEMPLATE_DEFINE("starvation", Policy, trophic_starvation_suite) {
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     const auto victim_in = [&](const test::HandPopulation& any) {
       const std::function<bool(BodyIndex)> spared = [&](BodyIndex body) { return any.individuals[body].tag == 1; };
-      return policy.victim(any.view(), spared);
+      const auto kept = conformance::own_states(policy, any, seed);
+      const std::span<const StateOf<Policy>> states{kept};
+      return death::ask::victim(policy, states, any.view(), spared);
     };
     const std::optional<BodyIndex> victim = victim_in(robots);
     conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((victim_in(same) == victim)); });
@@ -124,14 +137,20 @@ TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
     const View view = robots.view();
     const auto victims_in = [&](const test::HandPopulation& any) {
       Rng rng{seed, Stream::user};
+      const auto kept = conformance::own_states(policy, any, seed);
+      const std::span<const StateOf<Policy>> states{kept};
       std::vector<std::pair<BodyIndex, Species>> found;
-      for (const auto& sacrifice : policy.sacrifices(any.view(), rng)) found.emplace_back(sacrifice.victim, sacrifice.heir);
+      for (const auto& sacrifice : death::ask::sacrifices(policy, states, any.view(), rng))
+        found.emplace_back(sacrifice.victim, sacrifice.heir);
       return found;
     };
     conformance::on_same_worlds(robots,
                                 [&](const test::HandPopulation& same) { CHECK((victims_in(same) == victims_in(robots))); });
     std::set<BodyIndex> victims;
-    for (const auto& sacrifice : conformance::asked_twice(seed, [&](Rng& rng) { return policy.sacrifices(view, rng); })) {
+    const auto kept = conformance::own_states(policy, robots, seed);
+    const std::span<const StateOf<Policy>> states{kept};
+    const auto ask = [&](Rng& rng) { return death::ask::sacrifices(policy, states, view, rng); };
+    for (const auto& sacrifice : conformance::asked_twice(seed, ask)) {
       REQUIRE(sacrifice.victim < view.robots.size());
       REQUIRE(sacrifice.heir < view.web.size());
       CHECK(view.web.eats(sacrifice.heir, view.robots[sacrifice.victim].species));
@@ -147,11 +166,13 @@ TEST_CASE_TEMPLATE_DEFINE("senescence", Policy, trophic_senescence_suite) {
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     for (const Individual& individual : robots.individuals) {
-      conformance::asked_twice(seed, [&](Rng& rng) { return policy.dies(individual, robots.view(), rng); });
+      const auto own = conformance::own_state(policy, individual, seed);
+      conformance::asked_twice(seed, [&](Rng& rng) { return death::ask::dies(policy, own, individual, robots.view(), rng); });
     }
     conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
       Rng rng{seed, Stream::user};
-      return policy.dies(any.individuals[body], any.view(), rng);
+      const auto own = conformance::own_state(policy, any.individuals[body], seed);
+      return death::ask::dies(policy, own, any.individuals[body], any.view(), rng);
     });
   });
 }

@@ -13,6 +13,8 @@
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
 #include <trophic/perception/visibility/contract.hpp>
+#include <trophic/population/sighting.hpp>
+#include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("heading", Policy, trophic_heading_suite) {
   using namespace trophic;
@@ -41,46 +43,62 @@ TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
   static_assert(perception::Visibility<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
-    const test::HandPopulation same = conformance::renamed(robots);
-    for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
-      for (BodyIndex other = 0; other < robots.individuals.size(); ++other) {
-        CHECK(policy.perceives(same.individuals[self], same.individuals[other]) ==
-              policy.perceives(robots.individuals[self], robots.individuals[other]));
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    const std::size_t size = robots.individuals.size();
+    const auto order = test::random_order(seed, size);
+    const test::HandPopulation moved = robots.reordered(order);
+    const auto ask = [&](const test::HandPopulation& any, BodyIndex self, BodyIndex other, Rng& rng) {
+      const auto own = conformance::own_state(policy, any.individuals[self], seed);
+      return perception::ask::perceives(policy, own, self, other, any.view(), rng);
+    };
+    for (BodyIndex self = 0; self < size; ++self) {
+      for (BodyIndex other = 0; other < size; other += 3) {
+        const auto says = [&](const test::HandPopulation& any, BodyIndex one, BodyIndex two) {
+          Rng rng{seed, Stream::user};
+          return ask(any, one, two, rng);
+        };
+        const bool seen = conformance::asked_twice(seed, [&](Rng& rng) { return ask(robots, order[self], order[other], rng); });
+        CHECK(says(moved, self, other) == seen);
+        conformance::on_same_worlds(
+            robots, [&](const test::HandPopulation& same) { CHECK(says(same, order[self], order[other]) == seen); });
       }
     }
   });
 }
 
-TEST_CASE_TEMPLATE_DEFINE("input that describes the adversary", Policy, trophic_sighting_input_suite) {
+TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
   using namespace trophic;
-  static_assert(perception::SightingInput<Policy>);
+  static_assert(perception::Sensor<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-    Rng rng{seed, Stream::user};
-    for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
-      const perception::Sighting sighting{.self = self,
-                                          .adversary = rng.index(robots.individuals.size()),
-                                          .distance_m = rng.uniform(0.0, 30.0),
-                                          .bearing_rad = rng.uniform(-std::numbers::pi, std::numbers::pi)};
-      const double input = policy.input(sighting, robots.view());
-      CHECK(std::abs(input) <= 1.0);
-      CHECK(policy.input(sighting, conformance::turned(robots).view()) == input);
-      CHECK(policy.input(sighting, conformance::renamed(robots).view()) == input);
-    }
-  });
-}
-
-TEST_CASE_TEMPLATE_DEFINE("input that describes the population", Policy, trophic_population_input_suite) {
-  using namespace trophic;
-  static_assert(perception::PopulationInput<Policy>);
-  conformance::check_policy<Policy>();
-  const auto policy = conformance::defaulted<Policy>();
+  const auto check_range = [](const auto& values) {
+    for (const double value : values) CHECK(std::abs(value) <= 1.0);
+  };
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     if (robots.individuals.empty()) return;
-    CHECK(std::abs(policy.input(robots.view())) <= 1.0);
-    conformance::check_all_robots(robots, seed, [&](const test::HandPopulation& any) { return policy.input(any.view()); });
+    if constexpr (perception::CommonSensor<Policy>) {
+      check_range(policy.sense(robots.view()));
+      conformance::check_all_robots(robots, seed, [&](const test::HandPopulation& any) { return policy.sense(any.view()); });
+    } else {
+      Rng drawn{seed, Stream::user};
+      for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
+        const Sighting seen{.self = self,
+                            .adversary = drawn.index(robots.individuals.size()),
+                            .distance_m = drawn.uniform(0.0, 30.0),
+                            .bearing_rad = drawn.uniform(-std::numbers::pi, std::numbers::pi)};
+        for (const auto& sighting : {std::optional<Sighting>{}, std::optional{seen}}) {
+          const auto ask = [&](const test::HandPopulation& any, Rng& rng) {
+            return policy.sense(self, sighting, any.view(), rng);
+          };
+          const auto values = conformance::asked_twice(seed, [&](Rng& rng) { return ask(robots, rng); });
+          check_range(values);
+          for (const auto& same : {conformance::turned(robots), conformance::renamed(robots)}) {
+            Rng rng{seed, Stream::user};
+            CHECK((ask(same, rng) == values));
+          }
+        }
+      }
+    }
   });
 }
 
@@ -89,14 +107,7 @@ TEST_CASE_TEMPLATE_DEFINE("rule for who sees nobody", Policy, trophic_blind_rule
   static_assert(perception::BlindRule<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  for (const double tag_ratio : {-0.5, -0.1, 0.0, 0.3, 0.5}) {
-    const auto inputs = policy.inputs(tag_ratio);
-    CHECK((inputs == policy.inputs(tag_ratio)));
-    if (!inputs) continue;
-    CHECK(std::abs(inputs->angle) <= 1.0);
-    CHECK(std::abs(inputs->distance) <= 1.0);
-    CHECK(std::abs(inputs->tag_ratio) <= 1.0);
-  }
+  CHECK(policy.decides() == conformance::defaulted<Policy>().decides());
 }
 
 TEST_CASE_TEMPLATE_DEFINE("tag of a newborn", Policy, trophic_newborn_tag_suite) {
@@ -104,10 +115,12 @@ TEST_CASE_TEMPLATE_DEFINE("tag of a newborn", Policy, trophic_newborn_tag_suite)
   static_assert(perception::NewbornTag<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{1}, std::optional{-1}}) {
-    for (const std::uint64_t seed : conformance::seeds) {
-      const int tag = conformance::asked_twice(seed, [&](Rng& rng) { return policy.tag(body_tag, rng); });
-      CHECK((tag == 1 || tag == -1));
+  for (const std::vector<int>& tags : {std::vector{-1, 1}, std::vector{1, 2, 3}}) {
+    for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{tags[0]}, std::optional{tags[1]}}) {
+      for (const std::uint64_t seed : conformance::seeds) {
+        const int tag = conformance::asked_twice(seed, [&](Rng& rng) { return policy.tag(body_tag, tags, rng); });
+        CHECK(std::ranges::count(tags, tag) == 1);
+      }
     }
   }
 }
@@ -119,7 +132,8 @@ TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
-      return policy.may_switch(any.individuals[body], any.view());
+      const auto own = conformance::own_state(policy, any.individuals[body], seed);
+      return perception::ask::may_switch(policy, own, any.individuals[body], any.view());
     });
   });
   CHECK(policy.restarts(true));  // or a switched tag could be switched again at once

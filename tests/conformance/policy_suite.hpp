@@ -16,11 +16,13 @@
 #include <string_view>
 #include <support/hand_population.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/population/state.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/units.hpp>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace trophic::conformance {
 
@@ -59,8 +61,6 @@ void on_populations(Check&& check) {
   constexpr IndividualId shift = 5000;
   for (Individual& one : robots.individuals) {
     one.id += shift;
-    if (one.memory.last_killer) one.memory.last_killer->id += shift;
-    if (one.memory.last_seen_victim) one.memory.last_seen_victim->id += shift;
   }
   return robots;
 }
@@ -93,7 +93,7 @@ void check_all_robots(const test::HandPopulation& robots, std::uint64_t seed, As
   on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK(ask(same) == answer); });
 }
 
-/// `ask(rng)` gives the same from equal streams and again: no state, no other source of randomness.
+/// `ask(rng)` gives the same from equal streams and again: nothing else counts, no other source of randomness.
 template <class Ask>
 auto asked_twice(std::uint64_t seed, Ask&& ask) {
   Rng first{seed, Stream::user};
@@ -102,6 +102,60 @@ auto asked_twice(std::uint64_t seed, Ask&& ask) {
   CHECK((answer == ask(second)));
   CHECK(first.bits() == second.bits());
   return answer;
+}
+
+namespace detail {
+
+/// Any value of a member that a State may have.
+template <class T>
+void draw(T& value, Rng& rng) {
+  if constexpr (HasFields<T>) {
+    for_each_field(value, [&](const auto&, auto& member) { draw(member, rng); });
+  } else if constexpr (std::same_as<T, bool>) {
+    value = rng.chance(0.5);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    value = static_cast<T>(rng.index(100)) / static_cast<T>(10);
+  } else if constexpr (std::same_as<T, Ancestor>) {
+    value = test::ancestor(1 + rng.index(99), rng.index(2));
+  } else if constexpr (requires { value.emplace(); }) {
+    if (rng.chance(0.5)) draw(value.emplace(), rng);
+  }
+}
+
+}  // namespace detail
+
+/// What a policy with a State might keep for an individual: drawn anew from the seed, the same in every world in which this
+/// individual lives, whatever its body and id. Vectors stay as they are at birth.
+template <class Policy>
+[[nodiscard]] StateOf<Policy> own_state(const Policy& policy, const Individual& individual, std::uint64_t seed) {
+  StateOf<Policy> own{};
+  if constexpr (Stateful<Policy>) {
+    own = policy.born(individual, nullptr, own);
+    Rng rng{seed, Stream::user, individual.genome->id, 77};
+    detail::draw(own, rng);
+  }
+  return own;
+}
+
+/// The same for everybody, by body; nothing for a policy without State.
+template <class Policy>
+[[nodiscard]] std::vector<StateOf<Policy>> own_states(const Policy& policy, const test::HandPopulation& robots,
+                                                      std::uint64_t seed) {
+  std::vector<StateOf<Policy>> states;
+  for (const Individual& one : robots.individuals) states.push_back(own_state(policy, one, seed));
+  return states;
+}
+
+/// A State lists all that it holds, so that it can be saved, and the policy says what a newborn starts with.
+template <class Policy>
+void check_state() {
+  if constexpr (Stateful<Policy>) {
+    using State = typename Policy::State;
+    static_assert(Parameters<State> && trophic::detail::members_of<State> == trophic::detail::fields_of<State> &&
+                  trophic::detail::listed_once<State>());
+    static_assert(trophic::detail::only_state_members<State>() && trophic::detail::BornWithState<Policy>);
+    CHECK_NOTHROW(static_cast<void>(make_policy<Policy>({}).born(Individual{}, nullptr, State{})));
+  }
 }
 
 /// A policy with its default numbers.
@@ -153,8 +207,10 @@ void check_policy() {
 
   using Params = ParamsOf<Policy>;
   static_assert(Parameters<Params>);
-  static_assert(detail::members_of<Params> == detail::fields_of<Params> && detail::listed_once<Params>());
+  static_assert(trophic::detail::members_of<Params> == trophic::detail::fields_of<Params> &&
+                trophic::detail::listed_once<Params>());
   check_kept<Policy>();
+  check_state<Policy>();
   CHECK_NOTHROW(validate(Params{}, name));
   Params params{};
   for_each_field(params, [&](const auto& f, auto& value) {

@@ -6,6 +6,7 @@
 #include <conformance/policy_suite.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
@@ -49,15 +50,16 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
     for (BodyIndex body = 0; body < size; ++body) {
       const reproduction::Vacancy caught{.body = body, .cause = Cause::caught, .killer = (body + 1) % size};
       const reproduction::Vacancy starved{.body = body, .cause = Cause::starved};
+      const auto own = conformance::own_state(policy, robots.individuals[body], seed);
       for (const auto& vacancy : {caught, starved}) {
         std::optional<Ancestor> parent;
         conformance::asked_twice(seed, [&](Rng& rng) {
-          parent = policy.parent(vacancy, robots.view(), rng);
+          parent = reproduction::ask::parent(policy, own, vacancy, robots.view(), rng);
           return parent ? std::optional{parent->id} : std::nullopt;
         });
         for (const auto& same : {conformance::turned(robots), conformance::mirrored(robots)}) {
           Rng rng{seed, Stream::user};
-          const auto there = policy.parent(vacancy, same.view(), rng);
+          const auto there = reproduction::ask::parent(policy, own, vacancy, same.view(), rng);
           CHECK((there ? std::optional{there->id} : std::nullopt) == (parent ? std::optional{parent->id} : std::nullopt));
         }
         if (!parent) continue;
@@ -77,13 +79,13 @@ TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_heir_pare
     for (BodyIndex body = 0; body < size; ++body) {
       const BodyIndex killer = (body + 1) % size;
       const Species killers = robots.individuals[killer].species;
-      const Species own = robots.individuals[body].species;
       const reproduction::Vacancy caught{.body = body, .cause = Cause::caught, .killer = killer, .heir = killers};
       const reproduction::Vacancy sacrificed{.body = body, .cause = Cause::sacrificed, .heir = killers};
-      const reproduction::Vacancy aged{.body = body, .cause = Cause::senescence, .heir = own};
+      const reproduction::Vacancy aged{.body = body, .cause = Cause::senescence, .heir = robots.individuals[body].species};
+      const auto own = conformance::own_state(policy, robots.individuals[body], seed);
       for (const auto& vacancy : {caught, sacrificed, aged}) {
         Rng rng{seed, Stream::user};
-        const auto parent = policy.parent(vacancy, robots.view(), rng);
+        const auto parent = reproduction::ask::parent(policy, own, vacancy, robots.view(), rng);
         if (parent) CHECK(parent->species == *vacancy.heir);
       }
     }
@@ -107,14 +109,17 @@ TEST_CASE_TEMPLATE_DEFINE("mutation", Policy, trophic_mutation_suite) {
   static_assert(reproduction::Mutation<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
+  const Individual offspring = test::HandPopulation{{{}}}.individuals[0];
   for (const std::uint64_t seed : conformance::seeds) {
     const auto weights = conformance::asked_twice(seed, [&](Rng& rng) {
       std::vector<double> mutated{0.0, 0.5, -0.5, 1.0, -1.0, 0.25};
-      policy.mutate(mutated, rng);
+      auto own = conformance::own_state(policy, offspring, seed);
+      reproduction::ask::mutate(policy, own, std::span{mutated}, offspring, rng);
       return mutated;
     });
     for (const double weight : weights) CHECK(std::isfinite(weight));
     Rng rng{seed, Stream::user};
-    policy.mutate({}, rng);
+    auto own = conformance::own_state(policy, offspring, seed);
+    reproduction::ask::mutate(policy, own, std::span<double>{}, offspring, rng);
   }
 }

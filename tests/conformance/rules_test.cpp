@@ -7,11 +7,13 @@
 #include <conformance/placement_suite.hpp>
 #include <conformance/reproduction_suite.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/capture/no_capture.hpp>
 #include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/reprieve/no_reprieve.hpp>
 #include <trophic/death/rescue/no_rescue.hpp>
+#include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/nobody_starves.hpp>
 #include <trophic/death/starvation_schedule/never_due.hpp>
@@ -19,6 +21,7 @@
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
+#include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/mutation/no_mutation.hpp>
@@ -43,18 +46,19 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, community::PredatorPrey);
 TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, placement::Scattered, placement::UniformSquare);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxisHeading, perception::heading::RootYawHeading);
-TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::Everybody);
-TEST_CASE_TEMPLATE_INVOKE(trophic_sighting_input_suite, perception::sensors::SideOfAdversary,
-                          perception::sensors::SideAwayFromHunter, perception::sensors::DistanceOverTerrain,
-                          perception::sensors::DistanceOverScale);
-TEST_CASE_TEMPLATE_INVOKE(trophic_population_input_suite, perception::sensors::TagRatioOfAll,
-                          perception::sensors::TagRatioOfActive);
-TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindSeesNothing,
-                          perception::blind_rule::BlindKeepsOutputs);
+TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::Everybody,
+                          perception::visibility::WithinRange);
+TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdversary, perception::sensors::SideAwayFromHunter,
+                          perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverScale,
+                          perception::sensors::TagRatioOfAll, perception::sensors::TagRatioOfActive);
+TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindDecides,
+                          perception::blind_rule::BlindKeepsDecision);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
 TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::TagSampling,
                           perception::tag_switch::FreeTags);
-TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainWithBiases);
+TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainZeroRight,
+                          control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases,
+                          control::brain::HebbianBrain);
 TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, control::decision_order::DecideTogether,
                           control::decision_order::DecideInTurn);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering);
@@ -84,4 +88,5 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, death::reprieve::NearPerceived
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, death::starvation::HungriestUnspared,
                           death::starvation::HungriestUnsparedElseHungriest, death::starvation::NobodyStarves);
 TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, death::rescue::SacrificeRandomVictim, death::rescue::NoRescue);
-TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge);
+TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge,
+                          death::senescence::EnergyStore);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <trophic/habitat/arena.hpp>
+#include <trophic/perception/visibility/contract.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/view.hpp>
@@ -45,12 +46,11 @@ struct Robot {
   std::int64_t fed_tick = 0;
   double age_from_s = 0.0;
   double tag_since_s = 0.0;
-  BodyMemory memory = {};
   std::optional<IndividualId> id = {};  ///< none: the number of its body
 };
 
-/// Individuals and poses with all that a View refers to. Unless changed: tick 0, 20 m x 20 m, everybody perceives active
-/// individuals of the own tag. Each genome has the individual's id and that id as its only weight.
+/// Individuals and poses with all that a View refers to. Unless changed: tick 0, 20 m x 20 m. Each genome has the individual's id
+/// and that id as its only weight.
 class HandPopulation {
  public:
   explicit HandPopulation(const std::vector<Robot>& robots, FoodWeb food_web = predator_prey_web()) : web{std::move(food_web)} {
@@ -64,7 +64,6 @@ class HandPopulation {
       one.age_from_s = robot.age_from_s;
       one.tag = robot.tag;
       one.tag_since_s = robot.tag_since_s;
-      one.memory = robot.memory;
       individuals.push_back(std::move(one));
       poses.push_back({.x_m = robot.x_m, .y_m = robot.y_m, .heading_rad = robot.heading_rad});
     }
@@ -79,13 +78,14 @@ class HandPopulation {
 
   /// As rules see it. Refers to this object.
   [[nodiscard]] View view() const {
-    return {.time_s = time_s,
-            .tick = tick,
-            .web = web,
-            .arena = arena,
-            .robots = individuals,
-            .poses = poses,
-            .perceives = perceives};
+    return {.time_s = time_s, .tick = tick, .web = web, .arena = arena, .robots = individuals, .poses = poses};
+  }
+
+  /// Who perceives whom unless a test says otherwise: active individuals of the own tag. Refers to this object.
+  [[nodiscard]] perception::Perceives perceives() const {
+    return [this](BodyIndex self, BodyIndex other) {
+      return individuals[self].tag == individuals[other].tag && individuals[other].active;
+    };
   }
 
   /// The same individuals in other bodies: body i of the result holds who was in body order[i].
@@ -100,7 +100,6 @@ class HandPopulation {
 
   FoodWeb web;
   Arena arena{};
-  Perceives perceives = [](const Individual& self, const Individual& other) { return self.tag == other.tag && other.active; };
   std::vector<Individual> individuals;
   std::vector<GroundPose> poses;
   std::int64_t tick = 0;
@@ -113,7 +112,7 @@ class HandPopulation {
       .id = id, .species = species, .genome = std::make_shared<Genome>(Genome{.id = id, .weights = {static_cast<double>(id)}})};
 }
 
-/// A population drawn from a seed at tick 100: species, tags, activity, ages, hunger, memory and places within +- half_side_m at
+/// A population drawn from a seed at tick 100: species, tags, activity, ages, hunger and places within +- half_side_m at
 /// random. Ids run against the order of bodies. No two distances are equal.
 [[nodiscard]] inline HandPopulation random_population(std::uint64_t seed, std::size_t robots, FoodWeb web = predator_prey_web(),
                                                       double half_side_m = 9.0) {
@@ -130,9 +129,6 @@ class HandPopulation {
     robot.fed_tick = static_cast<std::int64_t>(rng.index(100));
     robot.age_from_s = 2.0 * static_cast<double>(rng.index(101));
     robot.tag_since_s = 2.0 * static_cast<double>(rng.index(101));
-    robot.memory.adversary_distance_m = rng.uniform(0.0, 10.0);
-    if (rng.chance(0.5)) robot.memory.last_seen_victim = ancestor(1 + rng.index(99), rng.index(web.size()));
-    if (rng.chance(0.5)) robot.memory.last_killer = ancestor(1 + rng.index(99), rng.index(web.size()));
     robot.id = 1000 - body;
     drawn.push_back(robot);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,6 +12,7 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/rules/with_rules_of.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::command {
@@ -22,8 +24,8 @@ struct SlotGroup {
 };
 
 inline constexpr std::array slot_groups{
-    SlotGroup{"perception", rules::slots({"heading", "visibility", "angle_input", "distance_input", "tag_ratio_input",
-                                          "blind_rule", "newborn_tag", "tag_switch", "brain", "decision_order", "steering"})},
+    SlotGroup{"perception", rules::slots({"heading", "visibility", "sensors", "blind_rule", "newborn_tag", "tag_switch", "brain",
+                                          "decision_order", "steering"})},
     SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "capture_parent", "starvation_parent",
                                             "rescue_parent", "heredity", "mutation", "senescence_parent"})},
     SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation_schedule", "reprieve", "starvation", "rescue",
@@ -52,13 +54,33 @@ struct Flip {
   std::string change;
 };
 
-/// The table itself, every difference to the other table alone, the brain with biases, and every group.
+/// The flip of one sensor, where the sensors of two tables differ at a place of lists of one length; empty where they do not.
+template <class Base, class Other, std::size_t place>
+[[nodiscard]] std::string sensor_flip() {
+  if constexpr (Base::Sensors::count == Other::Sensors::count) {
+    using Here = typename Base::Sensors::template At<place>;
+    using There = typename Other::Sensors::template At<place>;
+    if (!std::same_as<Here, There>) return "sensor_" + std::string{There::name};
+  }
+  return "";
+}
+
+template <class Base, class Other, std::size_t... place>
+void append_sensor_flips(std::vector<Flip>& all, std::index_sequence<place...>) {
+  const auto append = [&](std::string name, std::string_view here) {
+    if (!name.empty()) all.push_back({name, std::string{here} + " -> " + name.substr(name.find('_') + 1)});
+  };
+  (append(sensor_flip<Base, Other, place>(), Base::Sensors::template At<place>::name), ...);
+}
+
+/// The table itself, every difference to the other table alone, each sensor alone, the brain with biases, and every group.
 template <class Base, class Other>
 [[nodiscard]] std::vector<Flip> flips() {
   std::vector<Flip> all{{std::string{base_name}, "the table itself"}};
   for (const auto& [name, here, there] : rules::differences<Base, Other>()) {
     all.push_back({name, (here.empty() ? "none" : here) + " -> " + (there.empty() ? "none" : there)});
   }
+  append_sensor_flips<Base, Other>(all, std::make_index_sequence<Base::Sensors::count>{});
   all.push_back({std::string{biases_name}, "a bias in every neuron, as in neither table"});
   for (const SlotGroup& group : slot_groups) all.push_back({std::string{group.name}, "all of its slots and numbers together"});
   return all;

@@ -5,13 +5,14 @@
 #include <concepts>
 #include <cstddef>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <trophic/command/flips.hpp>
-#include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/rules/with_sensor.hpp>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,25 @@ std::vector<std::string> run_group(const std::string& name, const Study& study) 
   return run_table(name, std::move(experiment), study);
 }
 
+/// Base with the sensor at one place of its list as Other has it, if `name` is that flip.
+template <class Base, class Other, Backend B, std::size_t place>
+std::optional<std::vector<std::string>> run_sensor(const std::string& name, const Study& study) {
+  if constexpr (Base::Sensors::count == Other::Sensors::count) {
+    if (name.empty() || name != sensor_flip<Base, Other, place>()) return std::nullopt;
+    using Old = typename Base::Sensors::template At<place>;
+    using New = typename Other::Sensors::template At<place>;
+    return run_table(name, Experiment<rules::with_sensor<Base, Old, New>, B>{}, study);
+  }
+  return std::nullopt;
+}
+
+template <class Base, class Other, Backend B, std::size_t... place>
+std::optional<std::vector<std::string>> run_sensors(const std::string& name, const Study& study, std::index_sequence<place...>) {
+  std::optional<std::vector<std::string>> unfinished;
+  static_cast<void>(((unfinished = run_sensor<Base, Other, B, place>(name, study)).has_value() || ...));
+  return unfinished;
+}
+
 }  // namespace detail
 
 template <class Base, class Other, Backend B>
@@ -63,9 +83,8 @@ std::vector<std::string> run_flip(const std::string& name, const Study& study) {
     return {};
   }
   if (name == biases_name) {
-    Experiment<with_brain<Base, control::brain::CognitiveBrainWithBiases>, B> experiment;
-    const auto plain = RuleParams<Base>{}.brain;
-    experiment.rules.brain = {.turn_angle_rad = plain.turn_angle_rad, .zero_turns_right = plain.zero_turns_right};
+    Experiment<with_brain<Base, typename Base::Brain::WithBiases>, B> experiment;
+    experiment.rules.brain.turn_angle_rad = RuleParams<Base>{}.brain.turn_angle_rad;
     return detail::run_table(name, std::move(experiment), study);
   }
   if (name == slot_groups[0].name) return detail::run_group<Base, Other, B, 0>(name, study);
@@ -73,6 +92,8 @@ std::vector<std::string> run_flip(const std::string& name, const Study& study) {
   if (name == slot_groups[2].name) return detail::run_group<Base, Other, B, 2>(name, study);
   if (name == slot_groups[3].name) return detail::run_group<Base, Other, B, 3>(name, study);
   static_assert(slot_groups.size() == 4);
+  constexpr std::make_index_sequence<Base::Sensors::count> places;
+  if (const auto unfinished = detail::run_sensors<Base, Other, B>(name, study, places)) return *unfinished;
 #define TROPHIC_RUN_FLIP(Slot, member, kind, Contract)                                                                    \
   if constexpr (!std::same_as<typename Base::Slot, typename Other::Slot>) {                                               \
     if (name == #member) {                                                                                                \

@@ -2,6 +2,7 @@
 // The paper's two species.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,7 @@ struct PredatorPrey {
   static constexpr std::string_view source = "paper, Sec. \"Initialization\"";
   static constexpr Species prey = 0;
   static constexpr Species predator = 1;
+  static constexpr std::array<std::string_view, 2> species_names{"prey", "predator"};
 
   struct Params {
     std::size_t predators = 14;
@@ -29,7 +31,9 @@ struct PredatorPrey {
   };
   Params params;
 
-  [[nodiscard]] FoodWeb web() const { return {{"prey", "predator"}, {{.hunter = predator, .victim = prey}}}; }
+  [[nodiscard]] FoodWeb web() const {
+    return {{species_names.begin(), species_names.end()}, {{.hunter = predator, .victim = prey}}};
+  }
 
   [[nodiscard]] std::vector<Species> founders(std::size_t robots) const {
     if (params.predators > robots) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <limits>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +19,10 @@
 #include <trophic/observe/hooks.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/perception/adversary.hpp>
+#include <trophic/perception/visibility/contract.hpp>
 #include <trophic/population/population.hpp>
+#include <trophic/population/rule_states.hpp>
+#include <trophic/population/sighting.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
@@ -79,6 +82,7 @@ class Ecology {
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }
   [[nodiscard]] const B& backend() const { return backend_; }
+  [[nodiscard]] const RuleStates<Rules>& states() const { return population_.states(); }  ///< what rules with a State keep
 
   /// The world as rules see it now. Valid as long as the ecology lives and does not run.
   [[nodiscard]] View view() const {
@@ -89,7 +93,6 @@ class Ecology {
             .arena = habitat_.arena,
             .robots = population_.individuals(),
             .poses = poses_,
-            .perceives = perceives_,
             .grid = poses_.size() >= grid_from_robots ? &grid_ : nullptr};
   }
 
@@ -112,6 +115,8 @@ class Ecology {
   }
 
  private:
+  using SensorValues = typename Population<Rules>::Sensors::Values;
+
   struct Checked {
     Params params;
     Habitat habitat;
@@ -143,7 +148,6 @@ class Ecology {
         steps_per_tick_{control_steps_per_tick<B>(params_.world, params_.physics)},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
-        perceives_{[this](const Individual& self, const Individual& other) { return rules_.visibility.perceives(self, other); }},
         population_{rules_, web_, params_.seed, rules_.community.founders(params_.world.robots)},
         poses_{place()},
         backend_{habitat_.robot, habitat_.arena, root_poses(), params_.physics, params_.backend},
@@ -178,6 +182,7 @@ class Ecology {
     target_angles_rad_.clear();
     for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
     locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_);
+    poses_before_ = poses_;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const Pose root = backend_.pose(body);
       poses_[body] = {.x_m = root.position_m.x(),
@@ -186,6 +191,7 @@ class Ecology {
     }
     grid_ = SpatialGrid{poses_};
     ++tick_;
+    population_.walk(poses_before_, view());
   }
 
   template <class Audience>
@@ -204,9 +210,9 @@ class Ecology {
   template <class Audience>
   void activate(Audience& audience) {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      if (population_[body].active || !rules_.activation.activates(body, view())) continue;
-      population_[body].active = true;
-      if (rules_.activation.restarts_age()) population_[body].age_from_s = time_s();
+      if (population_[body].active) continue;
+      if (!death::ask::activates(rules_.activation, states().activation[body], body, view())) continue;
+      population_.activate(body, time_s(), rules_.activation.restarts_age());
       emit(audience, observe::EventKind::activation, body);
     }
   }
@@ -215,22 +221,20 @@ class Ecology {
   void capture(Audience& audience) {
     Rng rng{params_.seed, Stream::captures, 0, static_cast<std::uint64_t>(tick_)};
     const IndividualId first_newborn = population_.next_id();
-    for (const death::Capture& capture : rules_.capture.captures(view(), rng)) {
+    const auto captors = states().capture.all();
+    for (const death::Capture& capture : death::ask::captures(rules_.capture, captors, view(), rng)) {
       check_index("capture", "hunter", capture.hunter, poses_.size());
       check_index("capture", "victim", capture.victim, poses_.size());
-      Individual& hunter = population_[capture.hunter];
+      const Individual& hunter = population_[capture.hunter];
       const bool hunter_was_caught = hunter.id >= first_newborn;
       const bool victim_was_caught = population_[capture.victim].id >= first_newborn;
       if (hunter_was_caught || victim_was_caught) continue;
       check_prey(capture.hunter, capture.victim);
       if (!rules_.floor.may_die(population_[capture.victim].species, view())) continue;
-      hunter.fed_tick = tick_;
-      hunter.memory.last_seen_body.reset();
-      hunter.memory.last_seen_victim.reset();
-      population_[capture.victim].memory.last_killer = hunter.as_ancestor();
+      population_.feed(capture.hunter, capture.victim, view());
       emit(audience, observe::EventKind::capture, capture.hunter, {}, population_[capture.victim].id);
       hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .heir = hunter.species},
-              rules_.capture_parent);
+              rules_.capture_parent, states().capture_parent);
     }
   }
 
@@ -247,19 +251,25 @@ class Ecology {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const Individual& individual = population_[body];
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
-      if (!rules_.senescence.dies(individual, view(), rng)) continue;
+      if (!death::ask::dies(rules_.senescence, states().senescence[body], individual, view(), rng)) continue;
       hand_on(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .heir = individual.species},
-              rules_.senescence_parent);
+              rules_.senescence_parent, states().senescence_parent);
     }
   }
 
   template <class Audience>
   void starve(Audience& audience) {
     if (!rules_.starvation_schedule.due(starvation_clock_, view())) return;
-    const auto spared = [this](BodyIndex hunter) { return rules_.reprieve.spared(hunter, view()); };
-    if (const auto victim = rules_.starvation.victim(view(), spared)) {
+    const View now = view();
+    const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); };
+    const std::function<bool(BodyIndex)> spared = [&](BodyIndex hunter) {
+      return death::ask::spared(rules_.reprieve, states().reprieve[hunter], hunter, now, perceives);
+    };
+    const auto hungry = states().starvation.all();
+    if (const auto victim = death::ask::victim(rules_.starvation, hungry, now, spared)) {
       check_index("starvation", "victim", *victim, poses_.size());
-      hand_on(audience, {.body = *victim, .cause = Cause::starved, .killer = {}, .heir = {}}, rules_.starvation_parent);
+      hand_on(audience, {.body = *victim, .cause = Cause::starved, .killer = {}, .heir = {}}, rules_.starvation_parent,
+              states().starvation_parent);
     }
     starvation_clock_ = {.last_tick = tick_, .interval_ticks = rules_.starvation_schedule.interval_ticks(view())};
   }
@@ -267,12 +277,13 @@ class Ecology {
   template <class Audience>
   void rescue(Audience& audience) {
     Rng rng{params_.seed, Stream::sacrifice, 0, static_cast<std::uint64_t>(tick_)};
-    for (const death::Sacrifice& sacrifice : rules_.rescue.sacrifices(view(), rng)) {
+    const auto given_up = states().rescue.all();
+    for (const death::Sacrifice& sacrifice : death::ask::sacrifices(rules_.rescue, given_up, view(), rng)) {
       check_index("rescue", "victim", sacrifice.victim, poses_.size());
       check_index("rescue", "heir", sacrifice.heir, web_.size());
       if (!rules_.floor.may_die(population_[sacrifice.victim].species, view())) continue;
       hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .heir = sacrifice.heir},
-              rules_.rescue_parent);
+              rules_.rescue_parent, states().rescue_parent);
     }
   }
 
@@ -302,8 +313,9 @@ class Ecology {
   /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
   /// want of a parent, the first that the dead one ate.
   template <class Audience, class ParentRule>
-  void hand_on(Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule) {
-    const auto succession = population_.succession(vacancy, parent_rule, view());
+  void hand_on(Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule,
+               const BodyStates<ParentRule>& parent_states) {
+    const auto succession = population_.succession(vacancy, parent_rule, parent_states, view());
     const Species dead = population_[vacancy.body].species;
     if (succession.parent) check_parent(vacancy, *succession.parent);
     auto heir = vacancy.heir;
@@ -318,60 +330,50 @@ class Ecology {
   /// moment: all decisions are made before the first tag changes.
   template <class Audience>
   void decide(Audience& audience) {
-    const double tag_ratio = rules_.tag_ratio_input.input(view());
+    const SensorValues common = rules_.sensors.sense_common(view());
     choices_.clear();
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      choices_.push_back(choice(body, tag_ratio));
+      choices_.push_back(choice(body, common));
       if (rules_.decision_order.in_turn()) act(audience, body, choices_[body]);
     }
     if (rules_.decision_order.in_turn()) return;
     for (BodyIndex body = 0; body < poses_.size(); ++body) act(audience, body, choices_[body]);
   }
 
+  /// The Visibility rule.
+  [[nodiscard]] bool sees(BodyIndex self, BodyIndex other, const View& now) const {
+    Rng rng{params_.seed, Stream::visibility, population_[self].id, static_cast<std::uint64_t>(tick_), population_[other].id};
+    return perception::ask::perceives(rules_.visibility, states().visibility[self], self, other, now, rng);
+  }
+
   /// What a robot perceives and what its brain makes of it; no decision where the blind rule keeps the last one.
   struct Choice {
-    std::optional<perception::Sighting> sighting;
+    std::optional<Sighting> sighting;
     std::optional<control::Decision> decision;
   };
 
-  [[nodiscard]] Choice choice(BodyIndex body, double tag_ratio) const {
-    const auto sighting = perception::adversary(body, view());
-    const auto inputs = sighting
-                            ? std::optional{perception::BrainInputs{.angle = rules_.angle_input.input(*sighting, view()),
-                                                                    .distance = rules_.distance_input.input(*sighting, view()),
-                                                                    .tag_ratio = tag_ratio}}
-                            : rules_.blind_rule.inputs(tag_ratio);
-    if (!inputs) return {sighting, std::nullopt};
-    const control::Decision decision = rules_.brain.decide(*inputs, population_[body].genome->weights);
-    check_tag(population_.tags(), decision.tag, "brain");
-    return {sighting, decision};
+  [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common) {
+    const View now = view();
+    const auto sighting =
+        perception::adversary(body, now, [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); });
+    if (!sighting && !rules_.blind_rule.decides()) return {sighting, std::nullopt};
+    const SensorValues inputs = rules_.sensors.sense(body, sighting, now, common, [&](std::size_t sensor) {
+      return Rng{params_.seed, Stream::sensors, population_[body].id, static_cast<std::uint64_t>(tick_), sensor};
+    });
+    return {sighting, population_.decide(body, inputs)};
   }
 
   template <class Audience>
   void act(Audience& audience, BodyIndex body, const Choice& choice) {
-    remember(body, choice.sighting);
+    population_.sight(body, choice.sighting, view());
     if (!choice.decision) return;
-    Individual& self = population_[body];
-    self.target_angle_rad = choice.decision->target_angle_rad;
-    if (!rules_.tag_switch.may_switch(self, view())) return;
+    const Individual& self = population_[body];
+    population_.turn(body, choice.decision->target_angle_rad);
+    if (!perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view())) return;
     const bool switched = choice.decision->tag != self.tag;
-    self.tag = choice.decision->tag;
-    if (rules_.tag_switch.restarts(switched)) self.tag_since_s = time_s();
+    population_.show_tag(body, choice.decision->tag);
+    if (rules_.tag_switch.restarts(switched)) population_.restart_tag_clock(body, time_s());
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
-  }
-
-  void remember(BodyIndex body, const std::optional<perception::Sighting>& sighting) {
-    Individual& self = population_[body];
-    self.adversary.reset();
-    self.adversary_distance_m = std::numeric_limits<double>::quiet_NaN();
-    if (!sighting) return;
-    self.adversary = sighting->adversary;
-    self.adversary_distance_m = sighting->distance_m;
-    self.memory.adversary_distance_m = sighting->distance_m;
-    const Individual& adversary = population_[sighting->adversary];
-    if (!web_.eats(self.species, adversary.species) || self.memory.last_seen_body == sighting->adversary) return;
-    self.memory.last_seen_body = sighting->adversary;
-    self.memory.last_seen_victim = adversary.as_ancestor();
   }
 
   /// From so many on, a grid finds the closest robot sooner than a look at everybody; both give the same.
@@ -382,7 +384,6 @@ class Ecology {
   std::int64_t steps_per_tick_;
   Policies<Rules> rules_;
   FoodWeb web_;
-  Perceives perceives_;
   Population<Rules> population_;
   std::vector<GroundPose> poses_;
   SpatialGrid grid_{poses_};
@@ -393,6 +394,7 @@ class Ecology {
   bool started_ = false;
   std::vector<double> target_angles_rad_;
   std::vector<Choice> choices_;
+  std::vector<GroundPose> poses_before_;
 };
 
 }  // namespace trophic

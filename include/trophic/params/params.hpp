@@ -92,7 +92,7 @@ template <class P>
       return a.name == b.name;
     };
     const auto alone = [&](const auto&... all) {
-      const auto count = [&](const auto& one) { return (0 + ... + (same(one, all) ? 1 : 0)); };
+      [[maybe_unused]] const auto count = [&](const auto& one) { return (0 + ... + (same(one, all) ? 1 : 0)); };
       return ((count(all) == 1) && ...);
     };
     return std::apply(alone, P::fields());

@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The closest perceivable opponent.
+// Whom an individual watches: the closest opponent that it perceives.
 #pragma once
 
+#include <concepts>
 #include <optional>
+#include <trophic/population/sighting.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/units.hpp>
 
 namespace trophic::perception {
 
-/// An individual's adversary: the closest opponent that it perceives (Sec. "Inputs").
-struct Sighting {
-  BodyIndex self = 0;
-  BodyIndex adversary = 0;
-  double distance_m = 0.0;
-  double bearing_rad = 0.0;  ///< 0 ahead, positive to the right, in [-pi, pi)
-};
-
 /// The adversary of `self`: "the closest observable robot of the opposite species" (Sec. "Inputs"); with more than two
-/// species, of any species that eats its own or that its own eats. On equal distance the lower body
-/// index.   Random draws: 0.
-[[nodiscard]] inline std::optional<Sighting> adversary(BodyIndex self, const View& view) {
-  const Individual& observer = view.robots[self];
-  const auto found = view.closest(self, [&](const Individual& other) {
-    return view.web.opponents(observer.species, other.species) && view.perceives(observer, other);
-  });
+/// species, of any species that eats its own or that its own eats. `perceives(self, other)` is the run's Visibility rule. On
+/// equal distance the lower body index.   Random draws: those of the Visibility rule.
+template <std::predicate<BodyIndex, BodyIndex> Sees>
+[[nodiscard]] std::optional<Sighting> adversary(BodyIndex self, const View& view, const Sees& perceives) {
+  const Species own = view.robots[self].species;
+  const auto found = view.closest(
+      self, [&](BodyIndex other) { return view.web.opponents(own, view.robots[other].species) && perceives(self, other); });
   if (!found) return std::nullopt;
   return Sighting{.self = self,
                   .adversary = *found,

@@ -43,17 +43,10 @@ struct Ancestor {
   IndividualId id = 0;
   Species species = 0;
   std::shared_ptr<Genome> genome;
+  friend bool operator==(const Ancestor&, const Ancestor&) = default;
 };
 
-/// What a body remembers across the births and deaths of those who live in it. Only the released code's rules read it.
-struct BodyMemory {
-  double adversary_distance_m = 0.0;              ///< distance to the adversary when one was last perceived; 0 before the first
-  std::optional<BodyIndex> last_seen_body = {};   ///< the last body perceived as closest whose owner this body's species eats
-  std::optional<Ancestor> last_seen_victim = {};  ///< who lived in that body when it became the closest
-  std::optional<Ancestor> last_killer = {};       ///< who last caught somebody in this body
-};
-
-/// One living individual. `Population` in the ecology holds one per body.
+/// One living individual. The `Population` holds one per body and is the only one who changes it.
 struct Individual {
   IndividualId id = 0;
   std::optional<IndividualId> parent;
@@ -67,14 +60,12 @@ struct Individual {
   double age_from_s = 0.0;    ///< its age counts from here: birth, or activation where the rule says so
   std::int64_t fed_tick = 0;  ///< tick of birth or of its last catch
 
-  int tag = 1;               ///< one of the brain's tags
+  int tag = 0;               ///< one of the brain's tags
   double tag_since_s = 0.0;  ///< start of the running tag clock: birth or where TagSwitch restarted it
 
   std::optional<BodyIndex> adversary;                                      ///< closest perceivable opponent at the last tick
   double adversary_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN without adversary
   double target_angle_rad = 0.0;                                           ///< the brain's last decision, positive to the right
-
-  BodyMemory memory;
 
   [[nodiscard]] Ancestor as_ancestor() const { return {id, species, genome}; }
 };

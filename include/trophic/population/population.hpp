@@ -2,28 +2,49 @@
 // Owner of who lives: founders, births, ids, genomes.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/rule_states.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
+#include <trophic/support/units.hpp>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace trophic {
 
-/// One individual per body, from the founders on. Applies the birth rules of a table; which body falls vacant, and when, is the
-/// ecology's.
+namespace detail {
+
+/// The sensors of a table; none in the place of what is no list, which `CheckRules` reports.
+template <class Rules, class Sensors = typename slot_sensors<Rules>::type>
+using sensors_of = std::conditional_t<perception::SensorList<Sensors>, Sensors, perception::sensors::List<>>;
+
+}  // namespace detail
+
+/// One individual per body, from the founders on, and the states of all rules: the only writer of both. Applies the birth rules
+/// of a table; which body falls vacant, and when, is the ecology's.
 template <class Rules>
 class Population {
  public:
+  using Sensors = detail::sensors_of<Rules>;
+  static_assert(control::detail::SameInputs<
+                    Sensors::size, control::detail::inputs_taken<typename detail::slot_brain<Rules>::type, Sensors::size>>,
+                "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
+
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
   /// later births.
@@ -32,44 +53,128 @@ class Population {
     check_tags(tags_);
     for (const Species species : founders) check_index("community", "species", species, web.size());
     for (const Species species : founders) {
-      individuals_.push_back(newborn(species, 0.0, 0, std::nullopt));
-      give_genome(individuals_.back(), std::nullopt);
+      Individual born = newborn(species, 0.0, 0, nullptr);
+      for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
+        states.push_back(policy.born(born, nullptr, StateOf<P>{}));
+      });
+      born.genome = drawn_genome(born.id);
+      individuals_.push_back(std::move(born));
     }
   }
 
   [[nodiscard]] std::span<const Individual> individuals() const { return individuals_; }
   [[nodiscard]] const std::vector<int>& tags() const { return tags_; }  ///< that an individual may show
   [[nodiscard]] IndividualId next_id() const { return next_id_; }       ///< of whoever is born next
-  [[nodiscard]] Individual& operator[](BodyIndex body) { return individuals_[body]; }
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
+  [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
 
-  /// Who inherits a vacant body: decides between random and inherited and asks the parent rule. Changes nobody.
+  /// The newborn in a body can be caught and seen from now on; its age counts from now where the rule says so.
+  void activate(BodyIndex body, double time_s, bool restarts_age) {
+    individuals_[body].active = true;
+    if (restarts_age) individuals_[body].age_from_s = time_s;
+  }
+
+  /// All bodies have moved since they stood at `before`.
+  void walk(std::span<const GroundPose> before, const View& view) {
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
+      if constexpr (requires { policy.on_walk(states[0], BodyIndex{}, 0.0, view); }) {
+        for (BodyIndex body = 0; body < individuals_.size(); ++body) {
+          policy.on_walk(states[body], body, distance_m(before[body], view.poses[body]), view);
+        }
+      }
+    });
+  }
+
+  /// The hunter eats. Its victim is still there, for `succeed` to replace.
+  void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
+    individuals_[hunter].fed_tick = view.tick;
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
+      if constexpr (requires { policy.on_catch(states[hunter], hunter, victim, view); }) {
+        policy.on_catch(states[hunter], hunter, victim, view);
+      }
+      if constexpr (requires { policy.on_caught(states[victim], victim, hunter, view); }) {
+        policy.on_caught(states[victim], victim, hunter, view);
+      }
+    });
+  }
+
+  /// What an individual perceives at this tick: its adversary, or nobody.
+  void sight(BodyIndex body, const std::optional<Sighting>& sighting, const View& view) {
+    Individual& self = individuals_[body];
+    self.adversary = sighting ? std::optional{sighting->adversary} : std::nullopt;
+    self.adversary_distance_m = sighting ? sighting->distance_m : std::numeric_limits<double>::quiet_NaN();
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
+      if constexpr (requires { policy.on_sighting(states[body], body, sighting, view); }) {
+        policy.on_sighting(states[body], body, sighting, view);
+      }
+    });
+  }
+
+  /// What its brain decides from these inputs. Throws RuleError for a tag that the brain does not list.
+  [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs) {
+    auto& own = states_.brain[body];
+    const control::Decision decision = control::ask::decide(rules_.brain, own, inputs, weights(body));
+    check_tag(tags_, decision.tag, "brain");
+    return decision;
+  }
+
+  /// Where it wants to go from now on, positive to the right.
+  void turn(BodyIndex body, double target_angle_rad) { individuals_[body].target_angle_rad = target_angle_rad; }
+  void show_tag(BodyIndex body, int tag) { individuals_[body].tag = tag; }
+  void restart_tag_clock(BodyIndex body, double time_s) { individuals_[body].tag_since_s = time_s; }
+
+  /// Who inherits a vacant body: decides between random and inherited and asks the parent rule, whose states are given. Changes
+  /// nobody.
   struct Succession {
     bool inherits = false;
     std::optional<Ancestor> parent;
   };
   template <reproduction::Parent ParentRule>
-  [[nodiscard]] Succession succession(const reproduction::Vacancy& vacancy, const ParentRule& rule, const View& view) const {
+  [[nodiscard]] Succession succession(const reproduction::Vacancy& vacancy, const ParentRule& rule,
+                                      const BodyStates<ParentRule>& states, const View& view) const {
     Rng source{seed_, Stream::genome_source, next_id_};
     Succession result{.inherits = rules_.genome_source.inherits(source), .parent = std::nullopt};
     if (result.inherits) {
       Rng rng{seed_, Stream::parent, next_id_};
-      result.parent = rule.parent(vacancy, view, rng);
+      result.parent = reproduction::ask::parent(rule, states[vacancy.body], vacancy, view, rng);
     }
     return result;
   }
 
   /// The body's occupant is gone, an offspring or a random newcomer of `species` takes over where it stands.
   void succeed(BodyIndex body, Species species, const Succession& succession, const View& view) {
-    Individual born = newborn(species, view.time_s, view.tick, individuals_[body]);
-    give_genome(born, succession.parent);
-    if (succession.inherits && !succession.parent) born.origin = rules_.genome_source.without_parent();
+    Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
+    auto genome = succession.parent ? rules_.heredity.inherit(succession.parent->genome) : nullptr;
+    bear_states(born, body, genome ? body_of(succession.parent->id) : std::nullopt);
+    if (succession.parent) {
+      descend(born, body, *succession.parent, std::move(genome));
+    } else {
+      born.genome = drawn_genome(born.id);
+      if (succession.inherits) born.origin = rules_.genome_source.without_parent();
+    }
     individuals_[body] = std::move(born);
   }
 
  private:
+  [[nodiscard]] std::span<const double> weights(BodyIndex body) const { return individuals_[body].genome->weights; }
+
+  /// Where an individual lives; none for the dead.
+  [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {
+    if constexpr (!has_states) return std::nullopt;
+    const auto found = std::ranges::find(individuals_, id, &Individual::id);
+    if (found == individuals_.end()) return std::nullopt;
+    return static_cast<BodyIndex>(found - individuals_.begin());
+  }
+
+  /// What the rules keep for a newborn.
+  void bear_states(const Individual& born, BodyIndex body, std::optional<BodyIndex> parent) {
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
+      states[body] = policy.born(born, parent ? &states[*parent] : nullptr, std::as_const(states)[body]);
+    });
+  }
+
   /// Everything of a newborn but its genome. `previous` is the body's last owner, none for a founder.
-  [[nodiscard]] Individual newborn(Species species, double time_s, std::int64_t tick, const std::optional<Individual>& previous) {
+  [[nodiscard]] Individual newborn(Species species, double time_s, std::int64_t tick, const Individual* previous) {
     Individual born;
     born.id = next_id_++;
     born.species = species;
@@ -77,45 +182,42 @@ class Population {
     born.born_s = born.age_from_s = born.tag_since_s = time_s;
     born.fed_tick = tick;
     Rng rng{seed_, Stream::newborn_tag, born.id};
-    born.tag = rules_.newborn_tag.tag(previous ? std::optional{previous->tag} : std::nullopt, rng);
+    born.tag = rules_.newborn_tag.tag(previous != nullptr ? std::optional{previous->tag} : std::nullopt, tags_, rng);
     check_tag(tags_, born.tag, "newborn_tag");
-    if (previous) {
-      born.target_angle_rad = previous->target_angle_rad;
-      born.memory = previous->memory;
-    }
+    if (previous != nullptr) born.target_angle_rad = previous->target_angle_rad;
     return born;
   }
 
   [[nodiscard]] std::shared_ptr<Genome> drawn_genome(IndividualId id) {
-    auto genome =
-        std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(rules_.brain.genome_size())});
+    const std::size_t size = rules_.brain.genome_size(Sensors::size, control::Decision::outputs);
+    auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(size)});
     Rng rng{seed_, Stream::initial_genome, id};
     rules_.initial_genome.draw(genome->weights, rng);
     return genome;
   }
 
-  /// Origin and parent of a newborn and its genome: drawn, or passed on and mutated.
-  void give_genome(Individual& born, const std::optional<Ancestor>& parent) {
-    if (!parent) {
-      born.genome = drawn_genome(born.id);
-      return;
-    }
+  /// Origin, parent and genome of a newborn that descends from somebody. `genome` is what heredity passed on, mutated here; none:
+  /// it is drawn.
+  void descend(Individual& born, BodyIndex body, const Ancestor& parent, std::shared_ptr<Genome> genome) {
     born.origin = Origin::inherited;
-    born.parent = parent->id;
-    const std::vector<double> before = parent->genome->weights;
-    born.genome = rules_.heredity.inherit(parent->genome);
-    if (!born.genome) {
+    born.parent = parent.id;
+    const std::vector<double> before = parent.genome->weights;
+    if (!genome) {
       born.genome = drawn_genome(born.id);
     } else {
-      if (born.genome != parent->genome) born.genome->id = next_genome_id_++;
+      if (genome != parent.genome) genome->id = next_genome_id_++;
       Rng rng{seed_, Stream::mutation, born.id};
-      rules_.mutation.mutate(born.genome->weights, rng);
+      auto& own = states_.mutation[body];
+      reproduction::ask::mutate(rules_.mutation, own, std::span{genome->weights}, born, rng);
+      born.genome = std::move(genome);
     }
     double sum = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i)
       sum += (born.genome->weights[i] - before[i]) * (born.genome->weights[i] - before[i]);
     born.mutation_distance = std::sqrt(sum);
   }
+
+  static constexpr bool has_states = detail::has_states<Rules>();
 
   const Policies<Rules>& rules_;
   const FoodWeb& web_;
@@ -124,6 +226,7 @@ class Population {
   IndividualId next_id_ = 0;
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;
+  RuleStates<Rules> states_;
 };
 
 }  // namespace trophic

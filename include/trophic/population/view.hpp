@@ -3,9 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -17,9 +17,6 @@
 
 namespace trophic {
 
-/// Whether the first individual can perceive the second; the Visibility rule of the run.
-using Perceives = std::function<bool(const Individual&, const Individual&)>;
-
 /// The world as rules see it at one tick. `robots` and `poses` have one element per body, in the same order. Spans refer to the
 /// ecology's own data: within a tick a view shows each birth and death as soon as it has happened.
 struct View {
@@ -30,7 +27,6 @@ struct View {
   const Arena& arena;
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
-  const Perceives& perceives;
   const SpatialGrid* grid = nullptr;  ///< over the poses; without one, searches look at everybody
 
   [[nodiscard]] std::size_t count(Species species) const {
@@ -45,15 +41,25 @@ struct View {
   /// Ticks since birth or last catch (Sec. "Predator Death").
   [[nodiscard]] std::int64_t hunger_ticks(const Individual& individual) const { return tick - individual.fed_tick; }
 
-  /// The body closest to `self` among those for which `accepts(individual)` holds, itself excluded; on equal distance the lower
-  /// index. None if nobody is accepted.
+  /// The body closest to `self` among those for which `accepts(individual)` or `accepts(body)` holds, itself excluded; on equal
+  /// distance the lower index. None if nobody is accepted.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, Accepts&& accepts) const {
-    if (grid != nullptr) return grid->closest(self, poses, [&](BodyIndex other) { return accepts(robots[other]); });
+    if constexpr (std::predicate<Accepts&, const Individual&>) {
+      return closest_body(self, [&](BodyIndex other) { return accepts(robots[other]); });
+    } else {
+      return closest_body(self, accepts);
+    }
+  }
+
+ private:
+  template <class Accepts>
+  [[nodiscard]] std::optional<BodyIndex> closest_body(BodyIndex self, Accepts&& accepts) const {
+    if (grid != nullptr) return grid->closest(self, poses, accepts);
     std::optional<BodyIndex> best;
     double best_m = std::numeric_limits<double>::infinity();
     for (BodyIndex other = 0; other < robots.size(); ++other) {
-      if (other == self || !accepts(robots[other])) continue;
+      if (other == self || !accepts(other)) continue;
       const double d = distance_m(self, other);
       if (d < best_m) {
         best_m = d;

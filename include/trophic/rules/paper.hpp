@@ -17,10 +17,11 @@
 #include <trophic/death/starvation/hungriest_unspared.hpp>
 #include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
 #include <trophic/habitat/world.hpp>
-#include <trophic/perception/blind_rule/blind_sees_nothing.hpp>
+#include <trophic/perception/blind_rule/blind_decides.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
+#include <trophic/perception/sensors/list.hpp>
 #include <trophic/perception/sensors/side_of_adversary.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_all.hpp>
 #include <trophic/perception/tag_switch/tag_cool_down.hpp>
@@ -56,10 +57,9 @@ struct Paper final {
   using NewbornTag = perception::newborn_tag::KeepsBodyTag;  // silent
 
   // Sec. "Cognitive Brain": "Inputs", "Outputs"
-  using AngleInput = perception::sensors::SideOfAdversary;
-  using DistanceInput = perception::sensors::DistanceOverTerrain;
-  using TagRatioInput = perception::sensors::TagRatioOfAll;
-  using BlindRule = perception::blind_rule::BlindSeesNothing;  // silent
+  using Sensors = perception::sensors::List<perception::sensors::SideOfAdversary, perception::sensors::DistanceOverTerrain,
+                                            perception::sensors::TagRatioOfAll>;
+  using BlindRule = perception::blind_rule::BlindDecides;  // silent
   using Brain = control::brain::CognitiveBrain;
   using DecisionOrder = control::decision_order::DecideTogether;  // silent
 
@@ -94,9 +94,9 @@ struct Paper final {
   static TableParams<Paper> params() {
     return TableParams<Paper>{
         .community = {.predators = 14},
-        .newborn_tag = {.founders_positive = true},  // silent: released code
+        .newborn_tag = {.founder_tag = 1},  // silent: released code
         .tag_switch = {.cool_down_s = 50.0},
-        .brain = {.turn_angle_rad = 0.7, .zero_turns_right = false},
+        .brain = {.turn_angle_rad = 0.7},
         .steering = {.exponent = 2.0},
         .initial_genome = {.limit = 1.0},
         .genome_source = {.random_share = 1.0 / 3.0},

@@ -4,13 +4,14 @@
 
 #include <numbers>
 #include <string_view>
+#include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/control/decision_order/decide_in_turn.hpp>
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/capture/catch_closest.hpp>
 #include <trophic/death/reprieve/near_remembered_adversary.hpp>
 #include <trophic/death/starvation/hungriest_unspared_else_hungriest.hpp>
 #include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
-#include <trophic/perception/blind_rule/blind_keeps_outputs.hpp>
+#include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/side_away_from_hunter.hpp>
@@ -45,11 +46,10 @@ struct Released final {
   using TagSwitch = perception::tag_switch::TagSampling;
   using NewbornTag = perception::newborn_tag::KeepsBodyTag;
 
-  using AngleInput = perception::sensors::SideAwayFromHunter;
-  using DistanceInput = perception::sensors::DistanceOverScale;
-  using TagRatioInput = perception::sensors::TagRatioOfActive;
-  using BlindRule = perception::blind_rule::BlindKeepsOutputs;
-  using Brain = control::brain::CognitiveBrain;
+  using Sensors = perception::sensors::List<perception::sensors::SideAwayFromHunter, perception::sensors::DistanceOverScale,
+                                            perception::sensors::TagRatioOfActive>;
+  using BlindRule = perception::blind_rule::BlindKeepsDecision;
+  using Brain = control::brain::CognitiveBrainZeroRight;
   using DecisionOrder = control::decision_order::DecideInTurn;
 
   using Heading = perception::heading::RootYawHeading;
@@ -79,10 +79,10 @@ struct Released final {
     return TableParams<Released>{
         .community = {.predators = 14},
         .placement = {.half_extent_m = 9.0, .heading_rad = -0.75 * std::numbers::pi},
-        .distance_input = {.full_scale_m = 20.0},
-        .newborn_tag = {.founders_positive = true},
+        .sensors = {{}, {{.full_scale_m = 20.0}}, {}},
+        .newborn_tag = {.founder_tag = 1},
         .tag_switch = {.period_s = 100.0},
-        .brain = {.turn_angle_rad = 0.7, .zero_turns_right = true},
+        .brain = {.turn_angle_rad = 0.7},
         .steering = {.exponent = 2.0},
         .initial_genome = {.limit = 1.0},
         .genome_source = {.random_share = 0.34},

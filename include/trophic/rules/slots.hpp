@@ -37,9 +37,7 @@
   SLOT(Placement, placement, placement, Placement)                         \
   SLOT(Heading, heading, perception, Heading)                              \
   SLOT(Visibility, visibility, perception, Visibility)                     \
-  SLOT(AngleInput, angle_input, perception, SightingInput)                 \
-  SLOT(DistanceInput, distance_input, perception, SightingInput)           \
-  SLOT(TagRatioInput, tag_ratio_input, perception, PopulationInput)        \
+  SLOT(Sensors, sensors, perception, SensorList)                           \
   SLOT(BlindRule, blind_rule, perception, BlindRule)                       \
   SLOT(NewbornTag, newborn_tag, perception, NewbornTag)                    \
   SLOT(TagSwitch, tag_switch, perception, TagSwitch)                       \

@@ -6,9 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <trophic/params/policy.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/params.hpp>
-#include <trophic/rules/policy.hpp>
 #include <trophic/rules/slots.hpp>
 #include <type_traits>
 

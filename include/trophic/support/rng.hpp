@@ -29,6 +29,8 @@ enum class Stream : std::uint64_t {
   gait_founder,
   gait_selection,
   gait_variation,
+  visibility,
+  sensors,
   user = 1'000'000,  ///< first number free for a user's own rules
 };
 
@@ -45,8 +47,9 @@ namespace detail {
 /// those of <random> differ between standard libraries. Cheap to make, copy and throw away. Not for cryptography.
 class Rng {
  public:
-  Rng(std::uint64_t seed, Stream purpose, std::uint64_t individual = 0, std::uint64_t event = 0)
-      : key_{seed, static_cast<std::uint64_t>(purpose)}, counter_{0, individual, event, 0} {}
+  /// `other` tells streams of one individual and event apart: whom it looks at, which of its sensors.
+  Rng(std::uint64_t seed, Stream purpose, std::uint64_t individual = 0, std::uint64_t event = 0, std::uint64_t other = 0)
+      : key_{seed, static_cast<std::uint64_t>(purpose)}, counter_{0, individual, event, other} {}
 
   /// 64 random bits.
   std::uint64_t bits() {

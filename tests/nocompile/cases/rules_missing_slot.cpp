@@ -13,9 +13,7 @@ struct Table final {
   using Placement = P::Placement;
   using Heading = P::Heading;
   using Visibility = P::Visibility;
-  using AngleInput = P::AngleInput;
-  using DistanceInput = P::DistanceInput;
-  using TagRatioInput = P::TagRatioInput;
+  using Sensors = P::Sensors;
   using BlindRule = P::BlindRule;
   using NewbornTag = P::NewbornTag;
   using TagSwitch = P::TagSwitch;

@@ -2,44 +2,48 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <trophic/control/brain/cognitive_brain.hpp>
+#include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/support/rng.hpp>
 #include <utility>
 #include <vector>
 
 using namespace trophic;
 using control::brain::CognitiveBrain;
-using perception::BrainInputs;
+using control::brain::CognitiveBrainZeroRight;
 
 namespace {
 
 /// A genome of zeros but for these weights.
 std::vector<double> genome(std::initializer_list<std::pair<std::size_t, double>> weights) {
-  std::vector<double> result(CognitiveBrain{}.genome_size(), 0.0);
+  std::vector<double> result(CognitiveBrain{}.genome_size(3, 2), 0.0);
   for (const auto& [index, weight] : weights) result.at(index) = weight;
   return result;
 }
 
 constexpr std::size_t output_weight = 9;
 
+constexpr std::array nothing{0.0, 0.0, 0.0};
+
 }  // namespace
 
-TEST_CASE("cognitive brain: 3-3-2 without biases has 15 weights and two tags") {
-  CHECK(CognitiveBrain{}.genome_size() == 15);
+TEST_CASE("cognitive brain: 3-3-2 without biases has 15 weights, each other input three more, and there are two tags") {
+  CHECK(CognitiveBrain{}.genome_size(3, 2) == 15);
+  CHECK(CognitiveBrain{}.genome_size(5, 2) == 21);
   CHECK(CognitiveBrain{}.tags() == std::vector<int>{-1, 1});
 }
 
 TEST_CASE("cognitive brain: each weight where the genome's layout puts it") {
   const CognitiveBrain brain;
-  const BrainInputs in{.angle = -1.0, .distance = 0.25, .tag_ratio = 0.5};
-  const double inputs[3] = {-1.0, 0.25, 0.5};
+  const std::array inputs{-1.0, 0.25, 0.5};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       const auto out =
-          brain.outputs(in, genome({{3 * row + column, 0.8}, {output_weight + row, 1.0}, {output_weight + 3 + row, -2.0}}));
+          brain.outputs(inputs, genome({{3 * row + column, 0.8}, {output_weight + row, 1.0}, {output_weight + 3 + row, -2.0}}));
       const double hidden = std::tanh(0.8 * inputs[column]);
       CHECK(out[0] == doctest::Approx(std::tanh(hidden)).epsilon(1e-15));
       CHECK(out[1] == doctest::Approx(std::tanh(-2.0 * hidden)).epsilon(1e-15));
@@ -56,7 +60,7 @@ TEST_CASE("cognitive brain: a whole network, computed by hand") {
                                {output_weight + 2, -1.0},
                                {output_weight + 3, 1.0},
                                {output_weight + 5, 2.0}});
-  const auto out = CognitiveBrain{}.outputs({.angle = 1.0, .distance = 0.2, .tag_ratio = -0.5}, weights);
+  const auto out = CognitiveBrain{}.outputs(std::array{1.0, 0.2, -0.5}, weights);
   CHECK(out[0] == doctest::Approx(0.5353572942).epsilon(1e-9));
   CHECK(out[1] == doctest::Approx(0.3848567272).epsilon(1e-9));
 }
@@ -64,7 +68,7 @@ TEST_CASE("cognitive brain: a whole network, computed by hand") {
 TEST_CASE("cognitive brain: the signs of the outputs decide") {
   const CognitiveBrain brain;
   const auto decide = [&](double angle_weight, double tag_weight) {
-    return brain.decide({.angle = 1.0, .distance = 0.0, .tag_ratio = 0.0},
+    return brain.decide(std::array{1.0, 0.0, 0.0},
                         genome({{0, 1.0}, {output_weight, angle_weight}, {output_weight + 3, tag_weight}}));
   };
   CHECK(decide(0.1, 0.1).target_angle_rad == 0.7);
@@ -76,22 +80,30 @@ TEST_CASE("cognitive brain: the signs of the outputs decide") {
 }
 
 TEST_CASE("cognitive brain: outputs of 0, as of inputs of 0, turn left, or right where they count as positive, and show -1") {
-  CHECK(CognitiveBrain{}.decide({}, genome({{0, 1.0}, {output_weight, 1.0}})).target_angle_rad == -0.7);
-  CHECK(CognitiveBrain{{.zero_turns_right = true}}.decide({}, genome({})).target_angle_rad == 0.7);
-  CHECK(CognitiveBrain{}.decide({}, genome({})).tag == -1);
-  CHECK(CognitiveBrain{{.zero_turns_right = true}}.decide({}, genome({})).tag == -1);
+  CHECK(CognitiveBrain{}.decide(nothing, genome({{0, 1.0}, {output_weight, 1.0}})).target_angle_rad == -0.7);
+  CHECK(CognitiveBrainZeroRight{}.decide(nothing, genome({})).target_angle_rad == 0.7);
+  CHECK(CognitiveBrain{}.decide(nothing, genome({})).tag == -1);
+  CHECK(CognitiveBrainZeroRight{}.decide(nothing, genome({})).tag == -1);
 }
 
 TEST_CASE("cognitive brain: without biases the network is odd, so an adversary on the other side turns the robot the other way") {
   CHECK(rc::check([](std::uint64_t seed) {
     Rng rng{seed, Stream::user};
     const CognitiveBrain brain;
-    std::vector<double> weights(brain.genome_size());
+    std::vector<double> weights(brain.genome_size(3, 2));
     for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
-    const BrainInputs in{.angle = rng.uniform(-1, 1), .distance = rng.uniform(-1, 1), .tag_ratio = rng.uniform(-0.5, 0.5)};
-    const auto out = brain.outputs(in, weights);
+    const std::array inputs{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-0.5, 0.5)};
+    const auto out = brain.outputs(inputs, weights);
     RC_ASSERT((std::abs(out[0]) <= 1.0 && std::abs(out[1]) <= 1.0));
-    const auto mirrored = brain.outputs({-in.angle, -in.distance, -in.tag_ratio}, weights);
+    const auto mirrored = brain.outputs(std::array{-inputs[0], -inputs[1], -inputs[2]}, weights);
     RC_ASSERT((mirrored[0] == -out[0] && mirrored[1] == -out[1]));
   }));
+}
+
+TEST_CASE("cognitive brain: the brain with biases turns the same way at zero, and each of the four has its name") {
+  CHECK(CognitiveBrain::name == "cognitive_brain");
+  CHECK(CognitiveBrainZeroRight::name == "cognitive_brain_zero_right");
+  CHECK(CognitiveBrain::WithBiases::name == "cognitive_brain_with_biases");
+  CHECK(CognitiveBrainZeroRight::WithBiases::name == "cognitive_brain_zero_right_with_biases");
+  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, std::vector<double>(20)).target_angle_rad == 0.7);
 }

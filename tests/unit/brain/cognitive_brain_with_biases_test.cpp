@@ -2,22 +2,24 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;
 using control::brain::CognitiveBrainWithBiases;
-using perception::BrainInputs;
+using control::brain::CognitiveBrainZeroRight;
 
 namespace {
 
 /// A genome of zeros but for these weights.
 std::vector<double> genome(std::initializer_list<std::pair<std::size_t, double>> weights) {
-  std::vector<double> result(CognitiveBrainWithBiases{}.genome_size(), 0.0);
+  std::vector<double> result(CognitiveBrainWithBiases{}.genome_size(3, 2), 0.0);
   for (const auto& [index, weight] : weights) result.at(index) = weight;
   return result;
 }
@@ -26,29 +28,30 @@ constexpr std::size_t hidden_bias = 9;
 constexpr std::size_t output_weight = 12;
 constexpr std::size_t output_bias = 18;
 
+constexpr std::array nothing{0.0, 0.0, 0.0};
+
 }  // namespace
 
 TEST_CASE("cognitive brain with biases: 3-3-2 has 20 weights") {
-  CHECK(CognitiveBrainWithBiases{}.genome_size() == 20);
+  CHECK(CognitiveBrainWithBiases{}.genome_size(3, 2) == 20);
 }
 
 TEST_CASE("cognitive brain with biases: each weight where the genome's layout puts it") {
   const CognitiveBrainWithBiases brain;
-  const BrainInputs in{.angle = -1.0, .distance = 0.25, .tag_ratio = 0.5};
-  const double inputs[3] = {-1.0, 0.25, 0.5};
+  const std::array inputs{-1.0, 0.25, 0.5};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       const auto out =
-          brain.outputs(in, genome({{3 * row + column, 0.8}, {output_weight + row, 1.0}, {output_weight + 3 + row, -2.0}}));
+          brain.outputs(inputs, genome({{3 * row + column, 0.8}, {output_weight + row, 1.0}, {output_weight + 3 + row, -2.0}}));
       const double hidden = std::tanh(0.8 * inputs[column]);
       CHECK(out[0] == doctest::Approx(std::tanh(hidden)).epsilon(1e-15));
       CHECK(out[1] == doctest::Approx(std::tanh(-2.0 * hidden)).epsilon(1e-15));
     }
-    const auto out = brain.outputs(in, genome({{hidden_bias + row, 0.3}, {output_weight + row, 1.0}}));
+    const auto out = brain.outputs(inputs, genome({{hidden_bias + row, 0.3}, {output_weight + row, 1.0}}));
     CHECK(out[0] == doctest::Approx(std::tanh(std::tanh(0.3))).epsilon(1e-15));
     CHECK(out[1] == 0.0);
   }
-  const auto out = brain.outputs(in, genome({{output_bias, 0.4}, {output_bias + 1, -0.6}}));
+  const auto out = brain.outputs(inputs, genome({{output_bias, 0.4}, {output_bias + 1, -0.6}}));
   CHECK(out[0] == doctest::Approx(std::tanh(0.4)).epsilon(1e-15));
   CHECK(out[1] == doctest::Approx(std::tanh(-0.6)).epsilon(1e-15));
 }
@@ -64,7 +67,7 @@ TEST_CASE("cognitive brain with biases: a whole network, computed by hand") {
                                {output_bias, -0.1},
                                {output_weight + 3, 1.0},
                                {output_weight + 5, 2.0}});
-  const auto out = CognitiveBrainWithBiases{}.outputs({.angle = 1.0, .distance = 0.2, .tag_ratio = -0.5}, weights);
+  const auto out = CognitiveBrainWithBiases{}.outputs(std::array{1.0, 0.2, -0.5}, weights);
   CHECK(out[0] == doctest::Approx(0.4732132060).epsilon(1e-9));
   CHECK(out[1] == doctest::Approx(0.4127355303).epsilon(1e-9));
 }
@@ -72,7 +75,7 @@ TEST_CASE("cognitive brain with biases: a whole network, computed by hand") {
 TEST_CASE("cognitive brain with biases: the signs of the outputs decide") {
   const CognitiveBrainWithBiases brain;
   const auto decide = [&](double angle_output, double tag_output) {
-    return brain.decide({}, genome({{output_bias, angle_output}, {output_bias + 1, tag_output}}));
+    return brain.decide(nothing, genome({{output_bias, angle_output}, {output_bias + 1, tag_output}}));
   };
   CHECK(decide(0.1, 0.1).target_angle_rad == 0.7);
   CHECK(decide(0.1, 0.1).tag == 1);
@@ -85,30 +88,31 @@ TEST_CASE("cognitive brain with biases: the signs of the outputs decide") {
 TEST_CASE(
     "cognitive brain with biases: an angle output of 0 turns left, or right where it counts as positive, a tag output of 0 shows "
     "-1") {
-  CHECK(CognitiveBrainWithBiases{}.decide({}, genome({})).target_angle_rad == -0.7);
-  CHECK(CognitiveBrainWithBiases{{.zero_turns_right = true}}.decide({}, genome({})).target_angle_rad == 0.7);
-  CHECK(CognitiveBrainWithBiases{{.zero_turns_right = true}}.decide({}, genome({{output_bias, -1e-9}})).target_angle_rad == -0.7);
-  CHECK(CognitiveBrainWithBiases{}.decide({}, genome({})).tag == -1);
-  CHECK(CognitiveBrainWithBiases{{.zero_turns_right = true}}.decide({}, genome({})).tag == -1);
+  CHECK(CognitiveBrainWithBiases{}.decide(nothing, genome({})).target_angle_rad == -0.7);
+  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, genome({})).target_angle_rad == 0.7);
+  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, genome({{output_bias, -1e-9}})).target_angle_rad == -0.7);
+  CHECK(CognitiveBrainWithBiases{}.decide(nothing, genome({})).tag == -1);
+  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, genome({})).tag == -1);
 }
 
 TEST_CASE("cognitive brain with biases: another size of the turn") {
-  CHECK(CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide({}, genome({{output_bias, 1.0}})).target_angle_rad == 0.2);
-  CHECK(CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide({}, genome({{output_bias, -1.0}})).target_angle_rad == -0.2);
+  CHECK(CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide(nothing, genome({{output_bias, 1.0}})).target_angle_rad == 0.2);
+  CHECK(CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide(nothing, genome({{output_bias, -1.0}})).target_angle_rad ==
+        -0.2);
 }
 
 TEST_CASE("cognitive brain with biases: outputs lie within +-1 and are odd in everything but the biases' sign") {
   CHECK(rc::check([](std::uint64_t seed) {
     Rng rng{seed, Stream::user};
     const CognitiveBrainWithBiases brain;
-    std::vector<double> weights(brain.genome_size());
+    std::vector<double> weights(brain.genome_size(3, 2));
     for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
-    const BrainInputs in{.angle = rng.uniform(-1, 1), .distance = rng.uniform(-1, 1), .tag_ratio = rng.uniform(-0.5, 0.5)};
-    const auto out = brain.outputs(in, weights);
+    const std::array inputs{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-0.5, 0.5)};
+    const auto out = brain.outputs(inputs, weights);
     RC_ASSERT((std::abs(out[0]) <= 1.0 && std::abs(out[1]) <= 1.0));
     // mirrored inputs with mirrored biases give mirrored outputs
     for (std::size_t i : {hidden_bias, hidden_bias + 1, hidden_bias + 2, output_bias, output_bias + 1}) weights[i] = -weights[i];
-    const auto mirrored = brain.outputs({-in.angle, -in.distance, -in.tag_ratio}, weights);
+    const auto mirrored = brain.outputs(std::array{-inputs[0], -inputs[1], -inputs[2]}, weights);
     RC_ASSERT((mirrored[0] == -out[0] && mirrored[1] == -out[1]));
   }));
 }

@@ -2,9 +2,11 @@
 // The order within a tick and what each step does, on scenes of a few robots that stand still.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -14,12 +16,16 @@
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/control/decision_order/decide_in_turn.hpp>
+#include <trophic/death/reprieve/near_remembered_adversary.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/load/habitat.hpp>
-#include <trophic/perception/blind_rule/blind_keeps_outputs.hpp>
+#include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
+#include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
+#include <trophic/reproduction/parent/last_killer.hpp>
+#include <trophic/reproduction/parent/last_seen_victim.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/rule_error.hpp>
@@ -53,9 +59,9 @@ struct Chain {
 /// A brain that always turns right and wants tag -1.
 struct AlwaysMinus {
   static constexpr std::string_view name = "always_minus";
-  [[nodiscard]] std::size_t genome_size() const { return 1; }
+  [[nodiscard]] std::size_t genome_size(std::size_t, std::size_t) const { return 1; }
   [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
-  [[nodiscard]] control::Decision decide(const perception::BrainInputs&, std::span<const double>) const {
+  [[nodiscard]] control::Decision decide(std::span<const double>, std::span<const double>) const {
     return {.target_angle_rad = 0.7, .tag = -1};
   }
 };
@@ -122,7 +128,9 @@ TEST_CASE("ecology: starvation, then rescue, then perception in the same tick") 
   struct Perception {
     void on_tick(const View& view) {
       for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-        const auto seen = perception::adversary(body, view);  // no tag may change before 50 s
+        const auto seen = perception::adversary(body, view, [&](BodyIndex self, BodyIndex other) {
+          return view.robots[self].tag == view.robots[other].tag && view.robots[other].active;
+        });  // no tag may change before 50 s
         CHECK(view.robots[body].adversary == (seen ? std::optional{seen->adversary} : std::nullopt));
       }
     }
@@ -141,24 +149,26 @@ TEST_CASE("ecology: starvation, then rescue, then perception in the same tick") 
 }
 
 TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's body") {
-  auto params = scene<with_mutation<Scene, reproduction::mutation::NormalMutation>>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
+  using Rules =
+      with_rescue_parent<with_starvation_parent<Scene, reproduction::parent::LastSeenVictim>, reproduction::parent::LastKiller>;
+  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
   params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   params.rules.capture.reach_m = 7.6;
   Places::poses = {{.x_m = 8.0}, {.x_m = 0.5}, {.x_m = 0.5}};
   params.rules.activation.distance_m = 0.2;  // body 1 stands on the predator and stays inactive
-  Kinematics<with_mutation<Scene, reproduction::mutation::NormalMutation>> ecology{params};
+  Kinematics<Rules> ecology{params};
   ecology.run_until(0.0);
   const auto robots = ecology.view().robots;
   CHECK(robots[0].parent == 2);
   CHECK(robots[0].species == 1);
-  REQUIRE(robots[0].memory.last_killer);
-  CHECK(robots[0].memory.last_killer->id == 2);
+  REQUIRE(ecology.states().rescue_parent[0].killer);
+  CHECK(ecology.states().rescue_parent[0].killer->id == 2);
   CHECK(robots[1].id == 1);
   CHECK_FALSE(robots[1].active);
   CHECK(robots[2].fed_tick == 0);
-  CHECK_FALSE(robots[2].memory.last_seen_body);
-  CHECK_FALSE(robots[2].memory.last_seen_victim);
+  CHECK_FALSE(ecology.states().starvation_parent[2].body);
+  CHECK_FALSE(ecology.states().starvation_parent[2].victim);
 }
 
 namespace {
@@ -176,9 +186,9 @@ struct Scripted {
 struct ScriptedTags {
   static constexpr std::string_view name = "scripted_tags";
   static inline std::vector<int> listed;
-  [[nodiscard]] std::size_t genome_size() const { return 1; }
+  [[nodiscard]] std::size_t genome_size(std::size_t, std::size_t) const { return 1; }
   [[nodiscard]] std::vector<int> tags() const { return listed; }
-  [[nodiscard]] control::Decision decide(const perception::BrainInputs&, std::span<const double>) const {
+  [[nodiscard]] control::Decision decide(std::span<const double>, std::span<const double>) const {
     return {.target_angle_rad = 0.7, .tag = 1};
   }
 };
@@ -186,7 +196,7 @@ struct ScriptedTags {
 struct ScriptedTag {
   static constexpr std::string_view name = "scripted_tag";
   static inline int given = 1;
-  [[nodiscard]] int tag(std::optional<int>, Rng&) const { return given; }
+  [[nodiscard]] int tag(std::optional<int>, std::span<const int>, Rng&) const { return given; }
 };
 
 /// The sentence of the RuleError that `act` ends with; empty if it does not.
@@ -214,6 +224,43 @@ TEST_CASE("ecology: the tags that the brain lists are told, and refused before t
   CHECK(Kinematics<Rules>{params}.describe(1.0).tags == std::vector<int>{1, -1});
   CHECK(made_with({}) == "the policy in rules.brain returned no tags(): must list every tag that it may choose");
   CHECK(made_with({1, -1, 1}) == "the policy in rules.brain returned tags() with 1 twice: must list each tag once");
+}
+
+namespace {
+
+/// Wants each of three tags in turn, by the sign of nothing but its first weight and the tag ratio.
+struct ThreeTags {
+  static constexpr std::string_view name = "three_tags";
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t) const { return inputs; }
+  [[nodiscard]] std::vector<int> tags() const { return {5, 6, 7}; }
+  [[nodiscard]] control::Decision decide(std::span<const double> inputs, std::span<const double> weights) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) sum += inputs[i] * weights[i];
+    return {.target_angle_rad = sum, .tag = sum < -0.3 ? 5 : sum < 0.3 ? 6 : 7};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("ecology: a brain may list three tags") {
+  using Rules = with_newborn_tag<with_brain<rules::Paper, ThreeTags>, perception::newborn_tag::RandomTag>;
+  struct Tags {
+    void on_tick(const View& view) {
+      for (const Individual& one : view.robots) {
+        ++shown[one.tag];
+        if (one.adversary) CHECK((one.tag >= 5 && one.tag <= 7));
+      }
+    }
+    std::map<int, std::size_t> shown;
+  } tags;
+  Kinematics<Rules> ecology{{.seed = 3}};
+  test::Recorder recorder;
+  ecology.run_until(300.0, tags, recorder);
+  REQUIRE(tags.shown.size() == 3);
+  for (const int tag : {5, 6, 7}) CHECK(tags.shown[tag] > 100);
+  CHECK(
+      std::ranges::any_of(recorder.events, [](const std::string& line) { return line.find("tag_switch") != std::string::npos; }));
+  CHECK(ecology.describe(1.0).tags == std::vector<int>{5, 6, 7});
 }
 
 TEST_CASE("ecology: a body is caught once in a tick, whatever the policy returns") {
@@ -293,17 +340,18 @@ TEST_CASE("ecology: the floor stops sacrifices") {
 }
 
 TEST_CASE("ecology: everybody perceives the same moment, before the first tag changes") {
-  using Rules = with_brain<Scene, AlwaysMinus>;
+  using Rules = with_reprieve<with_brain<Scene, AlwaysMinus>, death::reprieve::NearRememberedAdversary>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
   Kinematics<Rules> ecology{params};
   test::Recorder recorder;
   ecology.run_until(0.0, recorder);
-  for (const Individual& individual : ecology.view().robots) {
+  for (BodyIndex body = 0; body < 2; ++body) {
+    const Individual& individual = ecology.view().robots[body];
     CHECK(individual.adversary);
     CHECK(individual.adversary_distance_m == 3.0);
-    CHECK(individual.memory.adversary_distance_m == 3.0);
+    CHECK(ecology.states().reprieve[body].adversary_distance_m == 3.0);
     CHECK(individual.tag == -1);
   }
   const Lines lines = at_tick(0, recorder.events);
@@ -361,7 +409,8 @@ TEST_CASE("ecology: the heading that rules see is the table's") {
 }
 
 TEST_CASE("ecology: a remembered prey is renewed only when another body becomes the closest") {
-  using Rules = with_senescence<Scene, death::senescence::OldAge>;
+  using Ageing = with_senescence<Scene, death::senescence::OldAge>;
+  using Rules = with_starvation_parent<Ageing, reproduction::parent::LastSeenVictim>;
   auto params = scene<Rules>({{.x_m = 3.0}, {.x_m = 0.0}});
   params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
@@ -372,9 +421,9 @@ TEST_CASE("ecology: a remembered prey is renewed only when another body becomes 
   const auto robots = ecology.view().robots;
   CHECK(robots[0].id == 2);  // reborn at tick 10, seen again from tick 11 on
   CHECK(robots[1].adversary == 0);
-  CHECK(robots[1].memory.last_seen_body == 0);
-  REQUIRE(robots[1].memory.last_seen_victim);
-  CHECK(robots[1].memory.last_seen_victim->id == 0);
+  CHECK(ecology.states().starvation_parent[1].body == 0);
+  REQUIRE(ecology.states().starvation_parent[1].victim);
+  CHECK(ecology.states().starvation_parent[1].victim->id == 0);
 }
 
 TEST_CASE("ecology: without adversary the brain decides or keeps still, by the rule") {
@@ -386,7 +435,7 @@ TEST_CASE("ecology: without adversary the brain decides or keeps still, by the r
   CHECK_FALSE(asked.view().robots[0].adversary);
   CHECK(std::isnan(asked.view().robots[0].adversary_distance_m));
 
-  using Keeps = with_blind_rule<Scene, perception::blind_rule::BlindKeepsOutputs>;
+  using Keeps = with_blind_rule<Scene, perception::blind_rule::BlindKeepsDecision>;
   auto keeps_params = scene<Keeps>({{.x_m = 0.0}});
   keeps_params.rules.community.predators = 0;
   Kinematics<Keeps> kept{keeps_params};

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <trophic/habitat/world.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/load/habitat.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <vector>

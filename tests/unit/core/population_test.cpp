@@ -35,19 +35,17 @@ struct Row {
             .web = web,
             .arena = arena,
             .robots = population.individuals(),
-            .poses = poses,
-            .perceives = perceives};
+            .poses = poses};
   }
   /// The predator in body 2 catches the prey in body 0.
   void catch_first(std::int64_t tick) {
-    const auto succession =
-        population.succession({.body = 0, .cause = Cause::caught, .killer = 2}, reproduction::parent::Killer{}, view(tick));
+    const auto succession = population.succession({.body = 0, .cause = Cause::caught, .killer = 2}, policies.capture_parent,
+                                                  population.states().capture_parent, view(tick));
     population.succeed(0, predator, succession, view(tick));
   }
 
   FoodWeb web = test::predator_prey_web();
   Arena arena{};
-  Perceives perceives = [](const Individual&, const Individual&) { return true; };
   Policies<Rules> policies;
   Population<Rules> population;
   std::vector<GroundPose> poses;
@@ -157,7 +155,7 @@ TEST_CASE("population: a random newcomer has a genome of its own and no parent")
 TEST_CASE("population: who should inherit but finds no parent is random, labelled as the rule says") {
   const auto orphan = [](auto row) {
     const reproduction::Vacancy vacancy{.body = 2, .cause = Cause::starved, .killer = {}};
-    const auto succession = row.population.succession(vacancy, reproduction::parent::NoParent{}, row.view(3));
+    const auto succession = row.population.succession(vacancy, reproduction::parent::NoParent{}, {}, row.view(3));
     CHECK(succession.inherits);
     CHECK_FALSE(succession.parent);
     row.population.succeed(2, prey, succession, row.view(3));
@@ -169,14 +167,12 @@ TEST_CASE("population: who should inherit but finds no parent is random, labelle
   CHECK(orphan(Row<rules::Released>{inheriting<rules::Released>(0.0)}) == Origin::inherited);
 }
 
-TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag, direction and memory") {
+TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag and direction") {
   Row<rules::Paper> row;
-  row.population[2].tag = -1;
-  row.population[2].tag_since_s = 3.0;
-  row.population[2].target_angle_rad = -0.7;
-  row.population[2].adversary = 1;
-  row.population[2].memory.adversary_distance_m = 2.5;
-  row.population[2].memory.last_killer = test::ancestor(77, predator);
+  row.population.show_tag(2, -1);
+  row.population.restart_tag_clock(2, 3.0);
+  row.population.turn(2, -0.7);
+  row.population.sight(2, Sighting{.self = 2, .adversary = 1, .distance_m = 1.0}, row.view(20));
   row.population.succeed(2, prey, {.inherits = false, .parent = {}}, row.view(21));
   const Individual& born = row.population[2];
   CHECK(born.born_s == 42.0);
@@ -187,16 +183,40 @@ TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag, di
   CHECK(born.tag == -1);
   CHECK(born.target_angle_rad == -0.7);
   CHECK_FALSE(born.adversary);
-  CHECK(born.memory.adversary_distance_m == 2.5);
-  REQUIRE(born.memory.last_killer);
-  CHECK(born.memory.last_killer->id == 77);
+  CHECK(std::isnan(born.adversary_distance_m));
+}
+
+TEST_CASE("population: each named change changes what it says and nothing else") {
+  Row<rules::Paper> row;
+  row.population.activate(0, 8.0, false);
+  row.population.activate(1, 8.0, true);
+  CHECK(row.population[0].active);
+  CHECK(row.population[0].age_from_s == 0.0);
+  CHECK(row.population[1].age_from_s == 8.0);
+  CHECK(row.population[1].born_s == 0.0);
+  row.population.feed(2, 0, row.view(9));
+  CHECK(row.population[2].fed_tick == 9);
+  CHECK(row.population[0].fed_tick == 0);
+  row.population.sight(3, Sighting{.self = 3, .adversary = 1, .distance_m = 2.0}, row.view(9));
+  CHECK(row.population[3].adversary == 1);
+  CHECK(row.population[3].adversary_distance_m == 2.0);
+  row.population.sight(3, std::nullopt, row.view(10));
+  CHECK_FALSE(row.population[3].adversary);
+  CHECK(std::isnan(row.population[3].adversary_distance_m));
+  row.population.turn(3, 0.4);
+  row.population.show_tag(3, -1);
+  row.population.restart_tag_clock(3, 20.0);
+  CHECK(row.population[3].target_angle_rad == 0.4);
+  CHECK(row.population[3].tag == -1);
+  CHECK(row.population[3].tag_since_s == 20.0);
+  CHECK(row.population[3].id == 3);
 }
 
 TEST_CASE("population: succession changes nobody and gives the same answer again") {
   Row<rules::Paper> row;
   const reproduction::Vacancy vacancy{.body = 0, .cause = Cause::caught, .killer = 3};
-  const auto first = row.population.succession(vacancy, reproduction::parent::Killer{}, row.view(1));
-  const auto second = row.population.succession(vacancy, reproduction::parent::Killer{}, row.view(1));
+  const auto first = row.population.succession(vacancy, reproduction::parent::Killer{}, {}, row.view(1));
+  const auto second = row.population.succession(vacancy, reproduction::parent::Killer{}, {}, row.view(1));
   CHECK(first.inherits == second.inherits);
   CHECK(row.population.next_id() == 4);
   CHECK(row.population[0].id == 0);

@@ -30,8 +30,8 @@ struct WastefulPlacement : placement::UniformSquare {
   }
 };
 struct WastefulTag : perception::newborn_tag::RandomTag {
-  [[nodiscard]] int tag(std::optional<int> body_tag, Rng& rng) const {
-    const int drawn = RandomTag::tag(body_tag, rng);
+  [[nodiscard]] int tag(std::optional<int> body_tag, std::span<const int> tags, Rng& rng) const {
+    const int drawn = RandomTag::tag(body_tag, tags, rng);
     draw_three(rng);
     return drawn;
   }
@@ -50,8 +50,8 @@ struct WastefulSource : reproduction::genome_source::RandomOrInherited {
   }
 };
 struct WastefulMutation : reproduction::mutation::NormalMutation {
-  void mutate(std::span<double> weights, Rng& rng) const {
-    NormalMutation::mutate(weights, rng);
+  void mutate(std::span<double> weights, const Individual& offspring, Rng& rng) const {
+    NormalMutation::mutate(weights, offspring, rng);
     draw_three(rng);
   }
 };
@@ -77,20 +77,37 @@ struct WastefulParent : reproduction::parent::NearestVictim {
 };
 /// Draws three numbers first, so that its own mutations are others.
 struct OtherMutation : reproduction::mutation::NormalMutation {
-  void mutate(std::span<double> weights, Rng& rng) const {
+  void mutate(std::span<double> weights, const Individual& offspring, Rng& rng) const {
     draw_three(rng);
-    NormalMutation::mutate(weights, rng);
+    NormalMutation::mutate(weights, offspring, rng);
+  }
+};
+
+/// Sees seven of ten of its tag.
+struct Haze : perception::visibility::SameTag {
+  static constexpr std::string_view name = "haze";
+  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng& rng) const {
+    return rng.chance(0.7) && SameTag::perceives(self, other, view, rng);
+  }
+};
+struct WastefulHaze : Haze {
+  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng& rng) const {
+    const bool seen = Haze::perceives(self, other, view, rng);
+    draw_three(rng);
+    return seen;
   }
 };
 
 /// Paper with every rule that draws random numbers doing so at each chance.
-using Frugal =
+using Frugal = with_visibility<
     with_placement<with_newborn_tag<with_capture<rules::Paper, death::capture::CatchClosest>, perception::newborn_tag::RandomTag>,
-                   placement::UniformSquare>;
+                   placement::UniformSquare>,
+    Haze>;
 
-using WastefulLife =
+using WastefulLife = with_visibility<
     with_placement<with_newborn_tag<with_capture<with_rescue<rules::Paper, WastefulRescue>, WastefulCapture>, WastefulTag>,
-                   WastefulPlacement>;
+                   WastefulPlacement>,
+    WastefulHaze>;
 using Wasteful = with_initial_genome<
     with_genome_source<with_starvation_parent<with_mutation<WastefulLife, WastefulMutation>, WastefulParent>, WastefulSource>,
     WastefulWeights>;
@@ -134,4 +151,30 @@ TEST_CASE("random streams: other mutations change nothing of what else is drawn 
   const auto head = [](const std::string& line) { return line.substr(0, line.find(" ", line.find("parent ") + 7)); };
   CHECK(head(frugal.all[first]) == head(other.all[first]));
   CHECK(frugal.all[first] != other.all[first]);
+}
+
+TEST_CASE("random streams: whom a hazy robot sees depends on the two and the tick, in whatever order robots are searched") {
+  using Rules = with_visibility<rules::Paper, Haze>;
+  struct Check {
+    void on_tick(const View& view) {
+      for (BodyIndex self = 0; self < view.robots.size(); ++self) {
+        std::optional<BodyIndex> closest;
+        for (BodyIndex other = 0; other < view.robots.size(); ++other) {
+          Rng rng{12, Stream::visibility, view.robots[self].id, static_cast<std::uint64_t>(view.tick), view.robots[other].id};
+          if (!view.web.opponents(view.robots[self].species, view.robots[other].species)) continue;
+          if (!Haze{}.perceives(self, other, view, rng)) continue;
+          if (!closest || view.distance_m(self, other) < view.distance_m(self, *closest)) closest = other;
+        }
+        CHECK(view.robots[self].adversary == closest);
+        if (closest) ++seen;
+      }
+    }
+    std::size_t seen = 0;
+  } check;
+  Ecology<Rules, backend::Kinematic>::Params params{.seed = 12};
+  params.world.robots = 80;  // so many are searched on a grid
+  params.rules.tag_switch.cool_down_s = 1e6;
+  Ecology<Rules, backend::Kinematic> ecology{params};
+  ecology.run_until(60.0, check);
+  CHECK(check.seen > 1000);
 }

@@ -8,6 +8,7 @@
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with_rules_of.hpp>
+#include <trophic/rules/with_sensor.hpp>
 
 using namespace trophic;
 using rules::Paper;
@@ -68,4 +69,12 @@ TEST_CASE("differences are policies and numbers, each once, and duration does no
   CHECK_FALSE(all[1].is_number());
   CHECK(all[2].name == "world.tick_s");
   CHECK(rules::differences<Paper, Paper>().empty());
+}
+
+TEST_CASE("one sensor of a table is swapped, the others stay") {
+  using Paper20 = rules::with_sensor<Paper, perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverScale>;
+  static_assert(std::same_as<Paper20::Sensors::At<0>, Paper::Sensors::At<0>>);
+  static_assert(std::same_as<Paper20::Sensors::At<1>, perception::sensors::DistanceOverScale>);
+  static_assert(std::same_as<Paper20::Sensors::At<2>, Paper::Sensors::At<2>>);
+  CHECK(table_name<Paper20>() == "paper with sensors = side_of_adversary + distance_over_scale + tag_ratio_of_all");
 }

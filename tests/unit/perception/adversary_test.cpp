@@ -5,12 +5,20 @@
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/perception/adversary.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using trophic::perception::adversary;
+
+namespace {
+
+std::optional<Sighting> seen(BodyIndex self, const HandPopulation& robots) {
+  return perception::adversary(self, robots.view(), robots.perceives());
+}
+
+}  // namespace
 
 TEST_CASE("the adversary is the closest opponent with the same tag, not the closest opponent") {
   const HandPopulation robots{{{.species = prey, .x_m = 1.0, .y_m = 1.0},
@@ -18,52 +26,52 @@ TEST_CASE("the adversary is the closest opponent with the same tag, not the clos
                                {.species = predator, .x_m = 1.0, .y_m = 5.0},
                                {.species = predator, .x_m = 4.0, .y_m = 5.0},
                                {.species = prey, .x_m = 1.1, .y_m = 1.0}}};
-  const auto seen = adversary(0, robots.view());
-  REQUIRE(seen);
-  CHECK(seen->self == 0);
-  CHECK(seen->adversary == 2);
-  CHECK(seen->distance_m == 4.0);
-  CHECK(seen->bearing_rad == doctest::Approx(-std::numbers::pi / 2.0));
-  CHECK(adversary(1, robots.view()) == std::nullopt);
-  CHECK(adversary(2, robots.view())->adversary == 0);  // exactly 4 m away, body 4 is sqrt(16.01) m away
+  const auto found = seen(0, robots);
+  REQUIRE(found);
+  CHECK(found->self == 0);
+  CHECK(found->adversary == 2);
+  CHECK(found->distance_m == 4.0);
+  CHECK(found->bearing_rad == doctest::Approx(-std::numbers::pi / 2.0));
+  CHECK(seen(1, robots) == std::nullopt);
+  CHECK(seen(2, robots)->adversary == 0);  // exactly 4 m away, body 4 is sqrt(16.01) m away
 }
 
 TEST_CASE("bearing is relative to the own heading and positive to the right") {
   HandPopulation robots{{{.species = prey, .heading_rad = std::numbers::pi / 2.0}, {.species = predator, .x_m = 3.0}}};
-  CHECK(adversary(0, robots.view())->bearing_rad == doctest::Approx(std::numbers::pi / 2.0));
-  CHECK(adversary(1, robots.view())->bearing_rad == doctest::Approx(-std::numbers::pi));
+  CHECK(seen(0, robots)->bearing_rad == doctest::Approx(std::numbers::pi / 2.0));
+  CHECK(seen(1, robots)->bearing_rad == doctest::Approx(-std::numbers::pi));
   robots.poses[0].heading_rad = -std::numbers::pi / 2.0;
-  CHECK(adversary(0, robots.view())->bearing_rad == doctest::Approx(-std::numbers::pi / 2.0));
+  CHECK(seen(0, robots)->bearing_rad == doctest::Approx(-std::numbers::pi / 2.0));
   robots.poses[0].heading_rad = 0.0;
-  CHECK(adversary(0, robots.view())->bearing_rad == 0.0);
+  CHECK(seen(0, robots)->bearing_rad == 0.0);
 }
 
 TEST_CASE("hunters do not perceive inactive newborn, which themselves perceive hunters") {
   const HandPopulation robots{{{.species = prey, .active = false}, {.species = predator, .x_m = 2.0}}};
-  CHECK(adversary(0, robots.view())->adversary == 1);
-  CHECK_FALSE(adversary(1, robots.view()));
+  CHECK(seen(0, robots)->adversary == 1);
+  CHECK_FALSE(seen(1, robots));
 }
 
 TEST_CASE("of two adversaries at the same distance the one in the lower body is taken") {
   const HandPopulation robots{
       {{.species = predator, .x_m = -2.0}, {.species = prey}, {.species = predator, .x_m = 2.0}, {.species = prey, .x_m = 4.0}}};
-  CHECK(adversary(1, robots.view())->adversary == 0);
-  CHECK(adversary(2, robots.view())->adversary == 1);
+  CHECK(seen(1, robots)->adversary == 0);
+  CHECK(seen(2, robots)->adversary == 1);
 }
 
 TEST_CASE("nobody to perceive") {
-  CHECK_FALSE(adversary(0, HandPopulation{{{.species = prey}}}.view()));
-  CHECK_FALSE(adversary(0, HandPopulation{{{.species = prey}, {.species = prey, .x_m = 1.0}}}.view()));
+  CHECK_FALSE(seen(0, HandPopulation{{{.species = prey}}}));
+  CHECK_FALSE(seen(0, HandPopulation{{{.species = prey}, {.species = prey, .x_m = 1.0}}}));
 }
 
 TEST_CASE("in a food chain the adversary of the middle species may be above or below it") {
   HandPopulation robots{{{.species = plant, .x_m = 3.0}, {.species = grazer}, {.species = hunter, .x_m = -2.0}}, chain_web()};
-  CHECK(adversary(1, robots.view())->adversary == 2);
-  CHECK(adversary(0, robots.view())->adversary == 1);
-  CHECK(adversary(2, robots.view())->adversary == 1);
+  CHECK(seen(1, robots)->adversary == 2);
+  CHECK(seen(0, robots)->adversary == 1);
+  CHECK(seen(2, robots)->adversary == 1);
   robots.poses[0].x_m = 1.0;
-  CHECK(adversary(1, robots.view())->adversary == 0);
-  CHECK(adversary(2, robots.view())->adversary == 1);  // the plant is no opponent of the hunter
+  CHECK(seen(1, robots)->adversary == 0);
+  CHECK(seen(2, robots)->adversary == 1);  // the plant is no opponent of the hunter
 }
 
 TEST_CASE("whoever is seen is a visible opponent and nobody visible is closer, the order of bodies does not matter") {
@@ -73,18 +81,18 @@ TEST_CASE("whoever is seen is a visible opponent and nobody visible is closer, t
     const HandPopulation moved = robots.reordered(order);
     const View view = robots.view();
     for (BodyIndex body = 0; body < 12; ++body) {
-      const auto seen = adversary(order[body], view);
-      const auto seen_moved = adversary(body, moved.view());
-      RC_ASSERT(seen.has_value() == seen_moved.has_value());
-      if (!seen) continue;
-      RC_ASSERT(view.robots[seen->adversary].id == moved.individuals[seen_moved->adversary].id);
-      RC_ASSERT(seen->bearing_rad == seen_moved->bearing_rad);
-      RC_ASSERT((seen->bearing_rad >= -std::numbers::pi && seen->bearing_rad < std::numbers::pi));
+      const auto found = seen(order[body], robots);
+      const auto found_moved = seen(body, moved);
+      RC_ASSERT(found.has_value() == found_moved.has_value());
+      if (!found) continue;
+      RC_ASSERT(view.robots[found->adversary].id == moved.individuals[found_moved->adversary].id);
+      RC_ASSERT(found->bearing_rad == found_moved->bearing_rad);
+      RC_ASSERT((found->bearing_rad >= -std::numbers::pi && found->bearing_rad < std::numbers::pi));
       for (BodyIndex other = 0; other < 12; ++other) {
         const bool opponent = view.web.opponents(view.robots[order[body]].species, view.robots[other].species);
-        const bool visible = opponent && view.perceives(view.robots[order[body]], view.robots[other]);
-        if (other == seen->adversary) RC_ASSERT(visible);
-        if (visible) RC_ASSERT(view.distance_m(order[body], other) >= seen->distance_m);
+        const bool visible = opponent && robots.perceives()(order[body], other);
+        if (other == found->adversary) RC_ASSERT(visible);
+        if (visible) RC_ASSERT(view.distance_m(order[body], other) >= found->distance_m);
       }
     }
   }));

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <support/hand_population.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
 
 using namespace trophic;
 
 TEST_CASE("everybody: perceives whoever is active, whatever the tags") {
   const perception::visibility::Everybody rule;
-  Individual self;
-  Individual other;
-  for (const int tag : {-1, 1}) {
-    other.tag = tag;
-    other.active = true;
-    CHECK(rule.perceives(self, other));
-    other.active = false;
-    CHECK_FALSE(rule.perceives(self, other));
+  Rng rng{1, Stream::visibility};
+  const test::HandPopulation robots{{{.tag = 1}, {.tag = -1}, {.tag = 1, .active = false}, {.tag = -1, .active = false}}};
+  for (BodyIndex self = 0; self < 4; ++self) {
+    CHECK(rule.perceives(self, 0, robots.view(), rng));
+    CHECK(rule.perceives(self, 1, robots.view(), rng));
+    CHECK_FALSE(rule.perceives(self, 2, robots.view(), rng));
+    CHECK_FALSE(rule.perceives(self, 3, robots.view(), rng));
   }
-  self.active = false;
-  other.active = true;
-  CHECK(rule.perceives(self, other));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <array>
 #include <optional>
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
 
@@ -8,19 +9,20 @@ using namespace trophic;
 
 TEST_CASE("keeps body tag: a newborn shows what the body showed, a founder +1 or as set") {
   Rng rng{1, Stream::newborn_tag};
+  const std::array tags{-1, 1};
   const perception::newborn_tag::KeepsBodyTag rule;
-  CHECK(rule.tag(1, rng) == 1);
-  CHECK(rule.tag(-1, rng) == -1);
-  CHECK(rule.tag(std::nullopt, rng) == 1);
-  const perception::newborn_tag::KeepsBodyTag negative{{.founders_positive = false}};
-  CHECK(negative.tag(1, rng) == 1);
-  CHECK(negative.tag(-1, rng) == -1);
-  CHECK(negative.tag(std::nullopt, rng) == -1);
+  CHECK(rule.tag(1, tags, rng) == 1);
+  CHECK(rule.tag(-1, tags, rng) == -1);
+  CHECK(rule.tag(std::nullopt, tags, rng) == 1);
+  const perception::newborn_tag::KeepsBodyTag negative{{.founder_tag = -1}};
+  CHECK(negative.tag(1, tags, rng) == 1);
+  CHECK(negative.tag(-1, tags, rng) == -1);
+  CHECK(negative.tag(std::nullopt, tags, rng) == -1);
 }
 
 TEST_CASE("keeps body tag: draws nothing") {
   Rng rng{1, Stream::newborn_tag};
   Rng untouched = rng;
-  CHECK(perception::newborn_tag::KeepsBodyTag{}.tag(std::nullopt, rng) == 1);
+  CHECK(perception::newborn_tag::KeepsBodyTag{}.tag(std::nullopt, std::array{-1, 1}, rng) == 1);
   CHECK(rng.bits() == untouched.bits());
 }

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 
 using namespace trophic;
 
-TEST_CASE("random tag: -1 or +1 with equal probability, whatever the body showed") {
+TEST_CASE("random tag: each of the tags with equal probability, whatever the body showed") {
   const perception::newborn_tag::RandomTag rule;
   constexpr int size = 100'000;
   for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{1}, std::optional{-1}}) {
     Rng rng{7, Stream::newborn_tag, static_cast<std::uint64_t>(body_tag.value_or(0) + 1)};
     int positive = 0;
     for (int i = 0; i < size; ++i) {
-      const int tag = rule.tag(body_tag, rng);
+      const int tag = rule.tag(body_tag, std::array{-1, 1}, rng);
       REQUIRE((tag == 1 || tag == -1));
       if (tag == 1) ++positive;
     }
@@ -24,7 +26,7 @@ TEST_CASE("random tag: -1 or +1 with equal probability, whatever the body showed
 TEST_CASE("random tag: one draw") {
   Rng rng{1, Stream::newborn_tag};
   Rng reference = rng;
-  const int tag = perception::newborn_tag::RandomTag{}.tag(std::nullopt, rng);
-  CHECK(tag == (reference.uniform() < 0.5 ? 1 : -1));
+  const int tag = perception::newborn_tag::RandomTag{}.tag(std::nullopt, std::array{4, 5, 6}, rng);
+  CHECK(tag == 4 + static_cast<int>(3.0 * reference.uniform()));
   CHECK(rng.bits() == reference.bits());
 }

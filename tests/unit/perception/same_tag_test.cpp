@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <support/hand_population.hpp>
 #include <trophic/perception/visibility/same_tag.hpp>
 
 using namespace trophic;
 
 TEST_CASE("same tag: perceives active individuals of the own tag, whatever its own activity") {
   const perception::visibility::SameTag rule;
-  const auto one = [](int tag, bool active) {
-    Individual individual;
-    individual.tag = tag;
-    individual.active = active;
-    return individual;
-  };
+  Rng rng{1, Stream::visibility};
   for (const bool own_active : {true, false}) {
-    for (const int own : {-1, 1}) {
-      CHECK(rule.perceives(one(own, own_active), one(own, true)));
-      CHECK_FALSE(rule.perceives(one(own, own_active), one(-own, true)));
-      CHECK_FALSE(rule.perceives(one(own, own_active), one(own, false)));
-      CHECK_FALSE(rule.perceives(one(own, own_active), one(-own, false)));
+    for (const int own : {-1, 1, 7}) {
+      const test::HandPopulation robots{{{.tag = own, .active = own_active},
+                                         {.tag = own, .active = true},
+                                         {.tag = -own, .active = true},
+                                         {.tag = own, .active = false},
+                                         {.tag = -own, .active = false}}};
+      CHECK(rule.perceives(0, 1, robots.view(), rng));
+      for (BodyIndex other = 2; other < 5; ++other) CHECK_FALSE(rule.perceives(0, other, robots.view(), rng));
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <numbers>
+#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/sensors/side_away_from_hunter.hpp>
@@ -14,18 +15,27 @@ TEST_CASE("side away from hunter: +1 is predator on the left for prey and prey o
   // both face +y: the predator is on the prey's left and the prey on the predator's right
   HandPopulation robots{{{.species = prey, .x_m = 1.0, .heading_rad = std::numbers::pi / 2.0},
                          {.species = predator, .x_m = -1.0, .heading_rad = std::numbers::pi / 2.0}}};
-  CHECK(rule.input(*perception::adversary(0, robots.view()), robots.view()) == 1.0);
-  CHECK(rule.input(*perception::adversary(1, robots.view()), robots.view()) == 1.0);
+  Rng rng{1, Stream::sensors};
+  const auto seen_by = [&](BodyIndex self) {
+    const auto sighting = perception::adversary(self, robots.view(), robots.perceives());
+    REQUIRE(sighting);
+    return rule.sense(self, sighting, robots.view(), rng)[0];
+  };
+  CHECK(seen_by(0) == 1.0);
+  CHECK(seen_by(1) == 1.0);
   robots.poses[0].heading_rad = robots.poses[1].heading_rad = -std::numbers::pi / 2.0;
-  CHECK(rule.input(*perception::adversary(0, robots.view()), robots.view()) == -1.0);
-  CHECK(rule.input(*perception::adversary(1, robots.view()), robots.view()) == -1.0);
+  CHECK(seen_by(0) == -1.0);
+  CHECK(seen_by(1) == -1.0);
+  CHECK(rule.sense(0, std::nullopt, robots.view(), rng)[0] == 0.0);
 }
 
 TEST_CASE("side away from hunter: a middle species turns away from what eats it and towards what it eats") {
   const perception::sensors::SideAwayFromHunter rule;
   const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = hunter}}, chain_web()};
   const auto input = [&](BodyIndex adversary) {
-    return rule.input({.self = 1, .adversary = adversary, .distance_m = 1.0, .bearing_rad = 0.5}, robots.view());
+    Rng rng{1, Stream::sensors};
+    const Sighting sighting{.self = 1, .adversary = adversary, .distance_m = 1.0, .bearing_rad = 0.5};
+    return rule.sense(1, sighting, robots.view(), rng)[0];
   };
   CHECK(input(0) == 1.0);
   CHECK(input(2) == -1.0);

@@ -10,23 +10,31 @@
 using namespace trophic;
 using namespace trophic::test;
 
+namespace {
+
+double ratio_of(const perception::sensors::TagRatioOfAll& rule, const View& view) {
+  return rule.sense(view)[0];
+}
+
+}  // namespace
+
 TEST_CASE("tag ratio of all: (P - N/2) / N, inactive newborn included") {
   const perception::sensors::TagRatioOfAll rule;
-  CHECK(rule.input(HandPopulation{{{.tag = 1}, {.tag = 1}, {.tag = 1}, {.tag = -1}}}.view()) == 0.25);
-  CHECK(rule.input(HandPopulation{{{.tag = 1}, {.tag = -1}, {.tag = -1, .active = false}, {.tag = -1}}}.view()) == -0.25);
-  CHECK(rule.input(HandPopulation{{{.tag = 1}, {.tag = -1}}}.view()) == 0.0);
-  CHECK(rule.input(HandPopulation{{{.tag = 1}}}.view()) == 0.5);
-  CHECK(rule.input(HandPopulation{{{.tag = -1}, {.tag = -1}}}.view()) == -0.5);
+  CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}, {.tag = 1}, {.tag = 1}, {.tag = -1}}}.view()) == 0.25);
+  CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}, {.tag = -1}, {.tag = -1, .active = false}, {.tag = -1}}}.view()) == -0.25);
+  CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}, {.tag = -1}}}.view()) == 0.0);
+  CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}}}.view()) == 0.5);
+  CHECK(ratio_of(rule, HandPopulation{{{.tag = -1}, {.tag = -1}}}.view()) == -0.5);
 }
 
 TEST_CASE("tag ratio of all: within +-1/2, changes sign with all tags, and the order of bodies does not matter") {
   CHECK(rc::check([](std::uint64_t seed) {
     const perception::sensors::TagRatioOfAll rule;
     HandPopulation robots = random_population(seed, 1 + seed % 30);
-    const double ratio = rule.input(robots.view());
+    const double ratio = ratio_of(rule, robots.view());
     RC_ASSERT(std::abs(ratio) <= 0.5);
-    RC_ASSERT(rule.input(robots.reordered(random_order(seed, robots.individuals.size())).view()) == ratio);
+    RC_ASSERT(ratio_of(rule, robots.reordered(random_order(seed, robots.individuals.size())).view()) == ratio);
     for (Individual& individual : robots.individuals) individual.tag = -individual.tag;
-    RC_ASSERT(rule.input(robots.view()) == -ratio);
+    RC_ASSERT(ratio_of(rule, robots.view()) == -ratio);
   }));
 }

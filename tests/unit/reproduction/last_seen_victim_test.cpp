@@ -1,25 +1,53 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <memory>
+#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/reproduction/parent/last_seen_victim.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
+using reproduction::parent::LastSeenVictim;
 
 TEST_CASE("last seen victim: whoever the body remembers, at any distance, though another prey stands beside it") {
-  const reproduction::parent::LastSeenVictim rule;
-  const auto genome = std::make_shared<Genome>(Genome{.id = 5, .weights = {0.5}});
-  const HandPopulation robots{
-      {{.species = predator, .memory = {.last_seen_victim = Ancestor{.id = 77, .species = prey, .genome = genome}}},
-       {.species = predator},
-       {.species = prey, .x_m = 0.1}}};
+  const LastSeenVictim rule;
+  const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.1}}};
+  const LastSeenVictim::State own{.body = 1, .victim = ancestor(77, prey)};
   Rng rng{1, Stream::parent};
-  const auto parent = rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng);
-  REQUIRE(parent);
-  CHECK(parent->id == 77);
-  CHECK(parent->species == prey);
-  CHECK(parent->genome == genome);
-  CHECK_FALSE(rule.parent({.body = 1, .cause = Cause::starved, .killer = {}}, robots.view(), rng));
+  const auto parent = rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng, own);
+  CHECK(parent == own.victim);
+  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng, {}));
+}
+
+TEST_CASE("last seen victim: renewed when another body becomes the closest, whoever is reborn in the remembered one") {
+  const LastSeenVictim rule;
+  HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 1.0}, {.species = prey, .x_m = 2.0}}};
+  LastSeenVictim::State own;
+  const auto look = [&](std::optional<BodyIndex> adversary) {
+    const auto sighting = adversary ? std::optional{Sighting{.self = 0, .adversary = *adversary}} : std::nullopt;
+    rule.on_sighting(own, 0, sighting, robots.view());
+    return own.victim ? std::optional{own.victim->id} : std::nullopt;
+  };
+  CHECK_FALSE(look(std::nullopt));
+  CHECK(look(1) == 1);
+  robots.individuals[1].id = 50;
+  CHECK(look(1) == 1);
+  CHECK(look(2) == 2);
+  CHECK(look(1) == 50);
+  CHECK(look(std::nullopt) == 50);
+  CHECK(rule.born({}, nullptr, own).victim == own.victim);
+  rule.on_catch(own, 0, 2, robots.view());
+  CHECK_FALSE(own.body);
+  CHECK_FALSE(own.victim);
+}
+
+TEST_CASE("last seen victim: what it does not eat is not remembered") {
+  const LastSeenVictim rule;
+  const HandPopulation robots{{{.species = grazer}, {.species = hunter, .x_m = 1.0}, {.species = plant, .x_m = 4.0}},
+                              chain_web()};
+  LastSeenVictim::State own;
+  rule.on_sighting(own, 0, Sighting{.self = 0, .adversary = 1}, robots.view());
+  CHECK_FALSE(own.body);
+  rule.on_sighting(own, 0, Sighting{.self = 0, .adversary = 2}, robots.view());
+  CHECK(own.body == 2);
 }

@@ -19,7 +19,7 @@ TEST_CASE("normal mutation: steps are normal with mean 0 and the given sd, alike
     for (std::size_t i = 0; i < offspring; ++i) {
       Rng rng{11, Stream::mutation, i};
       std::vector<double> weights = parent;
-      NormalMutation{{.sd = sd}}.mutate(weights, rng);
+      NormalMutation{{.sd = sd}}.mutate(weights, Individual{}, rng);
       for (std::size_t w = 0; w < parent.size(); ++w) steps.push_back(weights[w] - parent[w]);
       steps_of_third.push_back(weights[2] - parent[2]);
     }
@@ -39,12 +39,12 @@ TEST_CASE("normal mutation: steps are normal with mean 0 and the given sd, alike
 TEST_CASE("normal mutation: weights are not clipped, sd 0 changes nothing, no weights need no draws") {
   std::vector<double> weights(1000, 1.0);
   Rng rng{1, Stream::mutation};
-  NormalMutation{}.mutate(weights, rng);
+  NormalMutation{}.mutate(weights, Individual{}, rng);
   CHECK(test::moments(weights).largest > 1.1);
   std::vector<double> still{0.5, -2.0};
-  NormalMutation{{.sd = 0.0}}.mutate(still, rng);
+  NormalMutation{{.sd = 0.0}}.mutate(still, Individual{}, rng);
   CHECK(still == std::vector<double>{0.5, -2.0});
   Rng untouched = rng;
-  NormalMutation{}.mutate({}, rng);
+  NormalMutation{}.mutate({}, Individual{}, rng);
   CHECK(rng.bits() == untouched.bits());
 }

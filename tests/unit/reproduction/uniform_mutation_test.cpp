@@ -14,7 +14,7 @@ using reproduction::mutation::UniformMutation;
 TEST_CASE("uniform mutation: steps are uniform within +-half width") {
   std::vector<double> weights(200'000, 0.0);
   Rng rng{12, Stream::mutation};
-  UniformMutation{}.mutate(weights, rng);
+  UniformMutation{}.mutate(weights, Individual{}, rng);
   const test::Moments steps = test::moments(weights);
   const double sd = 0.1 / std::sqrt(12.0);
   const double size = 200'000.0;
@@ -29,7 +29,7 @@ TEST_CASE("uniform mutation: steps are uniform within +-half width") {
 TEST_CASE("uniform mutation: weights at the limit stay there half of the time") {
   std::vector<double> weights(100'000, 1.0);
   Rng rng{13, Stream::mutation};
-  UniformMutation{}.mutate(weights, rng);
+  UniformMutation{}.mutate(weights, Individual{}, rng);
   std::size_t at_limit = 0;
   for (const double weight : weights) {
     REQUIRE(weight <= 1.0);
@@ -45,7 +45,7 @@ TEST_CASE("uniform mutation: no step is longer than half width and no weight lea
     std::vector<double> weights(20);
     for (double& weight : weights) weight = rng.uniform(-rule.params.limit, rule.params.limit);
     const std::vector<double> before = weights;
-    rule.mutate(weights, rng);
+    rule.mutate(weights, Individual{}, rng);
     for (std::size_t i = 0; i < weights.size(); ++i) {
       RC_ASSERT(std::abs(weights[i]) <= rule.params.limit);
       RC_ASSERT(std::abs(weights[i] - before[i]) <= rule.params.half_width + 1e-15);

@@ -1,31 +1,58 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what a brain must offer.
+// The contract of a slot: what a robot decides from what it is told.
 #pragma once
 
 #include <concepts>
 #include <cstddef>
 #include <span>
-#include <trophic/perception/brain_inputs.hpp>
+#include <trophic/population/state.hpp>
+#include <type_traits>
 #include <vector>
 
-#define TROPHIC_SENTENCE_Brain                                                                                              \
-  "std::size_t genome_size() const, std::vector<int> tags() const and Decision decide(const BrainInputs&, std::span<const " \
-  "double> weights) const; see trophic/control/brain/contract.hpp"
+#define TROPHIC_SENTENCE_Brain                                                                                          \
+  "std::size_t genome_size(std::size_t inputs, std::size_t outputs) const, std::vector<int> tags() const and Decision " \
+  "decide(std::span<const double> inputs, std::span<const double> weights) const (with a State also State& own); see "  \
+  "trophic/control/brain/contract.hpp"
 
 namespace trophic::control {
 
 /// What a brain decides at a tick.
 struct Decision {
+  static constexpr std::size_t outputs = 2;  ///< numbers that a network computes for one: target angle and tag
+
   double target_angle_rad = 0.0;  ///< where it wants to go: positive to the right
-  int tag = 1;                    ///< which tag it wants to show: -1 or +1
+  int tag = 0;                    ///< which of its tags it wants to show
+  friend bool operator==(const Decision&, const Decision&) = default;
 };
 
-/// `genome_size()`: number of weights; `tags()`: every tag that it may choose; `decide(inputs, weights)`: pure function of both.
+TROPHIC_QUESTION(decide)
+
+/// `genome_size(inputs, outputs)`: number of weights for so many inputs, which the table's sensors give, and outputs
+/// (`Decision::outputs`); `tags()`: every tag that it may choose; `decide(inputs, weights)`: a pure function of both and, with a
+/// State, of `own`, which it may change: asked once in a tick at most. The weights are the genome's, which only births change.
+/// A brain for one number of inputs alone says so by `static constexpr std::size_t inputs = 3;`.
 template <class P>
-concept Brain = requires(const P policy, const perception::BrainInputs& inputs, std::span<const double> weights) {
-  { policy.genome_size() } -> std::same_as<std::size_t>;
+concept Brain = requires(const P policy, StateOf<P> own, std::span<const double> inputs, std::span<const double> weights) {
+  { policy.genome_size(inputs.size(), Decision::outputs) } -> std::same_as<std::size_t>;
   { policy.tags() } -> std::same_as<std::vector<int>>;
-  { policy.decide(inputs, weights) } -> std::same_as<Decision>;
+  { ask::decide(policy, own, inputs, weights) } -> std::same_as<Decision>;
 };
+
+namespace detail {
+
+/// `given` and `taken` stand in the compiler's message.
+template <std::size_t given, std::size_t taken>
+concept SameInputs = given == taken;
+
+/// A brain that states no number of inputs takes any.
+template <class P, std::size_t given>
+inline constexpr std::size_t inputs_taken = given;
+template <class P, std::size_t given>
+requires requires {
+  typename std::integral_constant<std::size_t, P::inputs>;
+}
+inline constexpr std::size_t inputs_taken<P, given> = P::inputs;
+
+}  // namespace detail
 
 }  // namespace trophic::control

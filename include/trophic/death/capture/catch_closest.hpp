@@ -49,9 +49,8 @@ struct CatchClosest {
       const BodyIndex hunter = list[index];
       if (caught[hunter] || view.age_s(view.robots[hunter]) < params.min_age_s) continue;
       const Species species = view.robots[hunter].species;
-      const auto victim = view.closest(hunter, [&](const Individual& other) {
-        const auto body = static_cast<BodyIndex>(&other - view.robots.data());
-        return other.active && !caught[body] && view.web.eats(species, other.species);
+      const auto victim = view.closest(hunter, [&](BodyIndex other) {
+        return view.robots[other].active && !caught[other] && view.web.eats(species, view.robots[other].species);
       });
       if (!victim || view.distance_m(hunter, *victim) >= params.reach_m) continue;
       caught[*victim] = true;

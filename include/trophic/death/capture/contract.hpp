@@ -3,14 +3,18 @@
 #pragma once
 
 #include <concepts>
+#include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
-#define TROPHIC_SENTENCE_CaptureRule \
-  "std::vector<Capture> captures(const View&, Rng&) const; see trophic/death/capture/contract.hpp"
+#define TROPHIC_SENTENCE_CaptureRule                                                                               \
+  "std::vector<Capture> captures(const View&, Rng&) const (with a State also std::span<const State> states); see " \
+  "trophic/death/capture/contract.hpp"
 
 namespace trophic::death {
+
+TROPHIC_QUESTION(captures)
 
 /// A hunter catches a victim.
 struct Capture {
@@ -21,8 +25,8 @@ struct Capture {
 
 /// `captures(view, rng)`: everybody caught at this tick, in order; each victim once.
 template <class P>
-concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
-  { policy.captures(view, rng) } -> std::same_as<std::vector<Capture>>;
+concept CaptureRule = requires(const P policy, const std::span<const StateOf<P>> states, const View& view, Rng& rng) {
+  { ask::captures(policy, states, view, rng) } -> std::same_as<std::vector<Capture>>;
 };
 
 }  // namespace trophic::death

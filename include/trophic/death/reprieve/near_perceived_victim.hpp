@@ -24,11 +24,10 @@ struct NearPerceivedVictim {
   };
   Params params;
 
-  [[nodiscard]] bool spared(BodyIndex hunter, const View& view) const {
-    const Individual& self = view.robots[hunter];
-    const auto closest = view.closest(hunter, [&](const Individual& other) {
-      return view.web.eats(self.species, other.species) && view.perceives(self, other);
-    });
+  [[nodiscard]] bool spared(BodyIndex hunter, const View& view, const perception::Perceives& perceives) const {
+    const Species own = view.robots[hunter].species;
+    const auto closest = view.closest(
+        hunter, [&](BodyIndex other) { return view.web.eats(own, view.robots[other].species) && perceives(hunter, other); });
     return closest && view.distance_m(hunter, *closest) <= params.range_m;
   }
 };

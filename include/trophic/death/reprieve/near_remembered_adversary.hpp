@@ -2,6 +2,7 @@
 // The released code's reprieve: by the last stored distance, however stale.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <trophic/death/reprieve/contract.hpp>
 #include <trophic/params/params.hpp>
@@ -11,7 +12,7 @@ namespace trophic::death::reprieve {
 
 /// Rule (released code): spared iff the adversary distance stored in the hunter's body is below range. It is stored only
 /// while an adversary is perceived, starts at 0 and outlives births in that body, so that a hunter whose prey has just
-/// hidden stays exempt: the opposite of the text. Reads: body memory.   Random draws: 0.
+/// hidden stays exempt: the opposite of the text. Reads: its own state.   Random draws: 0.
 struct NearRememberedAdversary {
   static constexpr std::string_view name = "near_remembered_adversary";
   static constexpr std::string_view source = "released code";
@@ -24,8 +25,18 @@ struct NearRememberedAdversary {
   };
   Params params;
 
-  [[nodiscard]] bool spared(BodyIndex hunter, const View& view) const {
-    return view.robots[hunter].memory.adversary_distance_m < params.range_m;
+  /// Of each body.
+  struct State {
+    double adversary_distance_m = 0.0;  ///< to the adversary when one was last perceived; 0 before the first
+    static constexpr auto fields() { return std::tuple{field("adversary_distance_m", &State::adversary_distance_m)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }
+  void on_sighting(State& own, BodyIndex, const std::optional<Sighting>& sighting, const View&) const {
+    if (sighting) own.adversary_distance_m = sighting->distance_m;
+  }
+
+  [[nodiscard]] bool spared(BodyIndex, const View&, const perception::Perceives&, const State& own) const {
+    return own.adversary_distance_m < params.range_m;
   }
 };
 static_assert(Reprieve<NearRememberedAdversary>);

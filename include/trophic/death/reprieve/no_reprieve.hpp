@@ -11,7 +11,7 @@ namespace trophic::death::reprieve {
 struct NoReprieve {
   static constexpr std::string_view name = "no_reprieve";
   static constexpr std::string_view source = "control";
-  [[nodiscard]] bool spared(BodyIndex, const View&) const { return false; }
+  [[nodiscard]] bool spared(BodyIndex, const View&, const perception::Perceives&) const { return false; }
 };
 static_assert(Reprieve<NoReprieve>);
 

@@ -3,14 +3,18 @@
 #pragma once
 
 #include <concepts>
+#include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
-#define TROPHIC_SENTENCE_Rescue \
-  "std::vector<Sacrifice> sacrifices(const View&, Rng&) const; see trophic/death/rescue/contract.hpp"
+#define TROPHIC_SENTENCE_Rescue                                                                                        \
+  "std::vector<Sacrifice> sacrifices(const View&, Rng&) const (with a State also std::span<const State> states); see " \
+  "trophic/death/rescue/contract.hpp"
 
 namespace trophic::death {
+
+TROPHIC_QUESTION(sacrifices)
 
 /// A victim is given up so that a species does not die out: its body goes to `heir`.
 struct Sacrifice {
@@ -21,8 +25,8 @@ struct Sacrifice {
 
 /// `sacrifices(view, rng)`: who is given up at this tick.
 template <class P>
-concept Rescue = requires(const P policy, const View& view, Rng& rng) {
-  { policy.sacrifices(view, rng) } -> std::same_as<std::vector<Sacrifice>>;
+concept Rescue = requires(const P policy, const std::span<const StateOf<P>> states, const View& view, Rng& rng) {
+  { ask::sacrifices(policy, states, view, rng) } -> std::same_as<std::vector<Sacrifice>>;
 };
 
 }  // namespace trophic::death

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what the brain is told when no adversary is perceivable.
+// The contract of a slot: whether who perceives no adversary decides.
 #pragma once
 
 #include <concepts>
-#include <optional>
-#include <trophic/perception/brain_inputs.hpp>
 
-#define TROPHIC_SENTENCE_BlindRule \
-  "std::optional<BrainInputs> inputs(double tag_ratio) const; see trophic/perception/blind_rule/contract.hpp"
+#define TROPHIC_SENTENCE_BlindRule "bool decides() const; see trophic/perception/blind_rule/contract.hpp"
 
 namespace trophic::perception {
 
-/// `inputs(tag_ratio)`: what the brain is told when no adversary is perceivable; nothing: the brain is not run and its last
-/// decision stays.
+/// `decides()`: whether the brain is run while no adversary is perceivable; if not, its last decision stays. What sensors say
+/// then is each sensor's own.
 template <class P>
-concept BlindRule = requires(const P policy, double tag_ratio) {
-  { policy.inputs(tag_ratio) } -> std::same_as<std::optional<BrainInputs>>;
+concept BlindRule = requires(const P policy) {
+  { policy.decides() } -> std::same_as<bool>;
 };
 
 }  // namespace trophic::perception

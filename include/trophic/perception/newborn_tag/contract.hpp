@@ -4,18 +4,20 @@
 
 #include <concepts>
 #include <optional>
+#include <span>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_NewbornTag \
-  "int tag(std::optional<int> body_tag, Rng&) const; see trophic/perception/newborn_tag/contract.hpp"
+#define TROPHIC_SENTENCE_NewbornTag                                               \
+  "int tag(std::optional<int> body_tag, std::span<const int> tags, Rng&) const; " \
+  "see trophic/perception/newborn_tag/contract.hpp"
 
 namespace trophic::perception {
 
-/// `tag(body_tag, rng)`: the tag, one of the brain's, of an individual at birth; body_tag is that of the body's last owner, none
-/// for a founder.
+/// `tag(body_tag, tags, rng)`: the tag of an individual at birth, one of the brain's `tags`; body_tag is that of the body's last
+/// owner, none for a founder.
 template <class P>
-concept NewbornTag = requires(const P policy, std::optional<int> body_tag, Rng& rng) {
-  { policy.tag(body_tag, rng) } -> std::same_as<int>;
+concept NewbornTag = requires(const P policy, std::optional<int> body_tag, std::span<const int> tags, Rng& rng) {
+  { policy.tag(body_tag, tags, rng) } -> std::same_as<int>;
 };
 
 }  // namespace trophic::perception

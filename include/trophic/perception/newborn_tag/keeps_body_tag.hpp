@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/perception/newborn_tag/contract.hpp>
@@ -16,14 +17,16 @@ struct KeepsBodyTag {
   static constexpr std::string_view name = "keeps_body_tag";
 
   struct Params {
-    bool founders_positive = true;
+    int founder_tag = 1;
     static constexpr auto fields() {
-      return std::tuple{field("founders_positive", &Params::founders_positive, "founders show +1 (else -1)")};
+      return std::tuple{field("founder_tag", &Params::founder_tag, any_number(), "what founders show: one of the brain's tags")};
     }
   };
   Params params;
 
-  [[nodiscard]] int tag(std::optional<int> body_tag, Rng&) const { return body_tag.value_or(params.founders_positive ? 1 : -1); }
+  [[nodiscard]] int tag(std::optional<int> body_tag, std::span<const int>, Rng&) const {
+    return body_tag.value_or(params.founder_tag);
+  }
 };
 static_assert(NewbornTag<KeepsBodyTag>);
 

@@ -3,16 +3,17 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <trophic/perception/newborn_tag/contract.hpp>
 
 namespace trophic::perception::newborn_tag {
 
-/// Rule: founders and newborns show -1 or +1 with equal probability, whatever their body showed: an alternative to
-/// KeepsBodyTag where the paper is silent.   Reads: nothing.   Random draws: 1.
+/// Rule: founders and newborns show each of the brain's tags with equal probability, whatever their body showed: an alternative
+/// to KeepsBodyTag where the paper is silent.   Reads: nothing.   Random draws: 1.
 struct RandomTag {
   static constexpr std::string_view name = "random_tag";
-  [[nodiscard]] int tag(std::optional<int>, Rng& rng) const { return rng.chance(0.5) ? 1 : -1; }
+  [[nodiscard]] int tag(std::optional<int>, std::span<const int> tags, Rng& rng) const { return tags[rng.index(tags.size())]; }
 };
 static_assert(NewbornTag<RandomTag>);
 

@@ -2,26 +2,54 @@
 // The contract of a slot: what the brain is told.
 #pragma once
 
+#include <array>
 #include <concepts>
-#include <trophic/perception/adversary.hpp>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <trophic/population/sighting.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/support/rng.hpp>
+#include <type_traits>
 
-#define TROPHIC_SENTENCE_SightingInput \
-  "double input(const Sighting&, const View&) const; see trophic/perception/sensors/contract.hpp"
-#define TROPHIC_SENTENCE_PopulationInput "double input(const View&) const; see trophic/perception/sensors/contract.hpp"
+#define TROPHIC_SENTENCE_SensorList \
+  "to be a perception::sensors::List<...> of sensors; see trophic/perception/sensors/contract.hpp"
 
 namespace trophic::perception {
 
-/// `input(sighting, view)`: one of the inputs that describe the adversary.
+namespace detail {
+
 template <class P>
-concept SightingInput = requires(const P policy, const Sighting& sighting, const View& view) {
-  { policy.input(sighting, view) } -> std::same_as<double>;
+concept Sized = requires {
+  typename std::integral_constant<std::size_t, P::size>;
+};
+template <class P>
+concept NamedSensor = requires {
+  { P::name } -> std::convertible_to<std::string_view>;
 };
 
-/// `input(view)`: the input that describes the population.
+}  // namespace detail
+
+/// `size` numbers about one robot: `sense(self, sighting, view, rng)`, with its adversary where it perceives one. Asked when the
+/// robot decides. What a sensor says without an adversary is the sensor's own.
 template <class P>
-concept PopulationInput = requires(const P policy, const View& view) {
-  { policy.input(view) } -> std::same_as<double>;
+concept OwnSensor = detail::Sized<P> &&
+    requires(const P policy, BodyIndex self, const std::optional<Sighting>& sighting, const View& view, Rng& rng) {
+  { policy.sense(self, sighting, view, rng) } -> std::same_as<std::array<double, P::size>>;
 };
+
+/// `size` numbers that are the same for everybody: `sense(view)`. Asked once a tick, before the first robot decides.
+template <class P>
+concept CommonSensor = detail::Sized<P> && requires(const P policy, const View& view) {
+  { policy.sense(view) } -> std::same_as<std::array<double, P::size>>;
+};
+
+/// One sensor of a robot. The brain's inputs are the numbers of all sensors, in the order of the list.
+template <class P>
+concept Sensor = detail::NamedSensor<P> &&(OwnSensor<P> || CommonSensor<P>);
+
+/// The slot holds a `sensors::List<...>`; `size` is the number of all its values.
+template <class P>
+concept SensorList = detail::Sized<P> && P::is_sensor_list;
 
 }  // namespace trophic::perception

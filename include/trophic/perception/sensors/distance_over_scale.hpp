@@ -3,6 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/perception/sensors/contract.hpp>
@@ -10,10 +13,11 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: min(1, distance / full_scale) with full_scale 20 m whatever the arena (released code).   Reads:
+/// Rule: min(1, distance / full_scale) with full_scale 20 m whatever the arena (released code); 1 without an adversary.   Reads:
 /// distance.   Random draws: 0.
 struct DistanceOverScale {
   static constexpr std::string_view name = "distance_over_scale";
+  static constexpr std::size_t size = 1;
 
   struct Params {
     double full_scale_m = 20.0;
@@ -23,10 +27,10 @@ struct DistanceOverScale {
   };
   Params params;
 
-  [[nodiscard]] double input(const Sighting& sighting, const View&) const {
-    return std::min(1.0, sighting.distance_m / params.full_scale_m);
+  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View&, Rng&) const {
+    return {sighting ? std::min(1.0, sighting->distance_m / params.full_scale_m) : 1.0};
   }
 };
-static_assert(SightingInput<DistanceOverScale>);
+static_assert(OwnSensor<DistanceOverScale>);
 
 }  // namespace trophic::perception::sensors

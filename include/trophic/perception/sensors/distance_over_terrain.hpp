@@ -3,20 +3,24 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {
 
 /// Rule: min(1, distance / largest terrain extent) (Sec. "Inputs": "divided by the maximum terrain bounds"). The paper is
-/// silent about distances beyond one side, which a diagonal allows: they are clipped to 1, as all inputs lie in [-1, 1].
-/// Reads: distance, arena.   Random draws: 0.
+/// silent about distances beyond one side, which a diagonal allows: they are clipped to 1, as all inputs lie in [-1, 1]. Without
+/// an adversary 1, as far as can be; the paper is silent. Reads: distance, arena.   Random draws: 0.
 struct DistanceOverTerrain {
   static constexpr std::string_view name = "distance_over_terrain";
-  [[nodiscard]] double input(const Sighting& sighting, const View& view) const {
-    return std::min(1.0, sighting.distance_m / view.arena.extent_m);
+  static constexpr std::size_t size = 1;
+  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View& view, Rng&) const {
+    return {sighting ? std::min(1.0, sighting->distance_m / view.arena.extent_m) : 1.0};
   }
 };
-static_assert(SightingInput<DistanceOverTerrain>);
+static_assert(OwnSensor<DistanceOverTerrain>);
 
 }  // namespace trophic::perception::sensors

@@ -2,17 +2,24 @@
 // The paper's Angle input: on which side the adversary is.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {
 
 /// Rule: -1 if the adversary is on the left, +1 if it is on the right (Sec. "Inputs"); straight ahead counts as right,
-/// straight behind as left.   Reads: bearing.   Random draws: 0.
+/// straight behind as left. Without an adversary 0, neither side; the paper is silent.   Reads: bearing.   Random draws: 0.
 struct SideOfAdversary {
   static constexpr std::string_view name = "side_of_adversary";
-  [[nodiscard]] double input(const Sighting& sighting, const View&) const { return sighting.bearing_rad < 0.0 ? -1.0 : 1.0; }
+  static constexpr std::size_t size = 1;
+  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View&, Rng&) const {
+    if (!sighting) return {0.0};
+    return {sighting->bearing_rad < 0.0 ? -1.0 : 1.0};
+  }
 };
-static_assert(SightingInput<SideOfAdversary>);
+static_assert(OwnSensor<SideOfAdversary>);
 
 }  // namespace trophic::perception::sensors

@@ -2,6 +2,8 @@
 // The released code's Tag Ratio input, over active robots.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
@@ -11,7 +13,8 @@ namespace trophic::perception::sensors {
 /// all tags and activities.   Random draws: 0.
 struct TagRatioOfActive {
   static constexpr std::string_view name = "tag_ratio_of_active";
-  [[nodiscard]] double input(const View& view) const {
+  static constexpr std::size_t size = 1;
+  [[nodiscard]] std::array<double, size> sense(const View& view) const {
     double total = 0.0;
     double positive = 0.0;
     for (const Individual& individual : view.robots) {
@@ -19,9 +22,9 @@ struct TagRatioOfActive {
       total += 1.0;
       if (individual.tag == 1) positive += 1.0;
     }
-    return total > 0.0 ? (positive - total / 2.0) / total : 0.0;
+    return {total > 0.0 ? (positive - total / 2.0) / total : 0.0};
   }
 };
-static_assert(PopulationInput<TagRatioOfActive>);
+static_assert(CommonSensor<TagRatioOfActive>);
 
 }  // namespace trophic::perception::sensors

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
@@ -12,12 +14,13 @@ namespace trophic::perception::sensors {
 /// tags.   Random draws: 0.
 struct TagRatioOfAll {
   static constexpr std::string_view name = "tag_ratio_of_all";
-  [[nodiscard]] double input(const View& view) const {
+  static constexpr std::size_t size = 1;
+  [[nodiscard]] std::array<double, size> sense(const View& view) const {
     const auto total = static_cast<double>(view.robots.size());
     const auto positive = static_cast<double>(std::ranges::count(view.robots, 1, &Individual::tag));
-    return (positive - total / 2.0) / total;
+    return {(positive - total / 2.0) / total};
   }
 };
-static_assert(PopulationInput<TagRatioOfAll>);
+static_assert(CommonSensor<TagRatioOfAll>);
 
 }  // namespace trophic::perception::sensors

@@ -11,8 +11,8 @@ namespace trophic::perception::visibility {
 /// invisible: Sec. "Prey Death").   Reads: both tags, other's activity.   Random draws: 0.
 struct SameTag {
   static constexpr std::string_view name = "same_tag";
-  [[nodiscard]] bool perceives(const Individual& self, const Individual& other) const {
-    return self.tag == other.tag && other.active;
+  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng&) const {
+    return view.robots[self].tag == view.robots[other].tag && view.robots[other].active;
   }
 };
 static_assert(Visibility<SameTag>);

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: how a genome changes on the way.
+// The contract of a slot: how an inherited genome changes.
 #pragma once
 
 #include <concepts>
 #include <span>
+#include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Mutation \
-  "void mutate(std::span<double> weights, Rng&) const; see trophic/reproduction/mutation/contract.hpp"
+#define TROPHIC_SENTENCE_Mutation                                                                                        \
+  "void mutate(std::span<double> weights, const Individual& offspring, Rng&) const (with a State also State& own); see " \
+  "trophic/reproduction/mutation/contract.hpp"
 
 namespace trophic::reproduction {
 
-/// `mutate(weights, rng)`: perturbs a genome in place.
+TROPHIC_QUESTION(mutate)
+
+/// `mutate(weights, offspring, rng)`: perturbs an inherited genome in place. `offspring` is complete but for its genome. With a
+/// State, `own` is what the offspring was born with, and may change: a mutation rate that itself mutates.
 template <class P>
-concept Mutation = requires(const P policy, std::span<double> weights, Rng& rng) {
-  { policy.mutate(weights, rng) } -> std::same_as<void>;
+concept Mutation = requires(const P policy, StateOf<P> own, std::span<double> weights, const Individual& offspring, Rng& rng) {
+  { ask::mutate(policy, own, weights, offspring, rng) } -> std::same_as<void>;
 };
 
 }  // namespace trophic::reproduction

@@ -23,7 +23,7 @@ struct NormalMutation {
   };
   Params params;
 
-  void mutate(std::span<double> weights, Rng& rng) const {
+  void mutate(std::span<double> weights, const Individual&, Rng& rng) const {
     for (double& weight : weights) weight += rng.normal(0.0, params.sd);
   }
 };

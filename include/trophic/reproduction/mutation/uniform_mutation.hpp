@@ -27,7 +27,7 @@ struct UniformMutation {
   };
   Params params;
 
-  void mutate(std::span<double> weights, Rng& rng) const {
+  void mutate(std::span<double> weights, const Individual&, Rng& rng) const {
     for (double& weight : weights) {
       weight = std::clamp(weight + rng.uniform(-params.half_width, params.half_width), -params.limit, params.limit);
     }

@@ -5,11 +5,13 @@
 #include <concepts>
 #include <optional>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Parent \
-  "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const; see trophic/reproduction/parent/contract.hpp"
+#define TROPHIC_SENTENCE_Parent                                                                                        \
+  "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const (with a State also const State& own); see " \
+  "trophic/reproduction/parent/contract.hpp"
 
 namespace trophic::reproduction {
 
@@ -21,11 +23,14 @@ struct Vacancy {
   std::optional<Species> heir = {};  ///< the species that the body goes to, where the rules fix it: a parent must be one of it
 };
 
+TROPHIC_QUESTION(parent)
+
 /// `parent(vacancy, view, rng)`: who reproduces into the vacant body, dead or alive; nobody: the genome is random. Of the species
-/// `vacancy.heir` where that is given; where not, the body goes to the parent's species.
+/// `vacancy.heir` where that is given; where not, the body goes to the parent's species. With a State, `own` is the vacant
+/// body's.
 template <class P>
-concept Parent = requires(const P policy, const Vacancy& vacancy, const View& view, Rng& rng) {
-  { policy.parent(vacancy, view, rng) } -> std::same_as<std::optional<Ancestor>>;
+concept Parent = requires(const P policy, const StateOf<P> own, const Vacancy& vacancy, const View& view, Rng& rng) {
+  { ask::parent(policy, own, vacancy, view, rng) } -> std::same_as<std::optional<Ancestor>>;
 };
 
 }  // namespace trophic::reproduction

@@ -4,18 +4,30 @@
 
 #include <optional>
 #include <string_view>
+#include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <tuple>
 
 namespace trophic::reproduction::parent {
 
 /// Rule (released code, for sacrificed prey): the parent is whoever last caught somebody in this body, dead or alive;
-/// nobody ever, or one of another species than the body goes to: none.   Reads: body memory.   Random draws: 0.
+/// nobody ever, or one of another species than the body goes to: none.   Reads: its own state.   Random draws: 0.
 struct LastKiller {
   static constexpr std::string_view name = "last_killer";
   static constexpr std::string_view source = "released code";
-  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
-    const std::optional<Ancestor>& killer = view.robots[vacancy.body].memory.last_killer;
-    return killer && vacancy.heir && killer->species != *vacancy.heir ? std::nullopt : killer;
+
+  /// Of each body.
+  struct State {
+    std::optional<Ancestor> killer;  ///< who last caught somebody in it
+    static constexpr auto fields() { return std::tuple{field("killer", &State::killer)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }
+  void on_caught(State& own, BodyIndex, BodyIndex hunter, const View& view) const {
+    own.killer = view.robots[hunter].as_ancestor();
+  }
+
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View&, Rng&, const State& own) const {
+    return own.killer && vacancy.heir && own.killer->species != *vacancy.heir ? std::nullopt : own.killer;
   }
 };
 static_assert(Parent<LastKiller>);

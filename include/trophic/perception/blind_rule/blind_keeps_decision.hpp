@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Without an adversary nothing is decided: target angle and tag freeze.
+// Who perceives no adversary keeps doing what it did.
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <trophic/perception/blind_rule/contract.hpp>
 
@@ -10,10 +9,10 @@ namespace trophic::perception::blind_rule {
 
 /// Rule: no perceivable adversary: the brain is not run, target angle and tag stay (released code), so that a hidden robot
 /// can never choose to show itself.   Reads: nothing.   Random draws: 0.
-struct BlindKeepsOutputs {
-  static constexpr std::string_view name = "blind_keeps_outputs";
-  [[nodiscard]] std::optional<BrainInputs> inputs(double) const { return std::nullopt; }
+struct BlindKeepsDecision {
+  static constexpr std::string_view name = "blind_keeps_decision";
+  [[nodiscard]] bool decides() const { return false; }
 };
-static_assert(BlindRule<BlindKeepsOutputs>);
+static_assert(BlindRule<BlindKeepsDecision>);
 
 }  // namespace trophic::perception::blind_rule

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The released code's cognitive brain: an angle output of zero turns right.
+#pragma once
+
+#include <trophic/control/brain/cognitive_network.hpp>
+
+namespace trophic::control::brain {
+
+/// As CognitiveBrain, but an angle output of exactly 0 counts as positive and turns right (released code). That happens where all
+/// inputs are 0, since the network has no biases.
+using CognitiveBrainZeroRight = CognitiveNetwork<Biases::none, ZeroTurns::right>;
+static_assert(Brain<CognitiveBrainZeroRight>);
+
+}  // namespace trophic::control::brain

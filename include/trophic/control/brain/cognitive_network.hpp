@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The paper's network with what it leaves open: biases, and which way an output of zero turns.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/control/brain/tanh_network.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::control::brain {
+
+/// Which way an angle output of exactly 0 turns.
+enum class ZeroTurns { left, right };
+
+/// Fully connected tanh network with one hidden layer of 3 neurons, whatever the number of inputs. Target angle +0.7 rad if
+/// out[0] > 0 (or >= 0 where zero turns right), else -0.7 rad; tag +1 if out[1] > 0, else -1 (Sec. "Outputs").   Random draws: 0.
+template <Biases biases, ZeroTurns zero>
+struct CognitiveNetwork {
+  static constexpr std::string_view name =
+      zero == ZeroTurns::left
+          ? (biases == Biases::none ? "cognitive_brain" : "cognitive_brain_with_biases")
+          : (biases == Biases::none ? "cognitive_brain_zero_right" : "cognitive_brain_zero_right_with_biases");
+  using Network = TanhNetwork<3, Decision::outputs, biases>;
+  using WithBiases = CognitiveNetwork<Biases::both_layers, zero>;  ///< the same brain with biases on both layers
+
+  struct Params {
+    double turn_angle_rad = 0.7;
+    static constexpr auto fields() {
+      return std::tuple{
+          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t) const { return Network::weights_size(inputs); }
+  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
+
+  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights) const {
+    const auto out = outputs(inputs, weights);
+    const bool right = zero == ZeroTurns::right ? out[0] >= 0.0 : out[0] > 0.0;
+    return {.target_angle_rad = right ? params.turn_angle_rad : -params.turn_angle_rad, .tag = out[1] > 0.0 ? 1 : -1};
+  }
+
+  /// The two output neurons (target angle, tag), each in (-1, 1).
+  [[nodiscard]] std::array<double, 2> outputs(std::span<const double> inputs, std::span<const double> weights) const {
+    return Network::neurons(inputs, weights).out;
+  }
+};
+
+}  // namespace trophic::control::brain

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The paper's network with weights that change within a life.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/control/brain/tanh_network.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::control::brain {
+
+/// Rule: CognitiveBrain whose weights learn. The genome g is what a brain is born with; after each decision every weight
+/// w = g + learnt changes by Oja's rule, a Hebbian rule that stays bounded:
+///   learnt <- learnt + rate * y * (x - y * w), with x the neuron before and y the one after the weight
+/// (Oja 1982, "A simplified neuron model as a principal component analyzer"). What is learnt dies with the individual; its
+/// offspring inherit the genome as it was.   Random draws: 0.
+struct HebbianBrain {
+  static constexpr std::string_view name = "hebbian_brain";
+  static constexpr std::size_t hidden = 3;
+  using Network = TanhNetwork<hidden, Decision::outputs, Biases::none>;
+
+  struct Params {
+    double turn_angle_rad = 0.7;
+    double rate = 0.01;
+    static constexpr auto fields() {
+      return std::tuple{
+          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle"),
+          field("rate", &Params::rate, between(0.0, 1.0), "of learning, for each decision; 0: none")};
+    }
+  };
+  Params params;
+
+  /// Of each individual.
+  struct State {
+    std::vector<double> learnt;  ///< what is added to each weight of the genome; empty before the first decision
+    static constexpr auto fields() { return std::tuple{field("learnt", &State::learnt)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t) const { return Network::weights_size(inputs); }
+  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
+
+  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
+    own.learnt.resize(weights.size(), 0.0);
+    std::vector<double> sum(weights.begin(), weights.end());
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own.learnt[i];
+    const auto [before, out] = Network::neurons(inputs, sum);
+    const std::span learnt{own.learnt};
+    const std::size_t first = hidden * inputs.size();
+    learn(inputs, before, std::span{sum}.first(first), learnt.first(first));
+    learn(before, out, std::span{sum}.subspan(first), learnt.subspan(first));
+    return {.target_angle_rad = out[0] > 0.0 ? params.turn_angle_rad : -params.turn_angle_rad, .tag = out[1] > 0.0 ? 1 : -1};
+  }
+
+ private:
+  void learn(std::span<const double> from, std::span<const double> to, std::span<const double> weights,
+             std::span<double> learnt) const {
+    for (std::size_t row = 0; row < to.size(); ++row) {
+      for (std::size_t column = 0; column < from.size(); ++column) {
+        const std::size_t i = row * from.size() + column;
+        learnt[i] += params.rate * to[row] * (from[column] - to[row] * weights[i]);
+      }
+    }
+  }
+};
+static_assert(Brain<HebbianBrain>);
+
+}  // namespace trophic::control::brain

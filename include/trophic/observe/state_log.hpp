@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// states.csv: what rules with a State keep for every robot at every tick.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <trophic/observe/csv.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/population/rule_states.hpp>
+#include <trophic/population/view.hpp>
+#include <type_traits>
+
+namespace trophic::observe {
+
+/// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.states()};`. Refers to the states.
+/// Columns: time_s, tick, body, id, then SLOT.MEMBER for each member of each State of the table: numbers exact, an Ancestor by
+/// its id, a vector's numbers with spaces between, nothing as an empty cell.
+template <class Rules>
+class StateLog {
+ public:
+  StateLog(const std::filesystem::path& path, const RuleStates<Rules>& states) : states_{states}, file_{path, header()} {}
+
+  void on_tick(const View& view) {
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      file_.cell(view.time_s);
+      file_.cell(view.tick);
+      file_.cell(body);
+      file_.cell(view.robots[body].id);
+      for_each_state(states_, [&](std::string_view, const auto& states) { write(states[body]); });
+      file_.end_row();
+    }
+    file_.flush();
+  }
+
+ private:
+  static std::string header() {
+    std::string text = "time_s,tick,body,id";
+    for_each_state(RuleStates<Rules>{}, [&]<class P>(std::string_view slot, const BodyStates<P>&) {
+      append_names(StateOf<P>{}, std::string{slot}, text);
+    });
+    return text;
+  }
+
+  template <class State>
+  static void append_names(const State& state, const std::string& path, std::string& text) {
+    for_each_field(state, [&](const auto& f, const auto& value) {
+      const std::string name = join_path(path, f.name);
+      if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) {
+        append_names(value, name, text);
+      } else {
+        text += "," + name;
+      }
+    });
+  }
+
+  template <class State>
+  void write(const State& state) {
+    for_each_field(state, [&](const auto&, const auto& value) {
+      using T = std::remove_cvref_t<decltype(value)>;
+      if constexpr (HasFields<T>) {
+        write(value);
+      } else if constexpr (std::same_as<T, Ancestor>) {
+        file_.cell(value.id);
+      } else if constexpr (std::same_as<T, std::optional<Ancestor>>) {
+        file_.cell(value ? std::optional{value->id} : std::nullopt);
+      } else if constexpr (requires { value.begin(); }) {
+        std::string text;
+        for (const auto& one : value) text += (text.empty() ? "" : " ") + number_text(one);
+        file_.cell(text);
+      } else {
+        file_.cell(value);
+      }
+    });
+  }
+
+  const RuleStates<Rules>& states_;
+  CsvFile file_;
+};
+
+}  // namespace trophic::observe

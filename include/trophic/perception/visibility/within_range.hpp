@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Robots perceive their own tag, up to a range.
+#pragma once
+
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/perception/visibility/contract.hpp>
+#include <tuple>
+
+namespace trophic::perception::visibility {
+
+/// Rule: self perceives other iff their tags are equal, other is active, and other is at most range away: SameTag for a sensor
+/// that does not see across the whole arena. The paper sets no limit.   Reads: positions, both tags, other's activity.   Random
+/// draws: 0.
+struct WithinRange {
+  static constexpr std::string_view name = "within_range";
+
+  struct Params {
+    double range_m = 5.0;
+    static constexpr auto fields() {
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "nobody farther away is perceived")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng&) const {
+    const Individual& seen = view.robots[other];
+    return view.robots[self].tag == seen.tag && seen.active && view.distance_m(self, other) <= params.range_m;
+  }
+};
+static_assert(Visibility<WithinRange>);
+
+}  // namespace trophic::perception::visibility

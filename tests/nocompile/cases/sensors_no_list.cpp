@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A sensor alone where a list of sensors is wanted.
+// expect: the policy in Rules::Sensors needs to be a perception::sensors::List<...> of sensors
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/rules/paper.hpp>
+
+int main() {
+#ifdef VALID
+  using Sensors = trophic::perception::sensors::List<trophic::perception::sensors::SideOfAdversary>;
+#else
+  using Sensors = trophic::perception::sensors::SideOfAdversary;
+#endif
+  trophic::Ecology<trophic::with_sensors<trophic::rules::Paper, Sensors>, trophic::backend::Kinematic> ecology;
+  ecology.run_until(10.0);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A rule that keeps something and does not say what a newborn starts with.
+// expect: the policy in Rules::Senescence has a State, so it needs State born(const Individual& newborn, const State* parent,
+// const State& body) const
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/rules/paper.hpp>
+
+struct Keeper {
+  static constexpr std::string_view name = "keeper";
+  struct State {
+    double walked_m = 0.0;
+    static constexpr auto fields() { return std::tuple{trophic::field("walked_m", &State::walked_m)}; }
+  };
+#ifdef VALID
+  State born(const trophic::Individual&, const State*, const State& body) const {
+    return body;
+  }
+#endif
+  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&, const State& own) const {
+    return own.walked_m > 100.0;
+  }
+};
+
+int main() {
+  trophic::Ecology<trophic::with_senescence<trophic::rules::Paper, Keeper>, trophic::backend::Kinematic> ecology;
+  ecology.run_until(10.0);
+}

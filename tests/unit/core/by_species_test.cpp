@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <string>
+#include <support/hand_population.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/death/senescence/energy_store.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/perception/visibility/within_range.hpp>
+#include <trophic/rules/by_species.hpp>
+#include <trophic/rules/paper.hpp>
+#include <vector>
+
+using namespace trophic;
+using community::PredatorPrey;
+using rules::by_species;
+
+TEST_CASE("by species: each species has its own numbers, set and shown under its name") {
+  using Mutation = by_species<reproduction::mutation::NormalMutation, PredatorPrey>;
+  using Rules = with_mutation<rules::Paper, Mutation>;
+  CHECK(Mutation::name == "normal_mutation_by_species");
+  Ecology<Rules, backend::Kinematic>::Params params{.seed = 8};
+  read_numbers(params, read_assignment("rules.mutation.prey.sd=0.5"));
+  read_numbers(params, read_assignment("rules.mutation.predator.sd=0"));
+  std::vector<std::string> paths;
+  for (const Setting& setting : settings_of(params.rules.mutation)) paths.push_back(setting.path);
+  CHECK(paths == std::vector<std::string>{"prey.sd", "predator.sd"});
+
+  struct Births {
+    void on_event(const observe::Event& event, const View&) {
+      if (event.kind != observe::EventKind::birth || !event.individual.parent) return;
+      const bool is_prey = event.individual.species == PredatorPrey::prey;
+      CHECK((event.individual.mutation_distance > 0.0) == is_prey);
+      ++(is_prey ? prey : predators);
+    }
+    std::size_t prey = 0;
+    std::size_t predators = 0;
+  } births;
+  Ecology<Rules, backend::Kinematic> ecology{params};
+  ecology.run_until(2000.0, births);
+  CHECK(births.prey > 5);
+  CHECK(births.predators > 5);
+}
+
+TEST_CASE("by species: who looks, who dies and which species is asked about says whose numbers count") {
+  const test::HandPopulation robots{{{.species = test::prey}, {.species = test::predator, .x_m = 4.0}}};
+  Rng rng{1, Stream::user};
+  NoState none;
+  using Range = by_species<perception::visibility::WithinRange, PredatorPrey>;
+  Range::Params ranges;
+  ranges.get<PredatorPrey::prey>().range_m = 3.0;
+  const Range range{ranges};
+  CHECK_FALSE(range.perceives(0, 1, robots.view(), rng, none));
+  CHECK(range.perceives(1, 0, robots.view(), rng, none));
+
+  using Floor = by_species<death::floor::VictimFloor, PredatorPrey>;
+  Floor::Params floors;
+  floors.get<PredatorPrey::prey>().floor = 0;
+  CHECK(Floor{floors}.may_die(PredatorPrey::prey, robots.view()));
+  CHECK_FALSE(Floor{floors}.may_die(PredatorPrey::predator, robots.view()));
+}
+
+TEST_CASE("by species: a rule with a state keeps it, each individual's by the numbers of its species") {
+  using Store = by_species<death::senescence::EnergyStore, PredatorPrey>;
+  Store::Params numbers;
+  numbers.get<PredatorPrey::prey>() = {.start_J = 7.0, .walking_J_per_m = 1.0, .resting_W = 0.0, .grazing_W = 0.0};
+  numbers.get<PredatorPrey::predator>() = {.start_J = 9.0, .walking_J_per_m = 2.0, .resting_W = 0.0};
+  const Store store{numbers};
+  const test::HandPopulation robots{{{.species = test::prey}, {.species = test::predator}}};
+  auto prey = store.born(robots.individuals[0], nullptr, {});
+  auto predator = store.born(robots.individuals[1], nullptr, {});
+  store.on_walk(prey, 0, 1.0, robots.view());
+  store.on_walk(predator, 1, 1.0, robots.view());
+  CHECK(prey.energy_J == 6.0);
+  CHECK(predator.energy_J == 7.0);
+
+  using Rules = with_senescence<rules::Paper, Store>;
+  Ecology<Rules, backend::Kinematic>::Params params;
+  params.rules.senescence = numbers;
+  const Ecology<Rules, backend::Kinematic> ecology{params};
+  CHECK(ecology.states().senescence[0].energy_J == 7.0);
+  CHECK(ecology.states().senescence[29].energy_J == 9.0);
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/death/senescence/old_age.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/observe/state_log.hpp>
+#include <trophic/rules/neutral_shadow.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <vector>
+
+using namespace trophic;
+
+namespace {
+
+/// Counts what its body goes through. Nobody dies of it.
+struct Diary {
+  static constexpr std::string_view name = "diary";
+  struct State {
+    double walked_m = 0.0;
+    std::size_t catches = 0;    ///< of this individual
+    std::size_t caught = 0;     ///< in this body, ever
+    std::size_t sighted = 0;    ///< of this individual
+    std::size_t looked = 0;     ///< of this individual
+    std::size_t ancestors = 0;  ///< in an unbroken line of living parents
+    static constexpr auto fields() {
+      return std::tuple{field("walked_m", &State::walked_m), field("catches", &State::catches),
+                        field("caught", &State::caught),     field("sighted", &State::sighted),
+                        field("looked", &State::looked),     field("ancestors", &State::ancestors)};
+    }
+  };
+  [[nodiscard]] State born(const Individual&, const State* parent, const State& body) const {
+    State born;
+    born.caught = body.caught;
+    born.ancestors = parent != nullptr ? parent->ancestors + 1 : 0;
+    return born;
+  }
+  void on_walk(State& own, BodyIndex, double distance_m, const View&) const { own.walked_m += distance_m; }
+  void on_catch(State& own, BodyIndex, BodyIndex, const View&) const { ++own.catches; }
+  void on_caught(State& own, BodyIndex, BodyIndex, const View&) const { ++own.caught; }
+  void on_sighting(State& own, BodyIndex, const std::optional<Sighting>& sighting, const View&) const {
+    ++own.looked;
+    if (sighting) ++own.sighted;
+  }
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const { return false; }
+};
+
+/// Counts the same from outside.
+template <class Rules>
+struct Watch {
+  explicit Watch(const Ecology<Rules, backend::Kinematic>& run) : ecology{run} {}
+
+  void on_event(const observe::Event& event, const View& view) {
+    const Diary::State& own = ecology.states().senescence[event.body];
+    seen.resize(view.robots.size());
+    Diary::State& mine = seen[event.body];
+    if (event.kind == observe::EventKind::birth) {
+      std::optional<std::size_t> parent;
+      for (BodyIndex body = 0; body < view.robots.size() && event.individual.parent; ++body) {
+        if (body != event.body && view.robots[body].id == event.individual.parent) parent = seen[body].ancestors;
+      }
+      mine = {.caught = mine.caught, .ancestors = parent && inherits ? *parent + 1 : 0};
+      CHECK(own.ancestors == mine.ancestors);
+      CHECK(own.catches == 0);
+      longest = std::max(longest, own.ancestors);
+    }
+    if (event.kind == observe::EventKind::capture) {
+      ++mine.catches;
+      for (BodyIndex body = 0; body < view.robots.size(); ++body)
+        seen[body].caught += view.robots[body].id == event.other ? 1 : 0;
+    }
+  }
+  void on_tick(const View& view) {
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      const Diary::State& own = ecology.states().senescence[body];
+      Diary::State& mine = seen[body];
+      if (!before.empty() && view.robots[body].born_s < view.time_s) mine.walked_m += distance_m(before[body], view.poses[body]);
+      ++mine.looked;
+      mine.sighted += view.robots[body].adversary ? 1 : 0;
+      CHECK(first_difference(own, mine) == "");
+    }
+    before.assign(view.poses.begin(), view.poses.end());
+  }
+
+  const Ecology<Rules, backend::Kinematic>& ecology;
+  bool inherits = true;
+  std::vector<Diary::State> seen;
+  std::vector<GroundPose> before;
+  std::size_t longest = 0;
+};
+
+std::vector<std::string> lines_of(const std::filesystem::path& path) {
+  std::ifstream file{path};
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("rule states: a policy is told what its bodies go through, and says what a newborn starts with") {
+  using Rules = with_senescence<rules::Paper, Diary>;
+  Ecology<Rules, backend::Kinematic> ecology{{.seed = 5}};
+  Watch<Rules> watch{ecology};
+  ecology.run_until(1500.0, watch);
+  CHECK(watch.longest > 2);
+}
+
+TEST_CASE("rule states: where nothing is inherited no state is either") {
+  using Rules = rules::neutral_shadow<with_senescence<rules::Paper, Diary>>;
+  Ecology<Rules, backend::Kinematic> ecology{{.seed = 5}};
+  Watch<Rules> watch{ecology};
+  watch.inherits = false;
+  ecology.run_until(500.0, watch);
+  CHECK(watch.longest == 0);
+}
+
+TEST_CASE("rule states: a rule that only keeps a diary changes nothing of the run") {
+  Ecology<rules::Paper, backend::Kinematic> plain{{.seed = 5}};
+  Ecology<with_senescence<rules::Paper, Diary>, backend::Kinematic> kept{{.seed = 5}};
+  plain.run_until(500.0);
+  kept.run_until(500.0);
+  for (BodyIndex body = 0; body < 30; ++body) {
+    CHECK(plain.view().robots[body].id == kept.view().robots[body].id);
+    CHECK(plain.view().poses[body].x_m == kept.view().poses[body].x_m);
+  }
+}
+
+TEST_CASE("rule states: a table without states keeps nothing") {
+  static_assert(!detail::has_states<rules::Paper>());
+  static_assert(detail::has_states<rules::Released>());
+  std::size_t visited = 0;
+  for_each_state(RuleStates<rules::Paper>{}, [&](std::string_view, const auto&) { ++visited; });
+  CHECK(visited == 0);
+  std::vector<std::string> slots;
+  for_each_state(RuleStates<rules::Released>{}, [&](std::string_view slot, const auto&) { slots.emplace_back(slot); });
+  CHECK(slots == std::vector<std::string>{"starvation_parent", "rescue_parent", "reprieve"});
+}
+
+TEST_CASE("state log: a column for each member of each state, a row for each robot and tick") {
+  const test::TemporaryFolder folder;
+  Ecology<rules::Released, backend::Kinematic> ecology{{.seed = 6}};
+  observe::StateLog log{folder.path() / "states.csv", ecology.states()};
+  ecology.run_until(200.0, log);
+  const auto lines = lines_of(folder.path() / "states.csv");
+  REQUIRE(lines.size() == 1 + 101 * 30);
+  CHECK(lines[0] ==
+        "time_s,tick,body,id,starvation_parent.body,starvation_parent.victim,rescue_parent.killer,reprieve.adversary_distance_m");
+  CHECK(lines[1] == "0,0,0,0,,,,0");
+  const auto& states = ecology.states();
+  for (BodyIndex body = 0; body < 30; ++body) {
+    const auto id = [](const std::optional<Ancestor>& one) { return one ? number_text(one->id) : ""; };
+    const auto& seen = states.starvation_parent[body];
+    CHECK(lines[1 + 100 * 30 + body] == "200,100," + number_text(body) + "," + number_text(ecology.view().robots[body].id) + "," +
+                                            (seen.body ? number_text(*seen.body) : "") + "," + id(seen.victim) + "," +
+                                            id(states.rescue_parent[body].killer) + "," +
+                                            number_text(states.reprieve[body].adversary_distance_m));
+  }
+}
+
+TEST_CASE("state log: a table without states has the first four columns") {
+  const test::TemporaryFolder folder;
+  Ecology<rules::Paper, backend::Kinematic> ecology;
+  observe::StateLog log{folder.path() / "states.csv", ecology.states()};
+  ecology.run_until(0.0, log);
+  const auto lines = lines_of(folder.path() / "states.csv");
+  REQUIRE(lines.size() == 31);
+  CHECK(lines[0] == "time_s,tick,body,id");
+  CHECK(lines[30] == "0,0,29,29");
+}
