@@ -122,7 +122,7 @@ struct Paper final {
             .robot = "spider",
             .arena = "walled_square",
             .gait = {},
-            .cpg_integration = locomotion::CpgIntegration::exact};
+            .cpg_integration = CpgIntegration::exact};
   }
   static Physics physics() { return {.timestep_s = 0.0012, .integrator = Integrator::semi_implicit_euler, .gravity_m_s2 = 9.81}; }
 };
