@@ -1,5 +1,5 @@
-# Installs headers, models, programs and conformance suites with a CMake package:
-# find_package(trophic COMPONENTS command mujoco ode conformance).
+# Installs headers, libraries, models, programs and conformance suites with a CMake package: find_package(trophic COMPONENTS mujoco
+# ode command compiled mujoco_compiled ode_compiled command_compiled conformance).
 include(CMakePackageConfigHelpers)
 set(trophic_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/trophic)
 
@@ -7,7 +7,14 @@ set(trophic_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/trophic)
 function(trophic_install_component component target)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "HEADERS" "")
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${component})
-  install(TARGETS ${target} EXPORT trophic-${component} FILE_SET HEADERS DESTINATION ${arg_HEADERS})
+  set(file_sets "")
+  get_target_property(sets ${target} INTERFACE_HEADER_SETS)
+  foreach(set IN LISTS sets)
+    if(set)
+      list(APPEND file_sets FILE_SET ${set} DESTINATION ${arg_HEADERS})
+    endif()
+  endforeach()
+  install(TARGETS ${target} EXPORT trophic-${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${file_sets})
   install(EXPORT trophic-${component} NAMESPACE trophic:: DESTINATION ${trophic_cmake_dir} FILE trophic-${component}.cmake)
 endfunction()
 
@@ -15,13 +22,9 @@ trophic_install_component(trophic trophic HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
 if(TARGET trophic_conformance)
   trophic_install_component(conformance trophic_conformance HEADERS ${CMAKE_INSTALL_DATADIR}/trophic/tests)
 endif()
-if(TARGET trophic_command)
-  trophic_install_component(command trophic_command HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
-endif()
-foreach(backend mujoco ode)
-  if(TARGET trophic::${backend})
-    get_target_property(target trophic::${backend} ALIASED_TARGET)
-    trophic_install_component(${backend} ${target} HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
+foreach(component command mujoco ode compiled mujoco_compiled ode_compiled command_compiled)
+  if(TARGET trophic::${component})
+    trophic_install_component(${component} trophic_${component} HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
   endif()
 endforeach()
 
@@ -32,9 +35,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATAD
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.in ${PROJECT_BINARY_DIR}/trophic-config.cmake
                               INSTALL_DESTINATION ${trophic_cmake_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cmake COMPATIBILITY SameMinorVersion
-                                 ARCH_INDEPENDENT)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/trophic-config-version.cmake
               ${PROJECT_SOURCE_DIR}/cmake/trophic-experiment.cmake ${PROJECT_SOURCE_DIR}/cmake/source-revision.cmake
               ${PROJECT_SOURCE_DIR}/cmake/FindODE.cmake ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-existing-includes.cmake
         DESTINATION ${trophic_cmake_dir})

@@ -10,6 +10,7 @@
 #include <string>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/observe/agent_log.hpp>
 #include <trophic/observe/event_log.hpp>
 #include <trophic/observe/genome_log.hpp>

@@ -23,7 +23,6 @@ TEST_CASE_TEMPLATE_DEFINE("activation", Policy, trophic_activation_suite) {
   static_assert(death::Activation<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  CHECK(policy.restarts_age() == conformance::defaulted<Policy>().restarts_age());
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     conformance::check_each_robot(
         robots, seed, [&](const test::HandPopulation& any, BodyIndex body) { return policy.activates(body, any.view()); });

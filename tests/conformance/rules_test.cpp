@@ -7,12 +7,21 @@
 #include <conformance/placement_suite.hpp>
 #include <conformance/reproduction_suite.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/death/activation/always_active.hpp>
+#include <trophic/death/capture/no_capture.hpp>
+#include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/reprieve/no_reprieve.hpp>
+#include <trophic/death/rescue/no_rescue.hpp>
 #include <trophic/death/senescence/old_age.hpp>
+#include <trophic/death/starvation/nobody_starves.hpp>
+#include <trophic/death/starvation_schedule/never_due.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
+#include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
+#include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
+#include <trophic/reproduction/mutation/no_mutation.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -21,8 +30,8 @@ using namespace trophic;
 
 TEST_CASE("rules: every number of a shipped rule has a line of help") {
   using Others = with_senescence<rules::Paper, death::senescence::OldAge>;
-  for (const Settings& settings : {settings_of(RuleNumbers<rules::Paper>{}), settings_of(RuleNumbers<rules::Released>{}),
-                                   settings_of(RuleNumbers<Others>{})}) {
+  for (const Settings& settings :
+       {settings_of(RuleParams<rules::Paper>{}), settings_of(RuleParams<rules::Released>{}), settings_of(RuleParams<Others>{})}) {
     for (const Setting& setting : settings) {
       CAPTURE(setting.path);
       CHECK_FALSE(setting.help.empty());
@@ -43,14 +52,16 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_population_input_suite, perception::sensors::T
 TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindSeesNothing,
                           perception::blind_rule::BlindKeepsOutputs);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
-TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::TagSampling);
+TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::TagSampling,
+                          perception::tag_switch::FreeTags);
 TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainWithBiases);
 TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, control::decision_order::DecideTogether,
                           control::decision_order::DecideInTurn);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights);
-TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, reproduction::genome_source::RandomOrInherited);
+TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, reproduction::genome_source::RandomOrInherited,
+                          reproduction::genome_source::RandomOrInheritedInName, reproduction::genome_source::AlwaysInherited);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::LastSeenVictim, reproduction::parent::NearestConspecific,
                           reproduction::parent::NearestVictim, reproduction::parent::NoParent);
@@ -58,15 +69,19 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_heir_parent_suite, reproduction::parent::Kille
                           reproduction::parent::NearestConspecific, reproduction::parent::NoParent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
                           reproduction::heredity::NothingInherited);
-TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation,
-                          reproduction::mutation::UniformMutation);
+TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
+                          reproduction::mutation::NoMutation);
 
-TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, death::activation::ActiveAwayFromHunters);
-TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, death::capture::CatchWithinReach, death::capture::CatchClosest);
-TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor);
-TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_schedule_suite, death::starvation_schedule::CrowdingInterval);
+TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, death::activation::ActiveAwayFromHunters,
+                          death::activation::AgesOnceAwayFromHunters, death::activation::AlwaysActive);
+TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, death::capture::CatchWithinReach, death::capture::CatchClosest,
+                          death::capture::NoCapture);
+TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor, death::floor::NoFloor);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_schedule_suite, death::starvation_schedule::DelayedCrowdingInterval,
+                          death::starvation_schedule::DirectCrowdingInterval, death::starvation_schedule::NeverDue);
 TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, death::reprieve::NearPerceivedVictim, death::reprieve::NearRememberedAdversary,
                           death::reprieve::NoReprieve);
-TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, death::starvation::HungriestStarves);
-TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, death::rescue::SacrificeRandomVictim);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, death::starvation::HungriestUnspared,
+                          death::starvation::HungriestUnsparedElseHungriest, death::starvation::NobodyStarves);
+TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, death::rescue::SacrificeRandomVictim, death::rescue::NoRescue);
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge);

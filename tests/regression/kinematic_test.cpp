@@ -7,6 +7,7 @@
 #include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>

@@ -13,7 +13,7 @@ CORE = ROOT / "include"
 SKIPPED = 77
 
 
-def sources(*folders: str, suffixes: tuple[str, ...] = (".hpp", ".cpp")) -> list[pathlib.Path]:
+def sources(*folders: str, suffixes: tuple[str, ...] = (".hpp", ".ipp", ".cpp")) -> list[pathlib.Path]:
     return sorted(path for folder in folders for path in (ROOT / folder).rglob("*") if path.suffix in suffixes)
 
 
@@ -46,18 +46,18 @@ def simulated_time_only():
 
 def header_length():
     """A header has at most 400 lines."""
-    counted = [(path, len(path.read_text().splitlines())) for path in sources("include", "backends", "tests", suffixes=(".hpp",))]
+    counted = [(path, len(path.read_text().splitlines())) for path in sources("include", "backends", "tests", suffixes=(".hpp", ".ipp"))]
     return [f"{path.relative_to(ROOT)}: {lines} lines, must be <= 400" for path, lines in counted if lines > 400]
 
 
 def header_start():
     """The licence comes first, then what the file is for; headers have #pragma once."""
     offences = []
-    for path in sources("include", "backends", "examples", "tests"):
+    for path in sources("include", "src", "backends", "examples", "tests"):
         text = path.read_text()
         if not text.startswith("// SPDX-License-Identifier: MIT\n"):
             offences.append(f"{path.relative_to(ROOT)}: the first line must be // SPDX-License-Identifier: MIT")
-        if path.suffix == ".hpp" and not re.match(r"//.*\n(//.*\n)+#pragma once\n", text):
+        if path.suffix in (".hpp", ".ipp") and not re.match(r"//.*\n(//.*\n)+#pragma once\n", text):
             offences.append(f"{path.relative_to(ROOT)}: after the licence come a one-line summary and #pragma once")
     return offences
 
@@ -82,9 +82,19 @@ def complete_umbrella():
     return [f"trophic.hpp lacks #include <{path.relative_to(CORE)}>" for path in missing]
 
 
+def analysis_rooms():
+    """Arrows in analysis run data -> metrics -> report and statistics -> report, and nowhere else."""
+    seen = {"data": {"data"}, "statistics": {"statistics"}, "metrics": {"data", "metrics"}}
+    return [
+        offence
+        for room, known in seen.items()
+        for offence in lines_with(rf"#include <trophic/analysis/(?!({'|'.join(known)})/)", sources(f"include/trophic/analysis/{room}"))
+    ]
+
+
 def nothing_unfinished():
     """What is in the tree is done."""
-    files = sources("include", "backends", "examples", "tests", "models", suffixes=(".hpp", ".cpp", ".md", ".toml", ".txt"))
+    files = sources("include", "backends", "examples", "tests", "models", suffixes=(".hpp", ".ipp", ".cpp", ".md", ".toml", ".txt"))
     return lines_with(r"\b(TODO|FIXME|XXX)\b", files)
 
 
@@ -94,7 +104,7 @@ def formatted():
     if not tool or " 14." not in subprocess.run([tool, "--version"], capture_output=True, text=True).stdout:
         print("clang-format 14 is not installed")
         sys.exit(SKIPPED)
-    files = [str(path) for path in sources("include", "backends", "examples", "tests")]
+    files = [str(path) for path in sources("include", "src", "backends", "examples", "tests")]
     done = subprocess.run([tool, "--dry-run", *files], capture_output=True, text=True, check=True)
     return sorted({line.split(":")[0] + ": run clang-format -i on it" for line in done.stderr.splitlines() if "warning:" in line})
 

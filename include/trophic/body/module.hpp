@@ -3,13 +3,14 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
+#include <trophic/support/linkage.hpp>
 #include <tuple>
 #include <vector>
 
@@ -84,16 +85,8 @@ struct Module {
 };
 
 /// A quarter turn about z or x as an exact matrix.
-[[nodiscard]] inline Eigen::Matrix3i face_rotation(Face face) {
-  constexpr std::array<std::array<int, 2>, 4> cos_sin{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-  const auto [c, s] = cos_sin.at(static_cast<std::size_t>(face));
-  return (Eigen::Matrix3i() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
-}
-[[nodiscard]] inline Eigen::Matrix3i roll_rotation(int quarter_turns) {
-  constexpr std::array<std::array<int, 2>, 4> cos_sin{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  const auto [c, s] = cos_sin.at(static_cast<std::size_t>(quarter_turns));
-  return (Eigen::Matrix3i() << 1, 0, 0, 0, c, -s, 0, s, c).finished();
-}
+[[nodiscard]] Eigen::Matrix3i face_rotation(Face face);
+[[nodiscard]] Eigen::Matrix3i roll_rotation(int quarter_turns);
 
 /// A core with modules attached to it; every state of it is a robot that can be built, as far as the grid can tell.
 class ModuleTree {
@@ -102,33 +95,7 @@ class ModuleTree {
 
   /// Attaches a module and returns its index. Throws std::invalid_argument, naming the path, for a second core, a face that the
   /// parent lacks or that is taken, and a grid cell that another module fills already; the tree is unchanged then.
-  std::size_t attach(std::size_t parent, Face face, ModuleType type, int quarter_turns = 0) {
-    if (parent >= modules_.size()) {
-      throw std::invalid_argument{"parent = " + std::to_string(parent) + ": must be < " + std::to_string(modules_.size())};
-    }
-    const std::string place = join_path(path(parent) == "core" ? "" : path(parent), enum_name(face));
-    if (type == ModuleType::core) throw std::invalid_argument{place + ": a robot has only one core"};
-    const Module& on = modules_[parent];
-    if (!has_face(on.type, face)) {
-      throw std::invalid_argument{place + ": a " + std::string{enum_name(on.type)} + " has no " + std::string{enum_name(face)} +
-                                  " face"};
-    }
-    if (child(parent, face)) throw std::invalid_argument{place + ": two modules on one face"};
-    Module added;
-    added.type = type;
-    added.parent = parent;
-    added.face = face;
-    added.quarter_turns = ((quarter_turns % 4) + 4) % 4;
-    const Eigen::Matrix3i towards = on.orientation * face_rotation(face);
-    added.cell = on.cell + towards.col(0);
-    added.orientation = towards * roll_rotation(added.quarter_turns);
-    for (std::size_t other = 0; other < modules_.size(); ++other) {
-      if (modules_[other].cell == added.cell) throw std::invalid_argument{place + ": overlaps module " + path(other)};
-    }
-    modules_[parent].children.at(static_cast<std::size_t>(face)) = modules_.size();
-    modules_.push_back(added);
-    return modules_.size() - 1;
-  }
+  std::size_t attach(std::size_t parent, Face face, ModuleType type, int quarter_turns = 0);
 
   /// All modules, parents before children; the core is number 0.
   [[nodiscard]] const std::vector<Module>& modules() const { return modules_; }
@@ -138,25 +105,17 @@ class ModuleTree {
   }
 
   /// The faces from the core to the module, e.g. "back.front.left"; "core" for the core.
-  [[nodiscard]] std::string path(std::size_t module) const {
-    const Module& m = modules_.at(module);
-    if (!m.parent) return "core";
-    const std::string name{enum_name(m.face)};
-    return *m.parent == 0 ? name : path(*m.parent) + "." + name;
-  }
+  [[nodiscard]] std::string path(std::size_t module) const;
 
   /// Number of attachments between two modules.
-  [[nodiscard]] std::size_t distance(std::size_t a, std::size_t b) const {
-    std::size_t steps = 0;
-    for (; a != b; ++steps) {
-      std::size_t& later = a > b ? a : b;
-      later = modules_[later].parent.value();
-    }
-    return steps;
-  }
+  [[nodiscard]] std::size_t distance(std::size_t a, std::size_t b) const;
 
  private:
   std::vector<Module> modules_;
 };
 
 }  // namespace trophic::body
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/body/module.ipp>
+#endif

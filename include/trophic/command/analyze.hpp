@@ -12,11 +12,12 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/report/claim_verdict.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
-#include <trophic/analysis/report/report.hpp>
+#include <trophic/analysis/report/metrics_table.hpp>
 #include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/report/summary_json.hpp>
 #include <trophic/analysis/report/text_table.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/observe/run_folder.hpp>

@@ -20,8 +20,8 @@
 #include <trophic/command/cross_check/report.hpp>
 #include <trophic/command/cross_check/walk.hpp>
 #include <trophic/command/option.hpp>
-#include <trophic/ecology/world.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>

@@ -19,6 +19,7 @@
 #include <trophic/gait_evolution/pre_experiment.hpp>
 #include <trophic/gait_evolution/tables.hpp>
 #include <trophic/load/robot.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
@@ -47,8 +48,12 @@ struct Options {
 
 template <class Table, Backend B>
 std::string settings_text(const gait_evolution::Numbers<Table, B>& numbers) {
-  return "rule_table = \"" + std::string{Table::name} + "\"\nfitness_rule = \"" + std::string{Table::Fitness::name} +
-         "\"\nengine = \"" + std::string{B::name} + "\"\n" + toml_text(settings_of(numbers));
+  TomlWriter writer;
+  writer.put("rule_table", Table::name);
+  writer.put("fitness_rule", Table::Fitness::name);
+  writer.put("engine", B::name);
+  writer.put_all(settings_of(numbers));
+  return writer.text();
 }
 
 template <class Table, Backend B>
@@ -82,7 +87,7 @@ int run(const Options& options, const Config& config) {
   if (options.resume.empty()) {
     if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
     folder = observe::make_new_folder(options.out);
-    trophic::detail::replace_file(folder / "settings.toml", settings_text(numbers));
+    replace_file(folder / "settings.toml", settings_text(numbers));
   } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
     gait_evolution::resume(experiment, folder);
   }

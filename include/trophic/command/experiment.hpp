@@ -12,6 +12,7 @@
 #include <trophic/command/backends.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/command/experiment_program.hpp>
+#include <trophic/command/option.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>

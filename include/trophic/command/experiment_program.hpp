@@ -7,13 +7,14 @@
 #include <optional>
 #include <string>
 #include <trophic/command/config.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/replicates/plan.hpp>
+#include <trophic/support/linkage.hpp>
 #include <vector>
 
 namespace trophic::command {
@@ -70,4 +71,6 @@ void report_run(observe::RunFolder& folder, const observe::Progress& progress, c
 
 }  // namespace trophic::command
 
+#if TROPHIC_HEADER_ONLY
 #include <trophic/command/experiment_program.ipp>
+#endif

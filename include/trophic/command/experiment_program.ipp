@@ -12,6 +12,7 @@
 #include <trophic/command/facts.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
@@ -19,20 +20,24 @@
 
 namespace trophic::command {
 
-inline void apply(const ExperimentOptions& options, std::uint64_t& seed, World& world) {
+TROPHIC_INLINE void apply(const ExperimentOptions& options, std::uint64_t& seed, World& world) {
   if (options.seed) seed = *options.seed;
   if (options.duration_s) world.duration_s = *options.duration_s;
   if (options.robots) world.robots = *options.robots;
   if (options.robot) world.robot = *options.robot;
 }
 
-inline int print_config(const std::string& table, const std::string& backend, const Settings& settings) {
-  std::cout << "rule_table = \"" << table << "\"\nengine = \"" << backend << "\"\n" << toml_text(settings) << std::flush;
+TROPHIC_INLINE int print_config(const std::string& table, const std::string& backend, const Settings& settings) {
+  TomlWriter writer;
+  writer.put("rule_table", table);
+  writer.put("engine", backend);
+  writer.put_all(settings);
+  std::cout << writer.text() << std::flush;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
   return 0;
 }
 
-inline replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed) {
+TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed) {
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
   return {.out = options.out,
           .master_seed = master_seed,
@@ -41,7 +46,7 @@ inline replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t 
           .resume = options.resume};
 }
 
-inline int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
+TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
   if (unfinished.empty()) return 0;
   for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
@@ -49,7 +54,7 @@ inline int report_unfinished(const ExperimentOptions& options, const std::vector
   return run_error;
 }
 
-inline void report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view) {
+TROPHIC_INLINE void report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view) {
   folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
   const int signal = observe::StopOnSignal::caught();
   if (signal != 0) std::cout << "stopped by signal " << signal << " after the tick at hand\n";
@@ -61,7 +66,7 @@ inline void report_run(observe::RunFolder& folder, const observe::Progress& prog
 namespace detail {
 
 /// The names of tables or backends, each once, in order.
-[[nodiscard]] inline std::vector<std::string> names_of(const std::vector<Pairing>& pairings, std::string Pairing::*name) {
+[[nodiscard]] TROPHIC_INLINE std::vector<std::string> names_of(const std::vector<Pairing>& pairings, std::string Pairing::*name) {
   std::vector<std::string> names;
   for (const Pairing& pairing : pairings) {
     if (std::ranges::find(names, pairing.*name) == names.end()) names.push_back(pairing.*name);
@@ -70,7 +75,7 @@ namespace detail {
 }
 
 /// Every path that some table has on some backend, each once.
-[[nodiscard]] inline std::vector<std::string> paths_of(const std::vector<Pairing>& pairings) {
+[[nodiscard]] TROPHIC_INLINE std::vector<std::string> paths_of(const std::vector<Pairing>& pairings) {
   std::vector<std::string> paths;
   for (const Pairing& pairing : pairings) {
     for (const Setting& setting : pairing.settings()) {
@@ -80,7 +85,7 @@ namespace detail {
   return paths;
 }
 
-[[nodiscard]] inline std::vector<Option> options_of(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
+[[nodiscard]] TROPHIC_INLINE std::vector<Option> options_of(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
   const auto tables = names_of(pairings, &Pairing::table);
   const auto backends = names_of(pairings, &Pairing::backend);
   return {
@@ -107,7 +112,7 @@ namespace detail {
   };
 }
 
-inline void check(const ExperimentOptions& options) {
+TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.threads == std::uint64_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
   if (!options.replicates && (options.jobs || options.resume || options.shadow)) {
     throw std::invalid_argument{"--jobs, --resume and --shadow: need --replicates"};
@@ -116,7 +121,7 @@ inline void check(const ExperimentOptions& options) {
   if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to go on in"};
 }
 
-[[nodiscard]] inline int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
+[[nodiscard]] TROPHIC_INLINE int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
   for (const Pairing& pairing : pairings) {
     const auto same = [&](const Pairing& p) { return p.table == pairing.table && p.backend == pairing.backend; };
     if (std::ranges::count_if(pairings, same) > 1) {
@@ -145,8 +150,8 @@ inline void check(const ExperimentOptions& options) {
 
 }  // namespace detail
 
-inline int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
-                              const std::string& backend_versions) {
+TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
+                                      const std::string& backend_versions) {
   ExperimentOptions options;
   options.program = program_name(argv[0]);
   options.facts = facts(argc, argv);

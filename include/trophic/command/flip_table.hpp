@@ -15,8 +15,9 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
+#include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/analysis/report/flips.hpp>
 #include <trophic/command/flips.hpp>
 #include <trophic/command/option.hpp>
@@ -106,22 +107,6 @@ inline void check_complete(const analysis::ShadowedSet& set) {
   return direction;
 }
 
-inline void write_rows(observe::CsvFile& file, const std::string& direction, std::span<const analysis::FlipEffect> effects) {
-  for (const analysis::FlipEffect& effect : effects) {
-    const analysis::Difference& d = effect.difference;
-    const auto bound = [&](double analysis::Interval::*which) {
-      return d.interval ? std::optional{(*d.interval).*which} : std::nullopt;
-    };
-    file.row(effect.flip, direction, effect.name.metric, effect.name.species, effect.name.group, effect.name.unit,
-             effect.over_shadow ? "over_shadow" : "raw", effect.base.runs, effect.flipped.runs, effect.base.mean,
-             effect.flipped.mean, d.value, bound(&analysis::Interval::lower), bound(&analysis::Interval::upper), d.p, d.adjusted,
-             !d.adjusted   ? ""
-             : d.differs() ? "yes"
-                           : "no");
-  }
-  file.flush();
-}
-
 inline void write(const Options& options) {
   const std::filesystem::path runs = options.runs;
   std::vector<Direction> directions;
@@ -130,12 +115,14 @@ inline void write(const Options& options) {
   if (directions.size() > 2) throw std::invalid_argument{options.runs + ": has more than two folders from_TABLE"};
 
   const auto out = observe::make_new_folder(options.out);
-  observe::CsvFile csv{out / "flips.csv",
-                       "flip,direction,metric,species,group,unit,compared,runs_base,runs_flipped,base,flipped,difference,"
-                       "lower,upper,p,p_holm,decided"};
+  observe::CsvFile<analysis::FlipRow> csv{out / "flips.csv"};
+  const auto write_rows = [&csv](const std::string& direction, std::span<const analysis::FlipEffect> effects) {
+    for (const analysis::FlipEffect& effect : effects) csv.write(analysis::row_of(effect, direction));
+    csv.flush();
+  };
   std::ofstream text{out / "flips.md"};
   for (const Direction& direction : directions) {
-    write_rows(csv, direction.name, direction.effects);
+    write_rows(direction.name, direction.effects);
     text << "## " << direction.name << "\n\n";
     analysis::print_decided(text, direction.effects);
     text << "\np: corrected for all flips and metrics of this direction; intervals are those of single comparisons.\n\n";
@@ -146,7 +133,7 @@ inline void write(const Options& options) {
     analysis::check_comparable(first->base->ours.facts.front(), second->base->ours.facts.front());
     auto whole = analysis::effects_of(table_of(*second), analysis::compare_sets(*first->base, *second->base));
     analysis::adjust_together(whole);
-    write_rows(csv, table_of(*first) + "_to_" + table_of(*second), whole);
+    write_rows(table_of(*first) + "_to_" + table_of(*second), whole);
     std::vector<std::string> groups;
     for (const SlotGroup& group : slot_groups) groups.emplace_back(group.name);
     text << "## Together\n\nFirst: " << table_of(*first) << ". Second: " << table_of(*second)

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <trophic/command/option.hpp>
+#include <trophic/support/linkage.hpp>
 
 namespace trophic::command {
 
@@ -20,4 +21,6 @@ namespace trophic::command {
 
 }  // namespace trophic::command
 
+#if TROPHIC_HEADER_ONLY
 #include <trophic/command/run_command.ipp>
+#endif

@@ -22,11 +22,11 @@
 
 namespace trophic::command {
 
-inline std::string program_name(const char* called) {
+TROPHIC_INLINE std::string program_name(const char* called) {
   return std::filesystem::path{called}.filename().string();
 }
 
-inline std::string command_line(int argc, const char* const* argv) {
+TROPHIC_INLINE std::string command_line(int argc, const char* const* argv) {
   std::string line;
   for (int i = 0; i < argc; ++i) line += (i == 0 ? "" : " ") + std::string{argv[i]};
   return line;
@@ -36,7 +36,7 @@ namespace detail {
 
 /// Throws std::invalid_argument "--seed -1: must be >= 0" for what CLI11 would take for another number: -1 is 2^64 - 1 to it, 010
 /// is 8.
-inline void check_whole_number(const std::string& option, const std::string& text) {
+TROPHIC_INLINE void check_whole_number(const std::string& option, const std::string& text) {
   const auto refuse = [&](const std::string& must) { throw std::invalid_argument{option + " " + text + ": must be " + must}; };
   const auto all_digits = [](std::string_view digits) {
     return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
@@ -50,13 +50,13 @@ inline void check_whole_number(const std::string& option, const std::string& tex
 }
 
 /// Throws std::invalid_argument for a word that is none of those that an option takes.
-inline void check_word(const Option& option, const std::string& word) {
+TROPHIC_INLINE void check_word(const Option& option, const std::string& word) {
   if (std::ranges::find(option.words, word) != option.words.end()) return;
   throw std::invalid_argument{must_be_one_of(option.name + " " + word, option.words) +
                               did_you_mean(nearest_word(word, option.words))};
 }
 
-inline void add_options(CLI::App& app, const Command& command) {
+TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
   for (const Option& option : command.options) {
     CLI::Option* added = std::visit(
         [&](auto* target) -> CLI::Option* {
@@ -86,7 +86,7 @@ inline void add_options(CLI::App& app, const Command& command) {
 }
 
 /// The sentence about arguments that no option takes.
-[[nodiscard]] inline std::string about_extras(const std::vector<std::string>& extras, const Command& command) {
+[[nodiscard]] TROPHIC_INLINE std::string about_extras(const std::vector<std::string>& extras, const Command& command) {
   std::string word = extras.front();
   for (const std::string& extra : extras) {
     if (extra.starts_with('-')) {
@@ -110,7 +110,7 @@ inline void add_options(CLI::App& app, const Command& command) {
 }
 
 /// The shell that --completion names, looked for before anything else is checked; empty without the option.
-[[nodiscard]] inline std::string completion_shell(int argc, const char* const* argv) {
+[[nodiscard]] TROPHIC_INLINE std::string completion_shell(int argc, const char* const* argv) {
   constexpr std::string_view flag = "--completion";
   for (int i = 1; i < argc; ++i) {
     const std::string_view word{argv[i]};
@@ -122,14 +122,14 @@ inline void add_options(CLI::App& app, const Command& command) {
 
 /// Lets an installed program find the models that were installed with it: PREFIX/share/trophic/models beside PREFIX/bin, where
 /// TROPHIC_MODELS names no others.
-inline void use_installed_models() {
+TROPHIC_INLINE void use_installed_models() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::filesystem::path models = program.parent_path().parent_path() / "share/trophic/models";
   if (!error && std::filesystem::is_directory(models, error)) ::setenv("TROPHIC_MODELS", models.c_str(), 0);
 }
 
-[[nodiscard]] inline int print(const std::string& text) {
+[[nodiscard]] TROPHIC_INLINE int print(const std::string& text) {
   std::cout << text << std::flush;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
   return 0;
@@ -137,7 +137,7 @@ inline void use_installed_models() {
 
 }  // namespace detail
 
-inline int run_command(int argc, const char* const* argv, const Command& command) {
+TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command& command) {
   detail::use_installed_models();
   std::string name = program_name(argv[0]);
   const auto report = [&](const std::string& what, int code) {

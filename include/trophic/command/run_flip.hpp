@@ -64,7 +64,7 @@ std::vector<std::string> run_flip(const std::string& name, const Study& study) {
   }
   if (name == biases_name) {
     Experiment<with_brain<Base, control::brain::CognitiveBrainWithBiases>, B> experiment;
-    const auto plain = RuleNumbers<Base>{}.brain;
+    const auto plain = RuleParams<Base>{}.brain;
     experiment.rules.brain = {.turn_angle_rad = plain.turn_angle_rad, .zero_turns_right = plain.zero_turns_right};
     return detail::run_table(name, std::move(experiment), study);
   }

@@ -17,6 +17,7 @@ namespace trophic::community {
 /// the paper (Sec. "Initialization").   Reads: nothing.   Random draws: 0.
 struct PredatorPrey {
   static constexpr std::string_view name = "predator_prey";
+  static constexpr std::string_view source = "paper, Sec. \"Initialization\"";
   static constexpr Species prey = 0;
   static constexpr Species predator = 1;
 

@@ -2,6 +2,7 @@
 // The ecology: who lives in which body, in what order the rules act, and when.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -11,8 +12,8 @@
 #include <string_view>
 #include <trophic/backend/contract.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/refused.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/load/habitat.hpp>
 #include <trophic/locomotion/locomotion.hpp>
 #include <trophic/locomotion/steerable.hpp>
 #include <trophic/observe/hooks.hpp>
@@ -34,13 +35,13 @@ namespace trophic {
 /// A tick is `World::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn, catches,
 /// senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run, whatever the
 /// number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is a RuleError.
-template <class Rules, Backend B>
+template <class Rules, Backend B, bool is_table>
 class Ecology {
  public:
   using Params = Experiment<Rules, B>;
 
-  /// Loads the models that `params.world` names. Throws std::invalid_argument naming field, value and bound, or a robot that the
-  /// rules cannot steer; std::runtime_error for a missing or broken file.
+  /// Loads the models that `params.world` names, by trophic/load/habitat.hpp. Throws std::invalid_argument naming field, value
+  /// and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
   explicit Ecology(Params params = {}) : Ecology{load(std::move(params))} {}
 
   /// In a habitat made by the program; the names in `params.world` are then only labels.
@@ -106,7 +107,7 @@ class Ecology {
                      .until_s = until_s,
                      .fingerprint = {}};
     for_each_rule<Rules>([&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); });
-    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_) + (SteeringDriven<B> ? walk_text(habitat_.robot) : ""));
+    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_));
     return run;
   }
 
@@ -118,9 +119,14 @@ class Ecology {
 
   static Checked load(Params params) {
     validate(params, "");
-    Habitat habitat = load_habitat(params.world);
-    params.world.gait = habitat.gait.name;
-    return check(std::move(params), std::move(habitat));
+    if constexpr (requires { load_habitat(params.world); }) {
+      Habitat habitat = load_habitat(params.world);
+      params.world.gait = habitat.gait.name;
+      return check(std::move(params), std::move(habitat));
+    } else {
+      static_assert(std::same_as<Rules, void>,
+                    "an Ecology made from numbers alone reads model files: #include <trophic/load/habitat.hpp>");
+    }
   }
   static Checked check(Params params, Habitat habitat) {
     validate(params, "");

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/contract.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 #include <tuple>
@@ -20,7 +20,7 @@ struct Experiment {
   std::uint64_t seed = 1;
   World world = Rules::world();
   Physics physics = Rules::physics();
-  RuleNumbers<Rules> rules{};
+  RuleParams<Rules> rules{};
   typename B::Params backend{};
 
   static constexpr auto fields() {

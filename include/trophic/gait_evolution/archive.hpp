@@ -12,9 +12,9 @@
 #include <trophic/gait_evolution/history.hpp>
 #include <trophic/gait_evolution/pre_experiment.hpp>
 #include <trophic/gait_evolution/tables.hpp>
-#include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/params/numbers_text.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/version.hpp>
@@ -33,7 +33,7 @@ template <class Table, JointDriven B>
                  {"survivor_selection", text(Table::SurvivorSelection::name), {}},
                  {"fitness_rule", text(Table::Fitness::name), {}},
                  {"steering_rule", text(Table::Steering::name), {}},
-                 {"robot_fingerprint", hash_text(numbers_text({experiment.robot(), endless_floor(), {}})), {}}};
+                 {"robot_fingerprint", hash_text(numbers_text(experiment.robot())), {}}};
   const std::vector<std::string> remarks = B::remarks(experiment.numbers().physics);
   for (std::size_t i = 0; i < remarks.size(); ++i) facts.push_back({"engine_remark_" + std::to_string(i + 1), remarks[i], {}});
   return facts;
@@ -73,11 +73,11 @@ template <class Table, JointDriven B>
 template <class Table, JointDriven B>
 void save(const PreExperiment<Table, B>& experiment, const std::filesystem::path& folder) {
   const Lineage& lineage = experiment.lineage();
-  trophic::detail::replace_file(folder / "checkpoint.toml", to_toml(lineage, fingerprint(experiment)));
+  replace_file(folder / "checkpoint.toml", to_toml(lineage, fingerprint(experiment)));
   if (lineage.individuals.empty()) return;
-  trophic::detail::replace_file(folder / "generations.csv", generations_csv(lineage));
-  trophic::detail::replace_file(folder / "phylogeny.csv", phylogeny_csv(lineage));
-  trophic::detail::replace_file(folder / "gait.toml", champion_file(experiment));
+  replace_file(folder / "generations.csv", generations_csv(lineage));
+  replace_file(folder / "phylogeny.csv", phylogeny_csv(lineage));
+  replace_file(folder / "gait.toml", champion_file(experiment));
 }
 
 /// Goes on from the checkpoint in a folder. Throws std::runtime_error for a file that is missing or broken and

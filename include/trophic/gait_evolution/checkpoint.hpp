@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of a pre-experiment as a text that reads back as the same state, and as tables for analysis.
+// The state of a pre-experiment as a text that reads back as the same state.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <trophic/gait_evolution/genome_toml.hpp>
 #include <trophic/gait_evolution/lineage.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>
@@ -18,23 +19,22 @@ namespace trophic::gait_evolution {
 
 /// The lineage as TOML. `fingerprint` names the pre-experiment that it belongs to.
 [[nodiscard]] inline std::string to_toml(const Lineage& lineage, std::string_view fingerprint) {
-  std::string text = "fingerprint = \"" + std::string{fingerprint} + "\"\ngenerations = " + number_text(lineage.generations);
-  text += "\ninnovation_links = [";
-  for (const auto& [from, to] : lineage.innovations.links()) text += "[" + number_text(from) + ", " + number_text(to) + "], ";
-  text += "]\ninnovation_splits = [";
-  for (const auto& split : lineage.innovations.splits()) {
-    text += "[" + number_text(split.link) + ", " + number_text(split.node) + "], ";
-  }
-  text += "]\n";
+  TomlWriter writer;
+  writer.put("fingerprint", fingerprint);
+  writer.put("generations", lineage.generations);
+  writer.put("innovation_links", lineage.innovations.links());
+  std::vector<Innovations::Ends> splits;
+  for (const auto& [link, node] : lineage.innovations.splits()) splits.emplace_back(link, node);
+  writer.put("innovation_splits", splits);
   for (const Individual& individual : lineage.individuals) {
-    text += "\n[[individual]]\nparents = [";
-    for (const std::size_t parent : individual.parents) text += number_text(parent) + ", ";
-    text += "]\nborn = " + number_text(individual.born) + "\n";
-    if (individual.died) text += "died = " + number_text(*individual.died) + "\n";
-    if (std::isfinite(individual.fitness)) text += "fitness = " + trophic::detail::toml_float(individual.fitness) + "\n";
-    text += to_toml(individual.genome);
+    writer.element("individual");
+    writer.put("parents", individual.parents);
+    writer.put("born", individual.born);
+    if (individual.died) writer.put("died", *individual.died);
+    if (std::isfinite(individual.fitness)) writer.put("fitness", individual.fitness);
+    put_genome(writer, individual.genome);
   }
-  return text;
+  return writer.text();
 }
 
 namespace detail {

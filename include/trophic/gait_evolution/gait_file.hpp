@@ -9,8 +9,8 @@
 #include <trophic/load/gait.hpp>
 #include <trophic/load/models.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/params/settings.hpp>
-#include <trophic/params/toml.hpp>
 
 namespace trophic::gait_evolution {
 
@@ -18,17 +18,15 @@ namespace trophic::gait_evolution {
 /// numbers below it. `load_gait` reads the gait, `load_cppn` the genome.
 [[nodiscard]] inline std::string gait_file(const Gait& gait, const Genome& genome, const Settings& facts,
                                            const Settings& numbers) {
-  Settings evolution;
-  for (Setting setting : facts) {
-    setting.path = "evolution." + setting.path;
-    evolution.push_back(setting);
-  }
-  for (Setting setting : numbers) {
-    setting.path = "evolution.numbers." + setting.path;
-    setting.help.clear();
-    evolution.push_back(setting);
-  }
-  return trophic::to_toml(gait) + "\n[cppn]\n" + to_toml(genome) + toml_text(evolution);
+  TomlWriter writer;
+  put_gait(writer, gait);
+  writer.table("cppn");
+  put_genome(writer, genome);
+  writer.put_all(facts, "evolution");
+  Settings plain = numbers;
+  for (Setting& setting : plain) setting.help.clear();
+  writer.put_all(plain, "evolution.numbers");
+  return writer.text();
 }
 
 /// The genome in a gait file, by name or path. Errors as `load_gait`.

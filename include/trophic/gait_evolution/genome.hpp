@@ -11,6 +11,7 @@
 #include <string>
 #include <trophic/gait_evolution/activation.hpp>
 #include <trophic/params/params.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic::gait_evolution {
@@ -20,6 +21,10 @@ struct NodeGene {
   std::uint32_t id = 0;
   Activation activation = Activation::sine;
   friend bool operator==(const NodeGene&, const NodeGene&) = default;
+
+  static constexpr auto fields() {
+    return std::tuple{field("id", &NodeGene::id, "unique in a genome"), field("activation", &NodeGene::activation)};
+  }
 };
 
 /// A weighted link between two nodes. Equal innovation numbers mean equal ends in all genomes of a run.
@@ -30,6 +35,11 @@ struct LinkGene {
   double weight = 0.0;
   bool enabled = true;
   friend bool operator==(const LinkGene&, const LinkGene&) = default;
+
+  static constexpr auto fields() {
+    return std::tuple{field("innovation", &LinkGene::innovation), field("from", &LinkGene::from), field("to", &LinkGene::to),
+                      field("weight", &LinkGene::weight), field("enabled", &LinkGene::enabled)};
+  }
 };
 
 /// A compositional pattern producing network (Sec. "Targeted Steering": CPPNs; genes as in Stanley and Miikkulainen 2002,

@@ -10,23 +10,15 @@
 #include <string_view>
 #include <trophic/gait_evolution/genome.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::gait_evolution {
 
-/// `nodes = [{id, activation}, ...]` and `links = [{innovation, from, to, weight, enabled}, ...]`, for a table of one's own.
-[[nodiscard]] inline std::string to_toml(const Genome& genome) {
-  std::string text = "nodes = [\n";
-  for (const NodeGene& node : genome.nodes) {
-    text += "  {id = " + number_text(node.id) + ", activation = \"" + std::string{enum_name(node.activation)} + "\"},\n";
-  }
-  text += "]\nlinks = [\n";
-  for (const LinkGene& link : genome.links) {
-    text += "  {innovation = " + number_text(link.innovation) + ", from = " + number_text(link.from) +
-            ", to = " + number_text(link.to) + ", weight = " + trophic::detail::toml_float(link.weight) +
-            ", enabled = " + (link.enabled ? "true" : "false") + "},\n";
-  }
-  return text + "]\n";
+/// `nodes = [{id, activation}, ...]` and `links = [{innovation, from, to, weight, enabled}, ...]`, into the table at hand.
+inline void put_genome(TomlWriter& writer, const Genome& genome) {
+  writer.put("nodes", genome.nodes);
+  writer.put("links", genome.links);
 }
 
 namespace detail {
@@ -49,7 +41,7 @@ inline Activation activation(const TomlTable& gene) {
 
 }  // namespace detail
 
-/// The genome of a table that `to_toml` wrote; other keys of the table are left to the caller. Throws std::invalid_argument
+/// The genome of a table that `put_genome` wrote; other keys of the table are left to the caller. Throws std::invalid_argument
 /// "FILE: KEY = VALUE: must be ...", for a genome that is not valid too.
 [[nodiscard]] inline Genome read_genome(const trophic::detail::TomlTable& table) {
   Genome genome;

@@ -6,9 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <trophic/gait_evolution/lineage.hpp>
+#include <trophic/observe/column.hpp>
+#include <trophic/observe/csv.hpp>
 #include <trophic/params/params.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic::gait_evolution {
@@ -30,38 +35,86 @@ namespace trophic::gait_evolution {
   return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2.0;
 }
 
-/// One row a generation, the founders' is 0: tries so far, and best, median and worst fitness of the survivors, how many of the
-/// newborn diverged (their fitness is -inf).
-[[nodiscard]] inline std::string generations_csv(const Lineage& lineage) {
-  std::string text = "generation,evaluations,best,median,worst,diverged\n";
-  for (std::size_t generation = 0; generation < lineage.generations; ++generation) {
-    const auto& all = lineage.individuals;
-    const auto evaluations = std::ranges::count_if(all, [=](const Individual& one) { return one.born <= generation; });
-    const auto diverged =
-        std::ranges::count_if(all, [=](const Individual& one) { return one.born == generation && !std::isfinite(one.fitness); });
-    const std::vector<double> fitness = fitness_after(lineage, generation);
-    text += number_text(generation) + "," + number_text(evaluations) + "," + number_text(fitness.front()) + "," +
-            number_text(median(fitness)) + "," + number_text(fitness.back()) + "," + number_text(diverged) + "\n";
+/// generations.csv: one row a generation; the founders' is 0.
+struct GenerationRow {
+  std::size_t generation = 0;
+  std::size_t evaluations = 0;
+  double best = 0.0;
+  double median = 0.0;
+  double worst = 0.0;
+  std::size_t diverged = 0;
+
+  static constexpr auto columns() {
+    using observe::column;
+    return std::tuple{column("generation", &GenerationRow::generation, "", "0: the founders"),
+                      column("evaluations", &GenerationRow::evaluations, "", "candidates tried out so far"),
+                      column("best", &GenerationRow::best, "m", "fitness of the survivors: the highest"),
+                      column("median", &GenerationRow::median, "m", "the middle one"),
+                      column("worst", &GenerationRow::worst, "m", "the lowest"),
+                      column("diverged", &GenerationRow::diverged, "", "newborn whose trial diverged: their fitness is -inf")};
   }
-  return text;
+};
+
+/// phylogeny.csv: one row a candidate, in the ALife data standard, time in generations.
+struct TaxonRow {
+  std::size_t id = 0;
+  std::string ancestor_list = {};
+  std::size_t ancestor = 0;
+  std::size_t origin_time = 0;
+  std::optional<std::size_t> destruction_time = {};
+  double fitness = 0.0;
+  std::size_t hidden_nodes = 0;
+  std::size_t enabled_links = 0;
+
+  static constexpr auto columns() {
+    using observe::column;
+    return std::tuple{
+        column("id", &TaxonRow::id, "", "the candidate"),
+        column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], [3] or, of a crossover, [3,9]"),
+        column("ancestor_id", &TaxonRow::ancestor, "", "the first ancestor as a plain number; a founder's is its own id"),
+        column("origin_time", &TaxonRow::origin_time, "generations", "when it was born"),
+        column("destruction_time", &TaxonRow::destruction_time, "generations",
+               "when it was not selected; inf for who lives at the end", {.none = "inf"}),
+        column("fitness", &TaxonRow::fitness, "m", "-inf: its trial diverged"),
+        column("hidden_nodes", &TaxonRow::hidden_nodes, "", "of its CPPN"),
+        column("enabled_links", &TaxonRow::enabled_links, "", "of its CPPN")};
+  }
+};
+
+[[nodiscard]] inline std::string generations_csv(const Lineage& lineage) {
+  std::vector<GenerationRow> rows;
+  for (std::size_t generation = 0; generation < lineage.generations; ++generation) {
+    const auto count = [&](auto&& counts) {
+      return static_cast<std::size_t>(std::ranges::count_if(lineage.individuals, counts));
+    };
+    const std::vector<double> fitness = fitness_after(lineage, generation);
+    rows.push_back(
+        {.generation = generation,
+         .evaluations = count([=](const Individual& one) { return one.born <= generation; }),
+         .best = fitness.front(),
+         .median = median(fitness),
+         .worst = fitness.back(),
+         .diverged = count([=](const Individual& one) { return one.born == generation && !std::isfinite(one.fitness); })});
+  }
+  return observe::table_text(std::span<const GenerationRow>{rows});
 }
 
-/// phylogeny.csv in the ALife data standard, time in generations. Standard columns: id, ancestor_list ("[none]", "[3]" or
-/// "[3,9]"), origin_time, destruction_time (inf: alive); ancestor_id is the first ancestor (a root's: its own id). Ours: fitness,
-/// hidden_nodes, enabled_links.
 [[nodiscard]] inline std::string phylogeny_csv(const Lineage& lineage) {
-  std::string text = "id,ancestor_list,ancestor_id,origin_time,destruction_time,fitness,hidden_nodes,enabled_links\n";
+  std::vector<TaxonRow> rows;
   for (std::size_t id = 0; id < lineage.individuals.size(); ++id) {
     const Individual& one = lineage.individuals[id];
-    std::string ancestors = "[none]";
-    if (one.parents.size() == 1) ancestors = "[" + number_text(one.parents[0]) + "]";
-    if (one.parents.size() == 2) ancestors = "\"[" + number_text(one.parents[0]) + "," + number_text(one.parents[1]) + "]\"";
-    text += number_text(id) + "," + ancestors + "," + number_text(one.parents.empty() ? id : one.parents[0]) + "," +
-            number_text(one.born) + "," + (one.died ? number_text(*one.died) : "inf") + "," + number_text(one.fitness) + "," +
-            number_text(one.genome.nodes.size() - 1) + "," +
-            number_text(std::ranges::count_if(one.genome.links, &LinkGene::enabled)) + "\n";
+    std::string ancestors;
+    for (const std::size_t parent : one.parents) ancestors += (ancestors.empty() ? "" : ",") + number_text(parent);
+    rows.push_back({.id = id,
+                    .ancestor_list = "[" + (ancestors.empty() ? std::string{"none"} : ancestors) + "]",
+                    .ancestor = one.parents.empty() ? id : one.parents[0],
+                    .origin_time = one.born,
+                    .destruction_time = one.died,
+                    .fitness = one.fitness,
+                    .hidden_nodes = one.genome.nodes.size() - 1,
+                    .enabled_links = static_cast<std::size_t>(std::ranges::count_if(one.genome.links, &LinkGene::enabled))});
   }
-  return text;
+  return observe::table_text(std::span<const TaxonRow>{rows});
 }
 
 }  // namespace trophic::gait_evolution

@@ -60,7 +60,7 @@ struct Released {
 
   static Plan plan() { return {.parents = 40}; }
   static Trial trial() {
-    return {.duration_s = 20.0, .idle_steps = 1, .facing = Facing::core_x, .cpg_integration = locomotion::CpgIntegration::rk4};
+    return {.duration_s = 20.0, .idle_steps = 1, .facing = Facing::core_x, .cpg_integration = CpgIntegration::rk4};
   }
   static Physics physics() { return {.timestep_s = 0.0005, .integrator = Integrator::rk4}; }
 };

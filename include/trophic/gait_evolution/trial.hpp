@@ -37,7 +37,7 @@ struct Trial {
   double control_hz = 60.0;
   std::int64_t idle_steps = 0;  ///< the released code asks for control only after the first period
   Facing facing = Facing::forward_axis;
-  locomotion::CpgIntegration cpg_integration = locomotion::CpgIntegration::exact;
+  CpgIntegration cpg_integration = CpgIntegration::exact;
 
   static constexpr auto fields() {
     return std::tuple{field("duration_s", &Trial::duration_s, above_to(0.0, 1e5), "simulated time of one evaluation"),

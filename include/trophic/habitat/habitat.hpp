@@ -2,12 +2,13 @@
 // What an ecology lives in and with: the robot, the ground, the gait.
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/linkage.hpp>
+#include <tuple>
 
 namespace trophic {
 
@@ -16,53 +17,17 @@ struct Habitat {
   RobotModel robot;
   Arena arena;
   Gait gait;
+
+  static constexpr auto fields() {
+    return std::tuple{field("robot", &Habitat::robot), field("arena", &Habitat::arena), field("gait", &Habitat::gait)};
+  }
 };
 
-/// Every number of a habitat as text, for fingerprints: two habitats with the same text move alike where robots have joints.
-[[nodiscard]] inline std::string numbers_text(const Habitat& habitat) {
-  std::string text;
-  const auto add = [&](double value) { text += number_text(value) + " "; };
-  const auto add_all = [&](const auto& matrix) {
-    for (Eigen::Index i = 0; i < matrix.size(); ++i) add(matrix.data()[i]);
-  };
-  for (const Link& link : habitat.robot.links) {
-    add(link.parent);
-    add_all(link.offset_m);
-    add_all(link.rotation.coeffs());
-    add(link.mass_kg);
-    add_all(link.centre_of_mass_m);
-    add_all(link.inertia_kgm2);
-    for (const Box& box : link.boxes) {
-      add_all(box.half_extents_m);
-      add_all(box.centre_m);
-      add_all(box.orientation.coeffs());
-    }
-  }
-  for (const Hinge& hinge : habitat.robot.hinges) {
-    add_all(hinge.axis);
-    add(hinge.range_rad);
-    add_all(hinge.grid_position.cast<double>().eval());
-    add(hinge.servo.position_gain);
-    add(hinge.servo.velocity_gain);
-    add(hinge.servo.target_limit_rad);
-  }
-  add(habitat.robot.friction);
-  add(habitat.robot.forward_rad);
-  add(habitat.arena.half_side_m);
-  add(habitat.arena.extent_m);
-  add(habitat.arena.friction);
-  if (habitat.arena.height_field) {
-    add(habitat.arena.height_field->half_extent_m);
-    for (const double height_m : habitat.arena.height_field->height_m) add(height_m);
-  }
-  add_all(habitat.gait.internal);
-  add_all(habitat.gait.coupling);
-  return text;
-}
-
-/// The numbers by which a robot moves where it has no joints.
-[[nodiscard]] inline std::string walk_text(const RobotModel& robot) {
-  return number_text(robot.walk.speed_m_s) + " " + number_text(robot.walk.turn_rate_per_rad) + " ";
-}
+/// Every number of a habitat as text, for fingerprints: params/numbers_text.hpp.
+[[nodiscard]] std::string numbers_text(const Habitat& habitat);
 
 }  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/habitat/habitat.ipp>
+#endif

@@ -18,6 +18,11 @@ struct Box {
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();               ///< in the link's frame
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< box frame to link frame
   double mass_kg = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("part", &Box::part), field("half_extents_m", &Box::half_extents_m), field("centre_m", &Box::centre_m),
+                      field("orientation", &Box::orientation), field("mass_kg", &Box::mass_kg)};
+  }
 };
 
 /// A rigid body. Link 0 is the root (free in space); link i > 0 hangs on `parent` by hinge i - 1.
@@ -32,6 +37,17 @@ struct Link {
   Eigen::Vector3d centre_of_mass_m = Eigen::Vector3d::Zero();  ///< in the link's frame
   Eigen::Matrix3d inertia_kgm2 = Eigen::Matrix3d::Zero();      ///< about the centre of mass, axes of the link's frame
   std::vector<Box> boxes;
+
+  static constexpr auto fields() {
+    return std::tuple{field("name", &Link::name),
+                      field("parent", &Link::parent),
+                      field("offset_m", &Link::offset_m),
+                      field("rotation", &Link::rotation),
+                      field("mass_kg", &Link::mass_kg),
+                      field("centre_of_mass_m", &Link::centre_of_mass_m),
+                      field("inertia_kgm2", &Link::inertia_kgm2),
+                      field("boxes", &Link::boxes)};
+  }
 };
 
 /// Position servo: torque = position_gain (target - angle) - velocity_gain * velocity, N m; targets are clipped to
@@ -40,6 +56,11 @@ struct Servo {
   double position_gain = 5.0;
   double velocity_gain = 0.05;
   double target_limit_rad = 1.0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("position_gain", &Servo::position_gain), field("velocity_gain", &Servo::velocity_gain),
+                      field("target_limit_rad", &Servo::target_limit_rad)};
+  }
 };
 
 /// A one-axis joint between link `index + 1` and its parent; anchor = origin of that link's frame.
@@ -49,6 +70,11 @@ struct Hinge {
   double range_rad = 0.0;                                   ///< limits at +-range_rad
   Eigen::Vector3i grid_position = Eigen::Vector3i::Zero();  ///< module grid cell relative to the core
   Servo servo;
+
+  static constexpr auto fields() {
+    return std::tuple{field("name", &Hinge::name), field("axis", &Hinge::axis), field("range_rad", &Hinge::range_rad),
+                      field("grid_position", &Hinge::grid_position), field("servo", &Hinge::servo)};
+  }
 };
 
 /// How a robot walks with its own gait, steered to one side: measured once in an engine with joints
@@ -77,6 +103,19 @@ struct RobotModel {
   double forward_rad = 0.0;    ///< direction of the robot's forward axis in the root frame, from x counter-clockwise
   double rest_height_m = 0.0;  ///< height of the root frame above the floor when the lowest box corner touches it, all angles 0
   double bounding_radius_m = 0.0;  ///< no box point is ever farther from the root frame's origin, whatever the angles
+
+  static constexpr auto fields() {
+    return std::tuple{field("name", &RobotModel::name),
+                      field("gait", &RobotModel::gait),
+                      field("walk", &RobotModel::walk),
+                      field("links", &RobotModel::links),
+                      field("hinges", &RobotModel::hinges),
+                      field("hinge_neighbours", &RobotModel::hinge_neighbours),
+                      field("friction", &RobotModel::friction),
+                      field("forward_rad", &RobotModel::forward_rad),
+                      field("rest_height_m", &RobotModel::rest_height_m),
+                      field("bounding_radius_m", &RobotModel::bounding_radius_m)};
+  }
 
   [[nodiscard]] double mass_kg() const {
     double sum = 0.0;

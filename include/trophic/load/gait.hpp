@@ -2,104 +2,28 @@
 // Gaits from TOML files and to them (format: models/README.md).
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
-#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/load/models.hpp>
-#include <trophic/load/toml_table.hpp>
-#include <trophic/params/params.hpp>
-#include <vector>
+#include <trophic/support/linkage.hpp>
 
 namespace trophic {
 
+class TomlWriter;
+
 /// The gait of a file, by name ("spider_published") or path (format: models/README.md). Throws std::runtime_error for a file that
 /// cannot be found, read or parsed and std::invalid_argument "FILE: KEY = VALUE: must be ..." for its content.
-[[nodiscard]] inline Gait load_gait(std::string_view name_or_path) {
-  const auto file = detail::TomlTable::read(find_model(ModelKind::gait, name_or_path));
-  Gait gait{.name = file.text("name"),
-            .robot = file.text("robot"),
-            .provenance = {},
-            .hinges = file.texts("hinges"),
-            .internal = {},
-            .coupling = {}};
-  if (file.has("provenance")) gait.provenance = file.text("provenance");
-  for (const std::string_view origin : {"cppn", "evolution"}) {
-    if (file.has(origin)) static_cast<void>(file.table(origin));  // read by gait_evolution::load_cppn
-  }
-  for (std::size_t i = 0; i < gait.hinges.size(); ++i) {
-    if (std::find(gait.hinges.begin(), gait.hinges.begin() + static_cast<std::ptrdiff_t>(i), gait.hinges[i]) !=
-        gait.hinges.begin() + static_cast<std::ptrdiff_t>(i)) {
-      file.fail("hinges", ": \"" + gait.hinges[i] + "\" appears twice");
-    }
-  }
-  const std::vector<double> internal = file.numbers("internal");
-  const auto n = static_cast<Eigen::Index>(gait.hinges.size());
-  gait.internal = Eigen::Map<const Eigen::VectorXd>(internal.data(), static_cast<Eigen::Index>(internal.size()));
-  gait.coupling = Eigen::MatrixXd::Zero(n, n);
-  if (file.has("coupling")) {
-    for (const auto& pair : file.tables("coupling")) {
-      const auto hinge = [&](std::string_view key) {
-        const std::string name = pair.text(key);
-        const auto found = std::ranges::find(gait.hinges, name);
-        if (found == gait.hinges.end()) pair.fail(key, " = \"" + name + "\": must be one of the gait's hinges");
-        return static_cast<Eigen::Index>(found - gait.hinges.begin());
-      };
-      const Eigen::Index from = hinge("from");
-      const Eigen::Index to = hinge("to");
-      if (from >= to)
-        pair.fail("to", " = \"" + gait.hinges[static_cast<std::size_t>(to)] + "\": must come after \"from\" in hinges");
-      if (gait.coupling(from, to) != 0.0) pair.fail("to", ": this pair is coupled twice");
-      gait.coupling(from, to) = pair.number("weight", any_number());
-      gait.coupling(to, from) = -gait.coupling(from, to);
-      pair.no_other_keys();
-    }
-  }
-  file.no_other_keys();
-  validate(gait);
-  return gait;
-}
+[[nodiscard]] Gait load_gait(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR);
 
-/// The gait as TOML text; `load_gait` reads back exactly the same gait (but pairs with weight 0 are left out).
-[[nodiscard]] inline std::string to_toml(const Gait& gait) {
-  validate(gait);
-  const auto quoted = [](const std::string& text) {
-    std::ostringstream written;
-    written << toml::value<std::string>{text};
-    return written.str();
-  };
-  std::string text =
-      "name = " + quoted(gait.name) + "\nrobot = " + quoted(gait.robot) + "\nprovenance = " + quoted(gait.provenance);
-  std::string hinges;
-  std::string internal;
-  std::string pairs;
-  for (std::size_t i = 0; i < gait.hinges.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    hinges += (i == 0 ? "" : ", ") + quoted(gait.hinges[i]);
-    internal += (i == 0 ? "" : ", ") + detail::toml_float(gait.internal[row]);
-    for (std::size_t j = i + 1; j < gait.hinges.size(); ++j) {
-      const double weight = gait.coupling(row, static_cast<Eigen::Index>(j));
-      if (weight == 0.0) continue;
-      pairs += "\n[[coupling]]\nfrom = " + quoted(gait.hinges[i]) + "\nto = " + quoted(gait.hinges[j]) +
-               "\nweight = " + detail::toml_float(weight) + "\n";
-    }
-  }
-  return text + "\n\nhinges = [" + hinges + "]\ninternal = [" + internal + "]\n" + pairs;
-}
+/// Writes what `load_gait` reads back as exactly the same gait (but pairs with weight 0 are left out).
+void put_gait(TomlWriter& writer, const Gait& gait);
 
-/// Writes `to_toml(gait)` to a new file. Throws std::runtime_error if the file exists or cannot be written completely.
-inline void save_gait(const Gait& gait, const std::filesystem::path& file) {
-  if (std::filesystem::exists(file)) throw std::runtime_error{file.string() + ": exists, not overwritten"};
-  std::ofstream stream{file, std::ios::binary};
-  stream << to_toml(gait);
-  stream.close();
-  if (!stream) throw std::runtime_error{file.string() + ": cannot be written"};
-}
+/// Writes the gait to a new file. Throws std::runtime_error if the file exists or cannot be written completely.
+void save_gait(const Gait& gait, const std::filesystem::path& file);
 
 }  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/load/gait.ipp>
+#endif

@@ -183,10 +183,4 @@ class TomlTable {
   mutable std::set<std::string> asked_;
 };
 
-/// The shortest TOML float that reads back as the same number.
-[[nodiscard]] inline std::string toml_float(double value) {
-  const std::string text = number_text(value);
-  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
-}
-
 }  // namespace trophic::detail

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
+
 #include <cstddef>
-#include <numbers>
 #include <span>
+#include <trophic/habitat/cpg_integration.hpp>
 #include <trophic/habitat/gait.hpp>
-#include <trophic/locomotion/cpg_integration.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/linkage.hpp>
 #include <tuple>
 
 namespace trophic::locomotion {
@@ -34,62 +34,28 @@ class Cpg {
 
   /// Throws std::invalid_argument for a gait or a number that is not valid.
   explicit Cpg(const Gait& gait) : Cpg{gait, Params{}} {}
-  Cpg(const Gait& gait, const Params& params) {
-    trophic::validate(params, "cpg");
-    validate(gait);
-    const auto n = gait.internal.size();
-    weights_ = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    weights_.topLeftCorner(n, n) = gait.coupling;
-    weights_.topRightCorner(n, n) = gait.internal.asDiagonal();
-    weights_.bottomLeftCorner(n, n) = -weights_.topRightCorner(n, n);
-    propagator_ = exponential(weights_ * params.step_s, params.integration == CpgIntegration::rk4 ? 4 : max_order);
-  }
+  Cpg(const Gait& gait, const Params& params);
 
   [[nodiscard]] std::size_t hinges() const { return static_cast<std::size_t>(weights_.rows()) / 2; }
   [[nodiscard]] const Eigen::MatrixXd& weights() const { return weights_; }        ///< W, 2n x 2n
   [[nodiscard]] const Eigen::MatrixXd& propagator() const { return propagator_; }  ///< one step of the state, 2n x 2n
 
   /// The starting states of that many robots, 2n x robots.
-  [[nodiscard]] Eigen::MatrixXd initial_states(std::size_t robots = 1) const {
-    return Eigen::MatrixXd::Constant(weights_.rows(), static_cast<Eigen::Index>(robots), std::numbers::sqrt2 / 2.0);
-  }
+  [[nodiscard]] Eigen::MatrixXd initial_states(std::size_t robots = 1) const;
 
   /// One step of every column. `states`: 2n x robots.
-  void step(Eigen::MatrixXd& states) const {
-    Eigen::VectorXd next(weights_.rows());
-    for (Eigen::Index robot = 0; robot < states.cols(); ++robot) {
-      next.setZero();
-      for (Eigen::Index k = 0; k < weights_.rows(); ++k) next += propagator_.col(k) * states(k, robot);
-      states.col(robot) = next;
-    }
-  }
+  void step(Eigen::MatrixXd& states) const;
 
   /// Joint targets of one robot, rad: its x. `targets_rad` has one place per hinge.
-  void outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const {
-    for (std::size_t i = 0; i < targets_rad.size(); ++i) {
-      targets_rad[i] = states(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(robot));
-    }
-  }
+  void outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const;
 
  private:
-  static constexpr int max_order = 200;
-
-  /// exp(step) = sum of step^k / k!, up to that order or until a term no longer changes the sum.
-  static Eigen::MatrixXd exponential(const Eigen::MatrixXd& step, int order) {
-    Eigen::MatrixXd term = Eigen::MatrixXd::Identity(step.rows(), step.cols());
-    Eigen::MatrixXd sum = term;
-    for (int k = 1; k <= order; ++k) {
-      const Eigen::MatrixXd next = term.lazyProduct(step) / k;
-      term = next;
-      const Eigen::MatrixXd before = sum;
-      sum += term;
-      if (sum == before) break;
-    }
-    return sum;
-  }
-
   Eigen::MatrixXd weights_;
   Eigen::MatrixXd propagator_;
 };
 
 }  // namespace trophic::locomotion
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/locomotion/cpg.ipp>
+#endif

@@ -2,20 +2,20 @@
 // Whether a brain's decision can reach the joints of a robot at all.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <trophic/control/steering/contract.hpp>
-#include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/sides.hpp>
+#include <trophic/support/linkage.hpp>
 #include <vector>
 
 namespace trophic::locomotion {
 
 /// The target angle with which `check_steerable` asks, to the right and to the left; the paper's brain turns by it.
 inline constexpr double probe_angle_rad = 0.7;
+
+/// Throws std::invalid_argument: this robot cannot be steered by this rule.
+[[noreturn]] void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<Side>& sides);
 
 /// Throws std::invalid_argument, naming robot, steering and hinges, where a turn to the right and one to the left give the same
 /// joint targets: brains would have no effect on where robots go.
@@ -28,13 +28,11 @@ void check_steerable(const RobotModel& robot, const SteeringRule& steering) {
   steering.steer(probe_angle_rad, sides, right_rad);
   steering.steer(-probe_angle_rad, sides, left_rad);
   if (right_rad != left_rad) return;
-  std::string hinges;
-  for (const Side side : {Side::left, Side::right, Side::middle}) {
-    hinges += (hinges.empty() ? "" : ", ") + std::to_string(std::ranges::count(sides, side)) + " " + std::string{enum_name(side)};
-  }
-  throw std::invalid_argument{"world.robot = " + robot.name + " with rules.steering = " + std::string{SteeringRule::name} +
-                              ": cannot be steered, a turn to the right and one to the left move the hinges alike (" + hinges +
-                              ")"};
+  refuse_steering(robot, SteeringRule::name, sides);
 }
 
 }  // namespace trophic::locomotion
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/locomotion/steerable.ipp>
+#endif

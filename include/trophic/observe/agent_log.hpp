@@ -5,35 +5,42 @@
 #include <filesystem>
 #include <optional>
 #include <trophic/observe/csv.hpp>
+#include <trophic/observe/tables.hpp>
 #include <trophic/population/view.hpp>
 
 namespace trophic::observe {
 
-/// One row per robot and tick, after that tick's rules.
-/// Columns: time_s, tick, body, id, species, origin, active {0, 1}, tag, x_m, y_m, heading_rad, target_angle_rad, adversary_id,
-/// adversary_distance_m (both empty without one), hunger_ticks (empty for those who hunt nobody).
+/// Writes an AgentRow per robot and tick.
 class AgentLog {
  public:
-  explicit AgentLog(const std::filesystem::path& path)
-      : file_{path,
-              "time_s,tick,body,id,species,origin,active,tag,x_m,y_m,heading_rad,target_angle_rad,adversary_id,"
-              "adversary_distance_m,hunger_ticks"} {}
+  explicit AgentLog(const std::filesystem::path& path) : file_{path} {}
 
   void on_tick(const View& view) {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       const Individual& self = view.robots[body];
       const GroundPose& pose = view.poses[body];
-      const auto adversary = self.adversary ? std::optional{view.robots[*self.adversary].id} : std::nullopt;
-      const auto hunger = view.web.hunts(self.species) ? std::optional{view.hunger_ticks(self)} : std::nullopt;
-      file_.row(view.time_s, view.tick, body, self.id, view.web.name(self.species), self.origin, self.active, self.tag,
-                Decimal{pose.x_m}, Decimal{pose.y_m}, Decimal{pose.heading_rad}, Decimal{self.target_angle_rad}, adversary,
-                Decimal{self.adversary_distance_m}, hunger);
+      file_.write({.time_s = view.time_s,
+                   .tick = view.tick,
+                   .body = body,
+                   .id = self.id,
+                   .species = self.species,
+                   .origin = self.origin,
+                   .active = self.active,
+                   .tag = self.tag,
+                   .x_m = pose.x_m,
+                   .y_m = pose.y_m,
+                   .heading_rad = pose.heading_rad,
+                   .target_angle_rad = self.target_angle_rad,
+                   .adversary = self.adversary ? std::optional{view.robots[*self.adversary].id} : std::nullopt,
+                   .adversary_distance_m = self.adversary ? std::optional{self.adversary_distance_m} : std::nullopt,
+                   .hunger_ticks = view.web.hunts(self.species) ? std::optional{view.hunger_ticks(self)} : std::nullopt},
+                  view.web);
     }
     file_.flush();
   }
 
  private:
-  CsvFile file_;
+  CsvFile<AgentRow> file_;
 };
 
 }  // namespace trophic::observe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A CSV file that is never overwritten and never fails silently.
+// CSV: rows as text by their columns, and a file of them that is never overwritten and never fails silently.
 #pragma once
 
 #include <array>
@@ -10,45 +10,112 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/observe/column.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/population/food_web.hpp>
 #include <type_traits>
 
 namespace trophic::observe {
 
-/// A number written with a fixed count of decimals: metres to the micrometre.
-struct Decimal {
-  double value = 0.0;
-  int decimals = 6;
-};
+namespace detail {
 
-/// Writes rows of plain values: numbers in their shortest exact form, Decimal as it says, none and NaN as an empty cell,
-/// enumerators by name, texts as they are (they must not contain a comma). Throws std::runtime_error naming the file when it
-/// exists or the system refuses to write.
+template <class... Format>
+void append_number(std::string& text, Format... format) {
+  std::array<char, 400> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), format...);
+  text.append(digits.data(), end.ptr);
+}
+
+/// Numbers as `written` says, NaN as an empty cell, switches as 0 and 1, enumerators by name, texts in quotes where they have a
+/// comma.
+template <class Cell>
+void append_cell(std::string& text, const Cell& value, const Written& written = {}) {
+  if constexpr (std::same_as<Cell, bool>) {
+    text.push_back(value ? '1' : '0');
+  } else if constexpr (std::floating_point<Cell>) {
+    if (!(value == value)) return;
+    if (written.decimals < 0) return append_number(text, value);
+    append_number(text, value, std::chars_format::fixed, written.decimals);
+  } else if constexpr (std::integral<Cell>) {
+    append_number(text, value);
+  } else if constexpr (NamedEnum<Cell>) {
+    text.append(enum_name(value));
+  } else if constexpr (requires { value.has_value(); }) {
+    if (value) return append_cell(text, *value, written);
+    text.append(written.none);
+  } else {
+    const std::string_view plain{value};
+    const std::string_view quote = plain.find(',') == std::string_view::npos ? "" : "\"";
+    text.append(quote).append(plain).append(quote);
+  }
+}
+
+}  // namespace detail
+
+/// The names of a table's columns as a line; `like` is a row whose lists are as long as those of every row.
+template <TableRow Row>
+[[nodiscard]] std::string header_of(const Row& like = {}) {
+  std::string text;
+  for_each_column<Row>([&](const auto& column) {
+    if constexpr (is_list_columns<std::remove_cvref_t<decltype(column)>>) {
+      for (std::size_t i = 0; i < (like.*column.member).size(); ++i) text.append(column.name).append(number_text(i) + ",");
+    } else {
+      text.append(column.name).push_back(',');
+    }
+  });
+  text.back() = '\n';
+  return text;
+}
+
+/// A row as a line. `web` names the species of rows that have one.
+template <TableRow Row>
+void append_row(std::string& text, const Row& row, const FoodWeb& web) {
+  for_each_column<Row>([&](const auto& column) {
+    using Kind = std::remove_cvref_t<decltype(column)>;
+    const auto& value = row.*column.member;
+    if constexpr (is_list_columns<Kind>) {
+      for (const double number : value) {
+        detail::append_cell(text, number);
+        text.push_back(',');
+      }
+    } else {
+      if constexpr (is_species_column<Kind>) {
+        detail::append_cell(text, web.name(value));
+      } else {
+        detail::append_cell(text, value, column.written);
+      }
+      text.push_back(',');
+    }
+  });
+  text.back() = '\n';
+}
+
+/// A whole table of rows without species.
+template <TableRow Row>
+[[nodiscard]] std::string table_text(std::span<const Row> rows) {
+  std::string text = header_of<Row>();
+  const FoodWeb no_species{{}, {}};
+  for (const Row& row : rows) append_row(text, row, no_species);
+  return text;
+}
+
+/// A file of rows. Throws std::runtime_error naming the file when it exists or the system refuses to write.
+template <TableRow Row>
 class CsvFile {
  public:
-  CsvFile(const std::filesystem::path& path, std::string_view header) : path_{path}, file_{std::fopen(path.c_str(), "wx")} {
+  /// Writes the header at once; `like`: as header_of.
+  explicit CsvFile(const std::filesystem::path& path, const Row& like = {})
+      : path_{path}, file_{std::fopen(path.c_str(), "wx")}, buffer_{header_of(like)} {
     if (!file_) fail("create");
-    buffer_.append(header).push_back('\n');
     flush();
   }
 
-  template <class... Cells>
-  void row(const Cells&... cells) {
-    (cell(cells), ...);
-    end_row();
-  }
-
-  /// One more cell of the row that end_row() ends.
-  template <class Cell>
-  void cell(const Cell& value) {
-    append(value);
-    buffer_.push_back(',');
-  }
-  void end_row() { buffer_.back() = '\n'; }
+  void write(const Row& row, const FoodWeb& web) { append_row(buffer_, row, web); }
+  void write(const Row& row) { write(row, FoodWeb{{}, {}}); }
 
   /// Hands everything written so far to the system.
   void flush() {
@@ -61,32 +128,6 @@ class CsvFile {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-
-  template <class Cell>
-  void append(const Cell& value) {
-    if constexpr (std::same_as<Cell, bool>) {
-      buffer_.push_back(value ? '1' : '0');
-    } else if constexpr (std::floating_point<Cell>) {
-      if (value == value) append_number(value);
-    } else if constexpr (std::integral<Cell>) {
-      append_number(value);
-    } else if constexpr (std::same_as<Cell, Decimal>) {
-      if (value.value == value.value) append_number(value.value, std::chars_format::fixed, value.decimals);
-    } else if constexpr (NamedEnum<Cell>) {
-      buffer_.append(enum_name(value));
-    } else if constexpr (requires { value.has_value(); }) {
-      if (value) append(*value);
-    } else {
-      buffer_.append(value);
-    }
-  }
-
-  template <class... Arguments>
-  void append_number(Arguments... arguments) {
-    std::array<char, 400> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), arguments...);
-    buffer_.append(text.data(), end.ptr);
-  }
 
   [[noreturn]] void fail(std::string_view what) const {
     throw std::runtime_error{"cannot " + std::string{what} + " " + path_.string() + ": " + std::strerror(errno)};

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/params/settings.hpp>
+#include <trophic/support/linkage.hpp>
 #include <utility>
 #include <vector>
 
@@ -28,14 +29,10 @@ struct Run {
 
 /// Whether two runs may be pooled as replicates: 16 hexadecimal digits of rules, numbers, models and backend; not of the seed,
 /// the duration and the number of threads. `models` is the text of the models' numbers.
-[[nodiscard]] inline std::string fingerprint(const Run& run, std::string_view models) {
-  std::string text = run.backend + "\n";
-  for (const auto& [slot, policy] : run.slots) text += slot + "=" + policy + "\n";
-  for (const Setting& setting : run.settings) {
-    if (setting.path == "seed" || setting.path == "world.duration_s" || setting.path == "backend.threads") continue;
-    text += setting.path + "=" + value_text(setting) + "\n";
-  }
-  return hash_text(text.append(models));
-}
+[[nodiscard]] std::string fingerprint(const Run& run, std::string_view models);
 
 }  // namespace trophic::observe
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/observe/run.ipp>
+#endif

@@ -5,14 +5,13 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/params/detail/member_count.hpp>
+#include <trophic/support/linkage.hpp>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -153,16 +152,23 @@ requires std::is_arithmetic_v<Number>
 }
 
 /// The condition that a bound states, as text: "must be > 0 and <= 1".
-[[nodiscard]] inline std::string bound_text(const Bound& bound) {
-  const bool has_upper = std::isfinite(bound.upper);
-  if (!std::isfinite(bound.lower)) return has_upper ? "must be <= " + number_text(bound.upper) : "must be finite";
-  const std::string lower = (bound.lower_excluded ? "must be > " : "must be >= ") + number_text(bound.lower);
-  return has_upper ? lower + " and <= " + number_text(bound.upper) : lower;
+[[nodiscard]] std::string bound_text(const Bound& bound);
+
+[[nodiscard]] std::string join_path(std::string_view prefix, std::string_view name);
+
+namespace detail {
+
+/// Not for a number that is not finite either.
+[[nodiscard]] constexpr bool within(double value, const Bound& bound) {
+  const bool above_lower = bound.lower_excluded ? value > bound.lower : value >= bound.lower;
+  return above_lower && value <= bound.upper && value - value == 0.0;
 }
 
-[[nodiscard]] inline std::string join_path(std::string_view prefix, std::string_view name) {
-  return prefix.empty() ? std::string{name} : std::string{prefix} + "." + std::string{name};
-}
+/// Throws std::invalid_argument "PREFIX.NAME = TEXT: must be ...".
+[[noreturn]] void reject_number(std::string_view prefix, std::string_view name, double value, const std::string& text,
+                                const Bound& bound);
+
+}  // namespace detail
 
 /// Throws std::invalid_argument "PATH = VALUE: must be ..." for the first field, nested ones included, outside its bound; a
 /// number that is not finite is outside every bound.
@@ -170,16 +176,11 @@ template <class P>
 void validate(const P& params, std::string_view path) {
   for_each_field(params, [&](const auto& f, const auto& value) {
     using T = std::remove_cvref_t<decltype(value)>;
-    const std::string name = join_path(path, f.name);
     if constexpr (HasFields<T>) {
-      validate(value, name);
+      validate(value, join_path(path, f.name));
     } else if constexpr (std::is_arithmetic_v<T> && !std::same_as<T, bool>) {
       const auto number = static_cast<double>(value);
-      const bool low = f.bound.lower_excluded ? !(number > f.bound.lower) : !(number >= f.bound.lower);
-      if (!std::isfinite(number)) throw std::invalid_argument{name + " = " + number_text(value) + ": must be finite"};
-      if (low || number > f.bound.upper) {
-        throw std::invalid_argument{name + " = " + number_text(value) + ": " + bound_text(f.bound)};
-      }
+      if (!detail::within(number, f.bound)) detail::reject_number(path, f.name, number, number_text(value), f.bound);
     }
   });
 }
@@ -201,3 +202,7 @@ template <class P>
 }
 
 }  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/params/params.ipp>
+#endif

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
+#include <trophic/support/linkage.hpp>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,22 +25,12 @@ struct Setting {
 using Settings = std::vector<Setting>;
 
 /// The value as text: numbers in their shortest exact form, texts as they are.
-[[nodiscard]] inline std::string value_text(const Setting& setting) {
-  return std::visit(
-      [](const auto& value) -> std::string {
-        using T = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::same_as<T, bool>) {
-          return value ? "true" : "false";
-        } else if constexpr (std::same_as<T, std::string>) {
-          return value;
-        } else {
-          return number_text(value);
-        }
-      },
-      setting.value);
-}
+[[nodiscard]] std::string value_text(const Setting& setting);
 
 namespace detail {
+
+void add_setting(Settings& settings, std::string_view path, std::string_view name, decltype(Setting::value) value,
+                 std::string_view help);
 
 template <class P>
 void append_settings(const P& params, std::string_view path, Settings& settings) {
@@ -49,8 +40,7 @@ void append_settings(const P& params, std::string_view path, Settings& settings)
   static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
   for_each_field(params, [&](const auto& f, const auto& value) {
     using T = std::remove_cvref_t<decltype(value)>;
-    const std::string name = join_path(path, f.name);
-    const auto add = [&](auto plain) { settings.push_back({name, plain, std::string{f.help}}); };
+    const auto add = [&](decltype(Setting::value) plain) { add_setting(settings, path, f.name, std::move(plain), f.help); };
     if constexpr (std::same_as<T, bool>) {
       add(value);
     } else if constexpr (std::integral<T>) {
@@ -62,7 +52,7 @@ void append_settings(const P& params, std::string_view path, Settings& settings)
     } else if constexpr (std::convertible_to<T, std::string>) {
       add(std::string{value});
     } else {
-      append_settings(value, name, settings);
+      append_settings(value, join_path(path, f.name), settings);
     }
   });
 }
@@ -78,12 +68,10 @@ template <class P>
 }
 
 /// FNV-1a (64 bits) of a text, as 16 hexadecimal digits.
-[[nodiscard]] inline std::string hash_text(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  std::string digits(16, '0');
-  for (std::size_t i = digits.size(); i-- > 0; hash >>= 4) digits[i] = "0123456789abcdef"[hash & 15U];
-  return digits;
-}
+[[nodiscard]] std::string hash_text(std::string_view text);
 
 }  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/params/settings.ipp>
+#endif

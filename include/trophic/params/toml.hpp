@@ -14,7 +14,6 @@
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
-#include <trophic/params/settings.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -145,28 +144,6 @@ void read_numbers(P& params, const toml::table& table) {
       throw bad();
     }
   }
-}
-
-/// Settings as a TOML text that reads back as the same numbers, with each field's help as a comment.
-[[nodiscard]] inline std::string toml_text(const Settings& settings) {
-  std::ostringstream out;
-  std::string table;
-  for (const Setting& setting : settings) {
-    const auto dot = setting.path.rfind('.');
-    const std::string in = dot == std::string::npos ? "" : setting.path.substr(0, dot);
-    if (in != table) {
-      table = in;
-      out << "\n[" << table << "]\n";
-    }
-    out << (dot == std::string::npos ? setting.path : setting.path.substr(dot + 1)) << " = ";
-    if (const auto* text = std::get_if<std::string>(&setting.value)) {
-      out << toml::value<std::string>{*text};
-    } else {
-      out << value_text(setting);
-    }
-    out << (setting.help.empty() ? "" : "  # " + setting.help) << "\n";
-  }
-  return out.str();
 }
 
 }  // namespace trophic

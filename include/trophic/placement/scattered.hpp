@@ -19,6 +19,7 @@ namespace trophic::placement {
 /// and is silent about headings and overlap.   Reads: arena, radius.   Random draws: 3 per attempt.
 struct Scattered {
   static constexpr std::string_view name = "scattered";
+  static constexpr std::string_view source = "paper, Sec. \"Initialization\"; silent on headings and overlap";
   static constexpr int max_attempts_per_robot = 1000;
 
   [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m, Rng& rng) const {

@@ -18,6 +18,7 @@ namespace trophic::placement {
 /// degrees from its root frame's x.   Reads: arena (bounds only).   Random draws: 2 per robot.
 struct UniformSquare {
   static constexpr std::string_view name = "uniform_square";
+  static constexpr std::string_view source = "released code";
 
   struct Params {
     double half_extent_m = 9.0;

@@ -17,6 +17,7 @@
 #include <trophic/observe/run.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
+#include <trophic/support/replace_file.hpp>
 #include <utility>
 #include <vector>
 
@@ -158,13 +159,7 @@ class Folder {
       content["replicates"].push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
     }
     for (const auto& [name, text] : facts) content[name] = text;
-    const std::filesystem::path path = plan.out / "replicates.json";
-    const std::filesystem::path temporary = path.string() + ".part";
-    std::ofstream file{temporary};
-    file << content.dump(2) << '\n';
-    file.close();
-    if (!file) throw std::runtime_error{"cannot write " + path.string()};
-    std::filesystem::rename(temporary, path);
+    replace_file(plan.out / "replicates.json", content.dump(2) + '\n');
   }
 
   std::optional<FolderLock> lock_;

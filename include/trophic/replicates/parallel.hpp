@@ -3,11 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <string>
-#include <thread>
+#include <trophic/support/thread_pool.hpp>
 #include <vector>
 
 namespace trophic::replicates {
@@ -23,25 +22,16 @@ struct Attempt {
 template <class Work, class GoOn>
 [[nodiscard]] std::vector<Attempt> in_parallel(std::size_t items, std::size_t jobs, Work&& work, GoOn&& go_on) {
   std::vector<Attempt> attempts(items);
-  std::atomic<std::size_t> next = 0;
-  const auto serve = [&] {
-    while (go_on()) {
-      const std::size_t i = next++;
-      if (i >= items) return;
-      attempts[i].started = true;
-      try {
-        work(i);
-      } catch (const std::exception& error) {
-        attempts[i].error = error.what();
-        if (attempts[i].error.empty()) attempts[i].error = "unknown error";
-      }
+  ThreadPool{std::min(jobs, items)}.run(items, [&](std::size_t i, std::size_t) {
+    if (!go_on()) return;
+    attempts[i].started = true;
+    try {
+      work(i);
+    } catch (const std::exception& error) {
+      attempts[i].error = error.what();
+      if (attempts[i].error.empty()) attempts[i].error = "unknown error";
     }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < std::min(jobs, items); ++i) threads.emplace_back(serve);
-    serve();
-  }
+  });
   return attempts;
 }
 

@@ -14,9 +14,9 @@
 #include <trophic/death/reprieve/near_perceived_victim.hpp>
 #include <trophic/death/rescue/sacrifice_random_victim.hpp>
 #include <trophic/death/senescence/no_senescence.hpp>
-#include <trophic/death/starvation/hungriest_starves.hpp>
-#include <trophic/death/starvation_schedule/crowding_interval.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/death/starvation/hungriest_unspared.hpp>
+#include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/perception/blind_rule/blind_sees_nothing.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
@@ -37,50 +37,94 @@
 
 namespace trophic::rules {
 
-/// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots". Every number is the
-/// policies' default; what the paper is silent about is said in each policy.
+/// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots": which rule stands in each
+/// slot, where the paper says so, and every number. What the paper is silent about is marked here and explained in the policy.
 ///
 /// The robot's own gait is the one published with the paper. Its text would allow another one evolved by its fitness
 /// (`spider_paper`); the published one is what the paper's robots walked with, it is faster, and it turns to both sides alike
 /// (models/README.md has the figures).
-struct Paper {
+struct Paper final {
   static constexpr std::string_view name = "paper";
 
+  // Sec. "Initialization"
   using Community = community::PredatorPrey;
   using Placement = placement::Scattered;
 
-  using Heading = perception::heading::ForwardAxisHeading;
+  // Sec. "Tagging System"
   using Visibility = perception::visibility::SameTag;
+  using TagSwitch = perception::tag_switch::TagCoolDown;
+  using NewbornTag = perception::newborn_tag::KeepsBodyTag;  // silent
+
+  // Sec. "Cognitive Brain": "Inputs", "Outputs"
   using AngleInput = perception::sensors::SideOfAdversary;
   using DistanceInput = perception::sensors::DistanceOverTerrain;
   using TagRatioInput = perception::sensors::TagRatioOfAll;
-  using BlindRule = perception::blind_rule::BlindSeesNothing;
-  using NewbornTag = perception::newborn_tag::KeepsBodyTag;
-  using TagSwitch = perception::tag_switch::TagCoolDown;
+  using BlindRule = perception::blind_rule::BlindSeesNothing;  // silent
   using Brain = control::brain::CognitiveBrain;
-  using DecisionOrder = control::decision_order::DecideTogether;
+  using DecisionOrder = control::decision_order::DecideTogether;  // silent
+
+  // Sec. "Targeted Steering"
+  using Heading = perception::heading::ForwardAxisHeading;
   using Steering = control::steering::TargetedSteering;
 
+  // Sec. "Birth": "Initialization", "Reproduction"
   using InitialGenome = reproduction::initial_genome::UniformWeights;
   using GenomeSource = reproduction::genome_source::RandomOrInherited;
   using CaptureParent = reproduction::parent::Killer;
   using StarvationParent = reproduction::parent::NearestVictim;
-  using RescueParent = reproduction::parent::NoParent;
+  using RescueParent = reproduction::parent::NoParent;  // silent
   using Heredity = reproduction::heredity::OwnCopy;
   using Mutation = reproduction::mutation::NormalMutation;
 
+  // Sec. "Prey Death"
   using Activation = death::activation::ActiveAwayFromHunters;
   using Capture = death::capture::CatchWithinReach;
   using Floor = death::floor::VictimFloor;
-  using StarvationSchedule = death::starvation_schedule::CrowdingInterval;
-  using Reprieve = death::reprieve::NearPerceivedVictim;
-  using Starvation = death::starvation::HungriestStarves;
   using Rescue = death::rescue::SacrificeRandomVictim;
+
+  // Sec. "Predator Death"
+  using StarvationSchedule = death::starvation_schedule::DelayedCrowdingInterval;
+  using Starvation = death::starvation::HungriestUnspared;
+  using Reprieve = death::reprieve::NearPerceivedVictim;
+
+  // no rule of the paper
   using Senescence = death::senescence::NoSenescence;
   using SenescenceParent = reproduction::parent::NoParent;
 
-  static World world() { return {}; }
-  static Physics physics() { return {}; }
+  static TableParams<Paper> params() {
+    return TableParams<Paper>{
+        .community = {.predators = 14},
+        .newborn_tag = {.founders_positive = true},  // silent: released code
+        .tag_switch = {.cool_down_s = 50.0},
+        .brain = {.turn_angle_rad = 0.7, .zero_turns_right = false},
+        .steering = {.exponent = 2.0},
+        .initial_genome = {.limit = 1.0},
+        .genome_source = {.random_share = 1.0 / 3.0},
+        .starvation_parent = {.range_m = 4.0},  // silent: an early draft
+        .mutation = {.sd = 0.05},               // silent: width of the released code's
+        .activation = {.distance_m = 5.0},      // silent: released code
+        .capture = {.reach_m = 1.0, .min_age_s = 0.0},
+        .floor = {.floor = 7},
+        .starvation_schedule = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 0},
+        .reprieve = {.range_m = 5.0},  // silent: released code
+        .rescue = {.below = 7},
+    };
+  }
+
+  // Sec. "Robot Body and Environment", "Cognitive Brain", "Birth"
+  static World world() {
+    return {.robots = 30,
+            .duration_s = 6000.0,
+            .tick_s = 2.0,
+            .first_tick_s = 0.0,
+            .control_hz = 60.0,
+            .clock_scale = 1.0,
+            .robot = "spider",
+            .arena = "walled_square",
+            .gait = {},
+            .cpg_integration = locomotion::CpgIntegration::exact};
+  }
+  static Physics physics() { return {.timestep_s = 0.0012, .integrator = Integrator::semi_implicit_euler, .gravity_m_s2 = 9.81}; }
 };
 
 }  // namespace trophic::rules

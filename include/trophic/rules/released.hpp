@@ -2,10 +2,14 @@
 // The rules as the paper's released code plays them.
 #pragma once
 
+#include <numbers>
 #include <string_view>
 #include <trophic/control/decision_order/decide_in_turn.hpp>
+#include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/capture/catch_closest.hpp>
 #include <trophic/death/reprieve/near_remembered_adversary.hpp>
+#include <trophic/death/starvation/hungriest_unspared_else_hungriest.hpp>
+#include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
 #include <trophic/perception/blind_rule/blind_keeps_outputs.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
@@ -13,6 +17,7 @@
 #include <trophic/perception/sensors/tag_ratio_of_active.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
 #include <trophic/placement/uniform_square.hpp>
+#include <trophic/reproduction/genome_source/random_or_inherited_in_name.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
 #include <trophic/reproduction/mutation/uniform_mutation.hpp>
 #include <trophic/reproduction/parent/last_killer.hpp>
@@ -21,8 +26,8 @@
 
 namespace trophic::rules {
 
-/// What the released code does where it differs from the text, rule by rule; the alias of a rule that does not differ, or only in
-/// numbers, is that of `Paper`. Read off the code at the commits of the published runs (22 and 23 June 2023).
+/// What the released code does, rule by rule. Read off the code at the commits of the published runs (22 and 23 June 2023).
+/// `rules::differences<Paper, Released>()` lists the slots and numbers in which it differs from the text.
 ///
 /// Not done:
 /// - ticks of 2.007 s on average, with what happens within a tick taking wall time: a wall clock cannot be reproduced;
@@ -30,61 +35,82 @@ namespace trophic::rules {
 /// - the genome's five biases, which mutate and are never added: they have no effect;
 /// - an activated newborn's age counts from the tick before; no rule reads the age of prey.
 /// Of its analysis: published velocities include adversaries stored while a robot was blind (metric velocity_stored).
-struct Released {
+struct Released final {
   static constexpr std::string_view name = "released";
 
   using Community = community::PredatorPrey;
   using Placement = placement::UniformSquare;
 
-  using Heading = perception::heading::RootYawHeading;
   using Visibility = perception::visibility::SameTag;
+  using TagSwitch = perception::tag_switch::TagSampling;
+  using NewbornTag = perception::newborn_tag::KeepsBodyTag;
+
   using AngleInput = perception::sensors::SideAwayFromHunter;
   using DistanceInput = perception::sensors::DistanceOverScale;
   using TagRatioInput = perception::sensors::TagRatioOfActive;
   using BlindRule = perception::blind_rule::BlindKeepsOutputs;
-  using NewbornTag = perception::newborn_tag::KeepsBodyTag;
-  using TagSwitch = perception::tag_switch::TagSampling;
   using Brain = control::brain::CognitiveBrain;
-  static constexpr Brain::Params brain{.zero_turns_right = true};
   using DecisionOrder = control::decision_order::DecideInTurn;
+
+  using Heading = perception::heading::RootYawHeading;
   using Steering = control::steering::TargetedSteering;
 
   using InitialGenome = reproduction::initial_genome::UniformWeights;
-  using GenomeSource = reproduction::genome_source::RandomOrInherited;
-  static constexpr GenomeSource::Params genome_source{.random_share = 0.34, .orphans_labelled_inherited = true};
+  using GenomeSource = reproduction::genome_source::RandomOrInheritedInName;
   using CaptureParent = reproduction::parent::Killer;
   using StarvationParent = reproduction::parent::LastSeenVictim;
   using RescueParent = reproduction::parent::LastKiller;
   using Heredity = reproduction::heredity::SharedCopy;
   using Mutation = reproduction::mutation::UniformMutation;
 
-  using Activation = death::activation::ActiveAwayFromHunters;
-  static constexpr Activation::Params activation{.restarts_age = true};
+  using Activation = death::activation::AgesOnceAwayFromHunters;
   using Capture = death::capture::CatchClosest;
   using Floor = death::floor::VictimFloor;
-  static constexpr Floor::Params floor{.floor = 6};
-  using StarvationSchedule = death::starvation_schedule::CrowdingInterval;
-  static constexpr StarvationSchedule::Params starvation_schedule{.only_above = 7, .reevaluated = true};
-  using Reprieve = death::reprieve::NearRememberedAdversary;
-  using Starvation = death::starvation::HungriestStarves;
-  static constexpr Starvation::Params starvation{.even_if_all_spared = true};
   using Rescue = death::rescue::SacrificeRandomVictim;
-  static constexpr Rescue::Params rescue{.below = 8};
+
+  using StarvationSchedule = death::starvation_schedule::DirectCrowdingInterval;
+  using Starvation = death::starvation::HungriestUnsparedElseHungriest;
+  using Reprieve = death::reprieve::NearRememberedAdversary;
+
   using Senescence = death::senescence::NoSenescence;
   using SenescenceParent = reproduction::parent::NoParent;
+
+  static TableParams<Released> params() {
+    return TableParams<Released>{
+        .community = {.predators = 14},
+        .placement = {.half_extent_m = 9.0, .heading_rad = -0.75 * std::numbers::pi},
+        .distance_input = {.full_scale_m = 20.0},
+        .newborn_tag = {.founders_positive = true},
+        .tag_switch = {.period_s = 100.0},
+        .brain = {.turn_angle_rad = 0.7, .zero_turns_right = true},
+        .steering = {.exponent = 2.0},
+        .initial_genome = {.limit = 1.0},
+        .genome_source = {.random_share = 0.34},
+        .mutation = {.half_width = 0.05, .limit = 1.0},
+        .activation = {.distance_m = 5.0},
+        .capture = {.reach_m = 1.0, .min_age_s = 20.0},
+        .floor = {.floor = 6},
+        .starvation_schedule = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 7},
+        .reprieve = {.range_m = 5.0},
+        .rescue = {.below = 8},
+    };
+  }
 
   /// All timers of the released code ran on the wall clock, about 1.2 simulated seconds per second. The gait is the published
   /// one, the robot's own, as in `Paper`.
   static World world() {
-    return {.duration_s = 6500.0,
+    return {.robots = 30,
+            .duration_s = 6500.0,
+            .tick_s = 2.0,
             .first_tick_s = 2.0,
+            .control_hz = 60.0,
             .clock_scale = 1.2,
             .robot = "spider_released",
             .arena = "height_field",
             .gait = {},
-            .cpg_integration = locomotion::CpgIntegration::rk4};
+            .cpg_integration = CpgIntegration::rk4};
   }
-  static Physics physics() { return {.timestep_s = 0.012, .integrator = Integrator::rk4}; }
+  static Physics physics() { return {.timestep_s = 0.012, .integrator = Integrator::rk4, .gravity_m_s2 = 9.81}; }
 };
 
 }  // namespace trophic::rules

@@ -2,6 +2,9 @@
 // The slots of a rule table.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string_view>
 #include <trophic/community/contract.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/decision_order/contract.hpp>
@@ -59,3 +62,25 @@
   SLOT(Rescue, rescue, death, Rescue)                                      \
   SLOT(Senescence, senescence, death, Senescence)                          \
   SLOT(SenescenceParent, senescence_parent, reproduction, Parent)
+
+namespace trophic {
+
+/// The slots of a rule table as values.
+#define TROPHIC_ENUMERATOR(Slot, member, kind, Contract) member,
+enum class RuleSlot : std::size_t { TROPHIC_RULE_SLOTS(TROPHIC_ENUMERATOR) };
+#undef TROPHIC_ENUMERATOR
+
+namespace rules {
+
+/// The names of the slots of a rule table, in order, as in manifests and configuration files.
+#define TROPHIC_SLOT_NAME(Slot, member, kind, Contract) std::string_view{#member},
+inline constexpr std::array slot_names{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_NAME)};
+#undef TROPHIC_SLOT_NAME
+
+}  // namespace rules
+
+[[nodiscard]] constexpr std::string_view slot_name(RuleSlot slot) {
+  return rules::slot_names[static_cast<std::size_t>(slot)];
+}
+
+}  // namespace trophic

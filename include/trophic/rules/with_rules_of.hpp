@@ -2,7 +2,6 @@
 // One table with some slots of another, and what the two differ in.
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -17,11 +16,6 @@
 #include <vector>
 
 namespace trophic::rules {
-
-#define TROPHIC_SLOT_NAME(Slot, member, kind, Contract) std::string_view{#member},
-/// The slots of a rule table, in order.
-inline constexpr std::array slot_names{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_NAME)};
-#undef TROPHIC_SLOT_NAME
 
 /// Some slots of a rule table.
 struct SlotSet {
@@ -51,25 +45,50 @@ static_assert(slot_names.size() <= 64);
 
 /// Base with the policies and numbers that Other has in the slots of a set; world and physics are those of Base.
 template <class Base, class Other, SlotSet set>
-struct with_rules_of : Base {
-#define TROPHIC_SLOT_OF(Slot, member, kind, Contract)                                    \
-  using Slot = typename std::conditional_t<set.contains(#member), Other, Base>::Slot;    \
-  inline static const ParamsOf<Slot> member = [] {                                       \
-    return RuleNumbers<std::conditional_t<set.contains(#member), Other, Base>>{}.member; \
-  }();
+struct with_rules_of final {
+#define TROPHIC_SLOT_OF(Slot, member, kind, Contract) \
+  using Slot = typename std::conditional_t<set.contains(#member), Other, Base>::Slot;
   TROPHIC_RULE_SLOTS(TROPHIC_SLOT_OF)
 #undef TROPHIC_SLOT_OF
 
   /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; numbers are in the manifest.
-  static std::string swapped_name() {
-    std::string swaps;
-#define TROPHIC_NAME_SWAP(Slot, member, kind, Contract)                                                    \
-  if constexpr (!std::same_as<typename Base::Slot, typename with_rules_of::Slot>) {                        \
-    swaps.append(swaps.empty() ? " with " : ", ").append(#member " = ").append(with_rules_of::Slot::name); \
+  struct WriteName {
+    constexpr void operator()(auto append) const {
+      append(Base::name);
+      bool first = true;
+#define TROPHIC_NAME_SWAP(Slot, member, kind, Contract)                    \
+  if constexpr (!std::same_as<typename Base::Slot, with_rules_of::Slot>) { \
+    append(first ? std::string_view{" with "} : std::string_view{", "});   \
+    append(#member " = ");                                                 \
+    append(trophic::detail::policy_name<typename with_rules_of::Slot>());  \
+    first = false;                                                         \
   }
-    TROPHIC_RULE_SLOTS(TROPHIC_NAME_SWAP)
+      TROPHIC_RULE_SLOTS(TROPHIC_NAME_SWAP)
 #undef TROPHIC_NAME_SWAP
-    return table_name<Base>() + swaps;
+      static_cast<void>(first);
+    }
+  };
+  static constexpr std::string_view name = trophic::detail::TextOf<WriteName>::text;
+
+  static TableParams<with_rules_of> params() {
+    const auto base = Base::params();
+    const auto other = Other::params();
+    TableParams<with_rules_of> own;
+#define TROPHIC_PARAMS_OF(Slot, member, kind, Contract) \
+  if constexpr (set.contains(#member)) {                \
+    own.member = other.member;                          \
+  } else {                                              \
+    own.member = base.member;                           \
+  }
+    TROPHIC_RULE_SLOTS(TROPHIC_PARAMS_OF)
+#undef TROPHIC_PARAMS_OF
+    return own;
+  }
+  static auto world() {
+    return Base::world();
+  }
+  static auto physics() {
+    return Base::physics();
   }
 };
 
@@ -98,12 +117,14 @@ void append_differences(std::string_view path, const P& here, const P& there, st
 /// duration is no rule.
 template <class Base, class Other>
 [[nodiscard]] std::vector<RuleDifference> differences() {
+  const RuleParams<Base> here;
+  const RuleParams<Other> there;
   std::vector<RuleDifference> all;
-#define TROPHIC_DIFFERENCE(Slot, member, kind, Contract)                                               \
-  if constexpr (std::same_as<typename Base::Slot, typename Other::Slot>) {                             \
-    detail::append_differences(#member, RuleNumbers<Base>{}.member, RuleNumbers<Other>{}.member, all); \
-  } else {                                                                                             \
-    all.push_back({#member, std::string{Base::Slot::name}, std::string{Other::Slot::name}});           \
+#define TROPHIC_DIFFERENCE(Slot, member, kind, Contract)                                     \
+  if constexpr (std::same_as<typename Base::Slot, typename Other::Slot>) {                   \
+    detail::append_differences(#member, here.member, there.member, all);                     \
+  } else {                                                                                   \
+    all.push_back({#member, std::string{Base::Slot::name}, std::string{Other::Slot::name}}); \
   }
   TROPHIC_RULE_SLOTS(TROPHIC_DIFFERENCE)
 #undef TROPHIC_DIFFERENCE

@@ -2,24 +2,18 @@
 // Replaces a file as a whole: a reader, or a program that dies meanwhile, sees the old text or the new one.
 #pragma once
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 #include <string_view>
+#include <trophic/support/linkage.hpp>
 
-namespace trophic::detail {
+namespace trophic {
 
-/// Writes `text` beside `path`, then renames it. Throws std::runtime_error naming the file.
-inline void replace_file(const std::filesystem::path& path, std::string_view text) {
-  const std::filesystem::path temporary = path.string() + ".part";
-  std::ofstream file{temporary, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(errno)};
-  std::filesystem::rename(temporary, path);
-}
+/// Writes `text` to "PATH.part", then renames it. Both the text and the name are on the disk when this returns, so that a power
+/// failure leaves the old file or the new one, too. Throws std::runtime_error naming the file; the old one then stands.
+void replace_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace trophic::detail
+}  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/support/replace_file.ipp>
+#endif

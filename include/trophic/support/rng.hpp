@@ -2,14 +2,13 @@
 // Counter-based random numbers: a stream is named by (seed, purpose, individual, event), never by who drew before.
 #pragma once
 
-#include <Random123/philox.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <span>
+#include <trophic/support/linkage.hpp>
 #include <utility>
 
 namespace trophic {
@@ -33,19 +32,26 @@ enum class Stream : std::uint64_t {
   user = 1'000'000,  ///< first number free for a user's own rules
 };
 
+namespace detail {
+
+/// Four times 64 random bits: Philox 4x64 with 10 rounds at this counter.
+[[nodiscard]] std::array<std::uint64_t, 4> philox(const std::array<std::uint64_t, 4>& counter,
+                                                  const std::array<std::uint64_t, 2>& key);
+
+}  // namespace detail
+
 /// A stream of random numbers (Philox 4x64, 10 rounds: Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3").
 /// The same four names give the same numbers on every platform; uniform and normal are the library's own transforms because
 /// those of <random> differ between standard libraries. Cheap to make, copy and throw away. Not for cryptography.
 class Rng {
  public:
   Rng(std::uint64_t seed, Stream purpose, std::uint64_t individual = 0, std::uint64_t event = 0)
-      : key_{{seed, static_cast<std::uint64_t>(purpose)}}, counter_{{0, individual, event, 0}} {}
+      : key_{seed, static_cast<std::uint64_t>(purpose)}, counter_{0, individual, event, 0} {}
 
   /// 64 random bits.
   std::uint64_t bits() {
     if (used_ == block_.size()) {
-      const auto next = r123::Philox4x64{}(counter_, key_);
-      for (std::size_t i = 0; i < block_.size(); ++i) block_[i] = next[i];
+      block_ = detail::philox(counter_, key_);
       ++counter_[0];
       used_ = 0;
     }
@@ -78,10 +84,14 @@ class Rng {
   }
 
  private:
-  r123::Philox4x64::key_type key_;
-  r123::Philox4x64::ctr_type counter_;
+  std::array<std::uint64_t, 2> key_;
+  std::array<std::uint64_t, 4> counter_;
   std::array<std::uint64_t, 4> block_{};
   std::size_t used_ = 4;
 };
 
 }  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/support/rng.ipp>
+#endif

@@ -2,7 +2,6 @@
 // Units and frames, said once for the whole library; the few geometric types that every part shares.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -12,12 +11,6 @@ namespace trophic {
 /// A name ends in its unit (`range_m`, `age_s`, `target_angle_rad`); a name without one has no dimension.
 /// Time is simulated time. `time_s` in rules and logs is the ecology's clock, which runs `World::clock_scale` times slower than
 /// the physics (1 in the paper's rules).
-
-/// Where a rigid body is: the world position of its frame and the rotation from its frame to the world.
-struct Pose {
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-};
 
 /// Where a robot stands on the floor and which way it faces; all that perception, birth and death rules read of a body.
 struct GroundPose {

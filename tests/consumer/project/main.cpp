@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// First of two translation units that include everything public: the program links and finds the models.
-#include <filesystem>
+// First of two translation units that include everything public: the program links, finds the models and
+// steps a robot.
 #include <iostream>
 #include <trophic/trophic.hpp>
 #ifdef CONSUMER_HAS_mujoco
 #include <trophic/backend/mujoco.hpp>
 #endif
+#include <vector>
 
 double first_draw_of_other_unit();
 
@@ -14,11 +15,13 @@ int main() {
     std::cerr << "two translation units draw different numbers\n";
     return 1;
   }
-  if (!std::filesystem::is_directory(TROPHIC_MODEL_DIR)) {
-    std::cerr << "no models in " << TROPHIC_MODEL_DIR << '\n';
-    return 1;
-  }
+  const trophic::Habitat habitat = trophic::load_habitat({});
+  std::cout << habitat.robot.name << " in " << habitat.arena.name << ", from "
+            << trophic::find_model(trophic::ModelKind::robot, "spider") << '\n';
 #ifdef CONSUMER_HAS_mujoco
-  std::cout << trophic::backend::Mujoco::name << ' ' << trophic::backend::Mujoco::version() << '\n';
+  const std::vector<trophic::Pose> start(1, {.position_m = {0.0, 0.0, habitat.robot.rest_height_m}});
+  trophic::backend::Mujoco backend{habitat.robot, habitat.arena, start, {}, {}};
+  backend.advance_to(0.1);
+  std::cout << trophic::backend::Mujoco::version() << ": " << backend.pose(0).position_m.z() << " m\n";
 #endif
 }

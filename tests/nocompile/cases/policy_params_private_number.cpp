@@ -23,5 +23,5 @@ struct Ageing {
 
 int main() {
   using Rules = trophic::with_senescence<trophic::rules::Paper, Ageing>;
-  return static_cast<int>(trophic::RuleNumbers<Rules>{}.senescence.max_age_s);
+  return trophic::RuleParams<Rules>{}.senescence.max_age_s > 0.0 ? 0 : 1;
 }

@@ -20,5 +20,5 @@ class Ageing {
 
 int main() {
   using Rules = trophic::with_senescence<trophic::rules::Paper, Ageing>;
-  return trophic::make_policies<Rules>({}).senescence.name.empty() ? 1 : 0;
+  return trophic::RuleParams<Rules>{}.floor.floor == 7 ? 0 : 1;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A policy that manifests cannot name.
 // expect: the policy in Rules::Senescence needs static constexpr std::string_view name
-#include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Immortal {
@@ -15,6 +13,6 @@ struct Immortal {
 };
 
 int main() {
-  trophic::Ecology<trophic::with_senescence<trophic::rules::Paper, Immortal>, trophic::backend::Kinematic> ecology;
-  ecology.run_until(10.0);
+  using Rules = trophic::with_senescence<trophic::rules::Paper, Immortal>;
+  return trophic::RuleParams<Rules>{}.floor.floor == 7 ? 0 : 1;
 }

@@ -3,6 +3,7 @@
 // expect: the policy in Rules::Senescence needs bool dies(const Individual&, const View&, Rng&) const
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Ageing {

@@ -3,9 +3,10 @@
 // expect: the rule table has no slot Mutation; write `using Mutation = ...;`
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
-struct Table {
+struct Table final {
   static constexpr std::string_view name = "table";
   using P = trophic::rules::Paper;
   using Community = P::Community;
@@ -39,6 +40,9 @@ struct Table {
   using Rescue = P::Rescue;
   using Senescence = P::Senescence;
   using SenescenceParent = P::SenescenceParent;
+  static trophic::TableParams<Table> params() {
+    return trophic::TableParams<Table>{.floor = {.floor = 5}};
+  }
   static trophic::World world() {
     return {};
   }

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A policy of another kind in a slot of a table that is written out.
+// A policy of another kind in a slot.
 // expect: the policy in Rules::Reprieve needs bool spared(BodyIndex hunter, const View&) const
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
-struct Table : trophic::rules::Paper {
 #ifdef VALID
-  using Reprieve = trophic::rules::Paper::Reprieve;
+using Policy = trophic::rules::Paper::Reprieve;
 #else
-  using Reprieve = trophic::rules::Paper::Floor;
+using Policy = trophic::rules::Paper::Floor;
 #endif
-};
 
 int main() {
-  trophic::Ecology<Table, trophic::backend::Kinematic> ecology;
+  trophic::Ecology<trophic::with_reprieve<trophic::rules::Paper, Policy>, trophic::backend::Kinematic> ecology({.seed = 2});
   ecology.run_until(10.0);
 }

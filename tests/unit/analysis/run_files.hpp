@@ -38,4 +38,14 @@ inline std::filesystem::path write_run(const std::filesystem::path& folder, cons
   return folder;
 }
 
+/// A run of a table with the rule `heredity`; its floor has the number `floor`.
+inline std::filesystem::path run_of(const std::filesystem::path& folder, const std::string& heredity, int floor = 7, int seed = 1,
+                                    const std::string& status = "complete") {
+  std::string text = manifest(heredity, seed);
+  text.replace(text.find("complete"), 8, status);
+  return write_run(folder, text.substr(0, text.size() - 1) + R"(, "rules": {"heredity": ")" + heredity +
+                               R"(", "floor": "victim_floor"}, "numbers": {"seed": )" + std::to_string(seed) +
+                               R"(, "rules": {"floor": {"floor": )" + std::to_string(floor) + "}}}}");
+}
+
 }  // namespace trophic::test

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/run_set.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
 
@@ -13,40 +13,15 @@ namespace {
 
 using namespace trophic;
 using analysis::read_set;
+using analysis::read_shadowed_set;
 using test::manifest;
 using test::message_of;
+using test::run_of;
 using test::TemporaryFolder;
 using test::write_run;
 using Paths = std::vector<std::filesystem::path>;
 
 }  // namespace
-
-TEST_CASE("a folder of replicates stands for those that its list names, what is missing is remarked on") {
-  const TemporaryFolder folder;
-  static_cast<void>(folder.file("replicates.json", R"({"replicates": [{"folder": "replicate-00"}, {"folder": "replicate-01"},
-    {"folder": "replicate-02"}]})"));
-  write_run(folder.path() / "replicate-00", manifest("aa", 1));
-  write_run(folder.path() / "replicate-02", manifest("aa", 2));
-  write_run(folder.path() / "replicate-02.incomplete-1", manifest("bb", 2));
-  const auto set = read_set(Paths{folder.path()});
-  CHECK(set.label == "paper");
-  CHECK(set.runs.size() == 2);
-  REQUIRE(set.remarks.size() == 1);
-  CHECK(set.remarks[0] == (folder.path() / "replicate-01").string() + ": missing, the replicate was not run");
-}
-
-TEST_CASE("runs of other rules are not pooled, nor is one run counted twice") {
-  const TemporaryFolder folder;
-  const auto a = write_run(folder.path() / "a", manifest("aa", 1));
-  const auto b = write_run(folder.path() / "b", manifest("bb", 2, "released"));
-  const auto c = write_run(folder.path() / "c", manifest("aa", 1));
-  const std::string mixed = message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b})); });
-  CHECK(mixed.starts_with(b.string() + ": fingerprint bb (released on kinematic 1), but " + a.string() + " has aa (paper"));
-  CHECK(mixed.ends_with("use --compare"));
-  CHECK(message_of<std::invalid_argument>([&] {
-          static_cast<void>(read_set(Paths{a, c}));
-        }).find("seed 1 as in " + a.string()) != std::string::npos);
-}
 
 TEST_CASE("runs of different status or duration are not pooled, unless all are cut to what they have") {
   const TemporaryFolder folder;
@@ -92,4 +67,27 @@ TEST_CASE("a run without manifest is left out, one with a broken table keeps its
   CHECK(message_of<std::runtime_error>([&] { static_cast<void>(read_set(Paths{bare})); }).starts_with("no run can be read: "));
   const auto none = folder.path() / "none";
   CHECK(message_of<std::runtime_error>([&] { static_cast<void>(read_set(Paths{none})); }) == none.string() + ": is not a folder");
+}
+
+TEST_CASE("the shadow in the runs' folder is found, another one can be named") {
+  const TemporaryFolder folder;
+  const auto run = run_of(folder.path() / "run", "copy");
+  CHECK_FALSE(read_shadowed_set(Paths{run}).shadow);
+  CHECK(read_shadowed_set(Paths{run}).shadow_runs().empty());
+  run_of(run / "shadow", "nothing_inherited", 7, 1);
+  const auto set = read_shadowed_set(Paths{run});
+  REQUIRE(set.shadow);
+  CHECK(set.shadow_runs().size() == 1);
+  CHECK(set.ours.facts.front().folder == run);
+  const auto other = run_of(folder.path() / "other", "nothing_inherited", 7, 9);
+  CHECK(read_shadowed_set(Paths{run}, other).shadow->facts.front().seed == 9);
+}
+
+TEST_CASE("both are cut alike") {
+  const TemporaryFolder folder;
+  const auto run = run_of(folder.path() / "run", "copy");
+  run_of(run / "shadow", "nothing_inherited");
+  const auto set = read_shadowed_set(Paths{run}, {}, 1.0);
+  CHECK(set.ours.facts.front().until_s == 1.0);
+  CHECK(set.shadow->facts.front().until_s == 1.0);
 }

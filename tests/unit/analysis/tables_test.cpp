@@ -23,13 +23,20 @@ TEST_CASE("rows are cut into ticks, and found in one by individual or by body") 
   CHECK(analysis::by_tick({}).empty());
 }
 
-TEST_CASE("groups by origin, shares of nothing") {
+TEST_CASE("groups by origin") {
   using analysis::Group;
   CHECK(analysis::belongs(Origin::random, Group::all));
   CHECK(analysis::belongs(Origin::random, Group::random));
   CHECK_FALSE(analysis::belongs(Origin::random, Group::inherited));
   CHECK_FALSE(analysis::belongs(Origin::inherited, Group::random));
   CHECK(analysis::belongs(Origin::inherited, Group::inherited));
-  CHECK(*analysis::share(1, 4) == 0.25);
-  CHECK_FALSE(analysis::share(0, 0));
+}
+
+TEST_CASE("stretches end a number of ticks later, where the run has that tick") {
+  const std::vector<analysis::AgentRow> agents{robot(1, 7, prey, 0, 0), robot(2, 7, prey, 0, 0), robot(4, 7, prey, 5, 0)};
+  const auto all = analysis::stretches(agents, 2);
+  REQUIRE(all.size() == 3);
+  CHECK(all[0].end.empty());
+  CHECK(all[1].end.front().tick == 4);
+  CHECK(all[2].end.empty());
 }

@@ -17,6 +17,7 @@
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/ground_pose.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/perception/blind_rule/blind_keeps_outputs.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>

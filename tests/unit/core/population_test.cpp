@@ -25,7 +25,7 @@ namespace {
 /// A population in bodies that stand in a row, and a view of it at any tick.
 template <class Rules>
 struct Row {
-  explicit Row(const RuleNumbers<Rules>& numbers = {}, std::vector<Species> founders = {prey, prey, predator, predator})
+  explicit Row(const RuleParams<Rules>& numbers = {}, std::vector<Species> founders = {prey, prey, predator, predator})
       : policies{make_policies<Rules>(numbers)}, population{policies, web, 99, founders}, poses(founders.size()) {
     for (std::size_t i = 0; i < poses.size(); ++i) poses[i].x_m = static_cast<double>(i);
   }
@@ -54,8 +54,8 @@ struct Row {
 };
 
 template <class Rules>
-RuleNumbers<Rules> inheriting(double random_share) {
-  RuleNumbers<Rules> numbers;
+RuleParams<Rules> inheriting(double random_share) {
+  RuleParams<Rules> numbers;
   numbers.genome_source.random_share = random_share;
   return numbers;
 }

@@ -6,6 +6,7 @@
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -83,21 +84,16 @@ struct OtherMutation : reproduction::mutation::NormalMutation {
 };
 
 /// Paper with every rule that draws random numbers doing so at each chance.
-struct Frugal : rules::Paper {
-  using Placement = placement::UniformSquare;
-  using NewbornTag = perception::newborn_tag::RandomTag;
-  using Capture = death::capture::CatchClosest;
-};
-struct Wasteful : rules::Paper {
-  using Placement = WastefulPlacement;
-  using NewbornTag = WastefulTag;
-  using InitialGenome = WastefulWeights;
-  using GenomeSource = WastefulSource;
-  using StarvationParent = WastefulParent;
-  using Mutation = WastefulMutation;
-  using Capture = WastefulCapture;
-  using Rescue = WastefulRescue;
-};
+using Frugal =
+    with_placement<with_newborn_tag<with_capture<rules::Paper, death::capture::CatchClosest>, perception::newborn_tag::RandomTag>,
+                   placement::UniformSquare>;
+
+using WastefulLife =
+    with_placement<with_newborn_tag<with_capture<with_rescue<rules::Paper, WastefulRescue>, WastefulCapture>, WastefulTag>,
+                   WastefulPlacement>;
+using Wasteful = with_initial_genome<
+    with_genome_source<with_starvation_parent<with_mutation<WastefulLife, WastefulMutation>, WastefulParent>, WastefulSource>,
+    WastefulWeights>;
 using Other = with_mutation<Frugal, OtherMutation>;
 
 template <class Rules>

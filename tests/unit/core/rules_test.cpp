@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/death/reprieve/no_reprieve.hpp>
+#include <trophic/death/rescue/no_rescue.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -47,7 +48,7 @@ struct Kept {
 template <class Policy>
 std::string made_with_50_s() {
   using Rules = with_senescence<rules::Paper, Policy>;
-  RuleNumbers<Rules> numbers;
+  RuleParams<Rules> numbers;
   numbers.senescence.max_age_s = 50.0;
   try {
     return number_text(make_policies<Rules>(numbers).senescence.params.max_age_s);
@@ -59,7 +60,7 @@ std::string made_with_50_s() {
 }  // namespace
 
 TEST_CASE("rules: the paper's numbers") {
-  const RuleNumbers<rules::Paper> numbers;
+  const RuleParams<rules::Paper> numbers;
   CHECK(numbers.community.predators == 14);
   CHECK(numbers.tag_switch.cool_down_s == 50.0);
   CHECK(numbers.brain.turn_angle_rad == 0.7);
@@ -67,18 +68,14 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(numbers.steering.exponent == 2.0);
   CHECK(numbers.initial_genome.limit == 1.0);
   CHECK(numbers.genome_source.random_share == 1.0 / 3.0);
-  CHECK_FALSE(numbers.genome_source.orphans_labelled_inherited);
   CHECK(numbers.starvation_parent.range_m == 4.0);
   CHECK(numbers.activation.distance_m == 5.0);
-  CHECK_FALSE(numbers.activation.restarts_age);
   CHECK(numbers.capture.reach_m == 1.0);
   CHECK(numbers.capture.min_age_s == 0.0);
   CHECK(numbers.floor.floor == 7);
   CHECK(numbers.starvation_schedule.base_ticks == 25);
   CHECK(numbers.starvation_schedule.only_above == 0);
-  CHECK_FALSE(numbers.starvation_schedule.reevaluated);
   CHECK(numbers.reprieve.range_m == 5.0);
-  CHECK_FALSE(numbers.starvation.even_if_all_spared);
   CHECK(numbers.rescue.below == 7);
   const World world = rules::Paper::world();
   CHECK(world.robots == 30);
@@ -91,23 +88,19 @@ TEST_CASE("rules: the paper's numbers") {
 }
 
 TEST_CASE("rules: the released code's numbers") {
-  const RuleNumbers<rules::Released> numbers;
+  const RuleParams<rules::Released> numbers;
   CHECK(numbers.placement.half_extent_m == 9.0);
   CHECK(numbers.distance_input.full_scale_m == 20.0);
   CHECK(numbers.tag_switch.period_s == 100.0);
   CHECK(numbers.brain.zero_turns_right);
   CHECK(numbers.genome_source.random_share == 0.34);
-  CHECK(numbers.genome_source.orphans_labelled_inherited);
   CHECK(numbers.mutation.half_width == 0.05);
   CHECK(numbers.mutation.limit == 1.0);
-  CHECK(numbers.activation.restarts_age);
   CHECK(numbers.capture.min_age_s == 20.0);
   CHECK(numbers.floor.floor == 6);
   CHECK(numbers.starvation_schedule.base_ticks == 25);
   CHECK(numbers.starvation_schedule.only_above == 7);
-  CHECK(numbers.starvation_schedule.reevaluated);
   CHECK(numbers.reprieve.range_m == 5.0);
-  CHECK(numbers.starvation.even_if_all_spared);
   CHECK(numbers.rescue.below == 8);
   CHECK(rules::Released::world().duration_s == 6500.0);
   CHECK(rules::Released::world().first_tick_s == 2.0);
@@ -120,7 +113,7 @@ TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their num
   using Swapped = with_mutation<rules::Released, reproduction::mutation::NormalMutation>;
   static_assert(std::same_as<Swapped::Mutation, reproduction::mutation::NormalMutation>);
   static_assert(std::same_as<Swapped::Capture, rules::Released::Capture>);
-  const RuleNumbers<Swapped> numbers;
+  const RuleParams<Swapped> numbers;
   CHECK(numbers.mutation.sd == 0.05);
   CHECK(numbers.tag_switch.period_s == 100.0);
   CHECK(numbers.capture.min_age_s == 20.0);
@@ -128,8 +121,9 @@ TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their num
 }
 
 TEST_CASE("rules: a swapped rule starts at the policy's own numbers, not at those of the table it came from") {
-  CHECK_FALSE(RuleNumbers<with_activation<rules::Released, rules::Released::Activation>>{}.activation.restarts_age);
-  CHECK(RuleNumbers<with_floor<rules::Released, death::floor::VictimFloor>>{}.floor.floor == 7);
+  CHECK(RuleParams<with_starvation_schedule<rules::Released, rules::Released::StarvationSchedule>>{}
+            .starvation_schedule.only_above == 0);
+  CHECK(RuleParams<with_floor<rules::Released, death::floor::VictimFloor>>{}.floor.floor == 7);
 }
 
 TEST_CASE("rules: swaps can be stacked and the table's name tells them") {
@@ -142,8 +136,40 @@ TEST_CASE("rules: swaps can be stacked and the table's name tells them") {
   static_assert(std::same_as<Back::Reprieve, rules::Paper::Reprieve>);
 }
 
+TEST_CASE("rules: a table of other numbers has the rules and the name of the one that it is made of") {
+  using Lower = with_params<rules::Released, [](auto& params) { params.floor.floor = 3; }>;
+  static_assert(is_rule_table<Lower>);
+  static_assert(std::same_as<Lower::Floor, rules::Released::Floor>);
+  const RuleParams<Lower> numbers;
+  CHECK(numbers.floor.floor == 3);
+  CHECK(numbers.rescue.below == 8);
+  CHECK(Lower::world().clock_scale == 1.2);
+  CHECK(Lower::physics().timestep_s == 0.012);
+  CHECK(table_name<Lower>() == "released");
+  using Swapped = with_rescue<with_params<Lower, [](auto& params) { params.capture.reach_m = 2.0; }>, death::rescue::NoRescue>;
+  CHECK(RuleParams<Swapped>{}.floor.floor == 3);
+  CHECK(RuleParams<Swapped>{}.capture.reach_m == 2.0);
+}
+
+TEST_CASE("rules: a table under its own name keeps rules and numbers, and tells what is swapped in it later") {
+  using Ageing = named<with_senescence<rules::Released, death::senescence::OldAge>, "ageing">;
+  static_assert(is_rule_table<Ageing>);
+  static_assert(std::same_as<Ageing::Senescence, death::senescence::OldAge>);
+  CHECK(table_name<Ageing>() == "ageing");
+  CHECK(RuleParams<Ageing>{}.floor.floor == 6);
+  CHECK(Ageing::world().first_tick_s == 2.0);
+  CHECK(table_name<with_rescue<Ageing, death::rescue::NoRescue>>() == "ageing with rescue = no_rescue");
+}
+
+TEST_CASE("rules: numbers given in a program start at the table's, not at the policies'") {
+  const RuleParams<rules::Released> numbers{.rescue = {.below = 9}};
+  CHECK(numbers.rescue.below == 9);
+  CHECK(numbers.floor.floor == 6);
+  CHECK(numbers.capture.min_age_s == 20.0);
+}
+
 TEST_CASE("rules: numbers given at run time reach the policies") {
-  RuleNumbers<rules::Paper> numbers;
+  RuleParams<rules::Paper> numbers;
   numbers.capture.reach_m = 3.5;
   numbers.community.predators = 2;
   const auto policies = make_policies<rules::Paper>(numbers);

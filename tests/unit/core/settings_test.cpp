@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <trophic/backend/contract.hpp>
-#include <trophic/ecology/world.hpp>
+#include <trophic/habitat/world.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/rules/released.hpp>
 
@@ -23,9 +23,9 @@ const Setting& find(const Settings& settings, const std::string& path) {
 }  // namespace
 
 TEST_CASE("settings: numbers, switches, texts and names by their path, with help") {
-  const Settings rules = settings_of(RuleNumbers<rules::Released>{});
+  const Settings rules = settings_of(RuleParams<rules::Released>{});
   CHECK(value_text(find(rules, "tag_switch.period_s")) == "100");
-  CHECK(value_text(find(rules, "activation.restarts_age")) == "true");
+  CHECK(value_text(find(rules, "brain.zero_turns_right")) == "true");
   CHECK(value_text(find(rules, "genome_source.random_share")) == "0.34");
   CHECK(std::get<std::int64_t>(find(rules, "starvation_schedule.base_ticks").value) == 25);
   CHECK_FALSE(find(rules, "tag_switch.period_s").help.empty());
@@ -36,11 +36,11 @@ TEST_CASE("settings: numbers, switches, texts and names by their path, with help
 }
 
 TEST_CASE("settings: every number of a rule set once") {
-  const Settings settings = settings_of(RuleNumbers<rules::Paper>{});
+  const Settings settings = settings_of(RuleParams<rules::Paper>{});
   for (std::size_t i = 0; i < settings.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) CHECK(settings[i].path != settings[j].path);
   }
-  CHECK(settings.size() > 20);
+  CHECK(settings.size() > 15);
 }
 
 TEST_CASE("settings: FNV-1a of texts") {

@@ -8,6 +8,7 @@
 #include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <utility>
@@ -49,7 +50,7 @@ std::pair<std::string, std::string> run(typename Ecology<Rules, backend::Kinemat
     using Flipped = typename std::conditional_t<same, std::type_identity<Base>,                                       \
                                                 std::type_identity<with_##member<Base, typename Other::Slot>>>::type; \
     typename Ecology<Flipped, backend::Kinematic>::Params params;                                                     \
-    params.rules.member = RuleNumbers<Other>{}.member;                                                                \
+    params.rules.member = RuleParams<Other>{}.member;                                                                 \
     CHECK(run<Flipped>(params, #member).first == Other::Slot::name);                                                  \
   }                                                                                                                   \
   TEST_CASE("slots: " #member " of either table in the other") {                                                      \

@@ -18,18 +18,15 @@ using rules::with_rules_of;
 
 namespace {
 
+using Older = with_params<with_senescence<Paper, death::senescence::OldAge>, [](auto& params) {
+  params.senescence.max_age_s = 77.0;
+  params.floor.floor = 5;
+}>;
 /// Paper with one policy, one number and one number of World changed.
-struct Aged : with_senescence<Paper, death::senescence::OldAge> {
-  static constexpr std::string_view name = "aged";
-  inline static const death::senescence::OldAge::Params senescence{.max_age_s = 77.0};
-  static constexpr death::floor::VictimFloor::Params floor{.floor = 5};
-  static World world() {
-    World slower = Paper::world();
-    slower.duration_s = 1.0;
-    slower.tick_s = 3.0;
-    return slower;
-  }
-};
+using Aged = with_world<Older, [](World& world) {
+  world.duration_s = 1.0;
+  world.tick_s = 3.0;
+}>;
 
 }  // namespace
 
@@ -37,13 +34,13 @@ TEST_CASE("slots of another table bring its policies and numbers, the others sta
   using Both = with_rules_of<Paper, Aged, slots({"senescence", "floor"})>;
   static_assert(std::same_as<Both::Senescence, death::senescence::OldAge>);
   static_assert(std::same_as<Both::Heredity, Paper::Heredity>);
-  const RuleNumbers<Both> numbers;
+  const RuleParams<Both> numbers;
   CHECK(numbers.senescence.max_age_s == 77.0);
   CHECK(numbers.floor.floor == 5);
   CHECK(Both::world().tick_s == 2.0);
   CHECK(table_name<Both>() == "paper with senescence = old_age");
-  CHECK(RuleNumbers<with_rules_of<Aged, Paper, slots({"floor"})>>{}.floor.floor == RuleNumbers<Paper>{}.floor.floor);
-  CHECK(RuleNumbers<with_rules_of<Aged, Paper, slots({"floor"})>>{}.senescence.max_age_s == 77.0);
+  CHECK(RuleParams<with_rules_of<Aged, Paper, slots({"floor"})>>{}.floor.floor == RuleParams<Paper>{}.floor.floor);
+  CHECK(RuleParams<with_rules_of<Aged, Paper, slots({"floor"})>>{}.senescence.max_age_s == 77.0);
 }
 
 TEST_CASE("several swaps are named in one list, numbers alone are not") {

@@ -22,9 +22,8 @@ TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
   CHECK(RandomOrInherited{}.params.random_share == 1.0 / 3.0);
 }
 
-TEST_CASE("random or inherited: the label of whoever should have inherited but found no parent") {
+TEST_CASE("random or inherited: whoever should have inherited but found no parent is labelled random") {
   CHECK(RandomOrInherited{}.without_parent() == Origin::random);
-  CHECK(RandomOrInherited{{.orphans_labelled_inherited = true}}.without_parent() == Origin::inherited);
 }
 
 TEST_CASE("random or inherited: one draw") {

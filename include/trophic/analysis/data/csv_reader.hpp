@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <concepts>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -31,19 +32,24 @@ class CsvReader {
     if (!std::filesystem::is_regular_file(path) || !(text << stream.rdbuf())) throw error("cannot be read, or is empty");
     text_ = std::move(text).str();
     if (!split_line()) throw error("has no header");
-    width_ = cells_.size();
-    for (const std::string_view column : columns) {
-      const auto found = std::ranges::find(cells_, column);
-      if (found == cells_.end()) throw error(1, "no column \"" + std::string{column} + "\"; another kind of file?");
-      wanted_.push_back({std::string{column}, static_cast<std::size_t>(found - cells_.begin())});
-    }
+    header_.assign(cells_.begin(), cells_.end());
+    for (const std::string_view column : columns) want(column);
+  }
+
+  [[nodiscard]] bool has(std::string_view column) const { return std::ranges::find(header_, column) != header_.end(); }
+
+  /// Asks for one more column. Throws std::runtime_error where the file lacks it.
+  void want(std::string_view column) {
+    const auto found = std::ranges::find(header_, column);
+    if (found == header_.end()) throw error(1, "no column \"" + std::string{column} + "\"; another kind of file?");
+    wanted_.push_back({std::string{column}, static_cast<std::size_t>(found - header_.begin())});
   }
 
   /// Goes to the next row; false after the last. Throws std::runtime_error "FILE:LINE: ..." for a wrong number of cells.
   bool next() {
     if (!split_line()) return false;
-    if (cells_.size() != width_) {
-      throw error(line_, std::to_string(cells_.size()) + " cells, the header has " + std::to_string(width_));
+    if (cells_.size() != header_.size()) {
+      throw error(line_, std::to_string(cells_.size()) + " cells, the header has " + std::to_string(header_.size()));
     }
     return true;
   }
@@ -55,13 +61,16 @@ class CsvReader {
   /// The cell in the row at hand of the column that was asked for at this place.
   [[nodiscard]] std::string_view text(std::size_t column) const { return cells_[wanted_.at(column).place]; }
 
-  /// A number, {0, 1} as a bool, or an enumerator by name. Throws std::runtime_error "FILE:LINE: COLUMN = "TEXT": must be ...".
+  /// A text, a number, {0, 1} as a bool, or an enumerator by name. Throws std::runtime_error "FILE:LINE: COLUMN = "TEXT": must be
+  /// ...".
   template <class T>
   [[nodiscard]] T get(std::size_t column) const {
     const std::string_view cell = text(column);
     if constexpr (std::is_same_v<T, bool>) {
       if (cell != "0" && cell != "1") reject(column, "0 or 1");
       return cell == "1";
+    } else if constexpr (std::same_as<T, std::string>) {
+      return std::string{cell};
     } else if constexpr (NamedEnum<T>) {
       constexpr auto names = enum_names(T{});
       const auto found = std::ranges::find(names, cell);
@@ -79,12 +88,16 @@ class CsvReader {
       return value;
     }
   }
-  /// None for an empty cell.
+  /// None for an empty cell, or for what stands for none in this column.
   template <class T>
-  [[nodiscard]] std::optional<T> get_optional(std::size_t column) const {
-    return text(column).empty() ? std::nullopt : std::optional{get<T>(column)};
+  [[nodiscard]] std::optional<T> get_optional(std::size_t column, std::string_view none = {}) const {
+    return text(column) == none ? std::nullopt : std::optional{get<T>(column)};
   }
 
+  /// Where among the columns asked for a name stands; it must be one of them.
+  [[nodiscard]] std::size_t place_of(std::string_view column) const {
+    return static_cast<std::size_t>(std::ranges::find(wanted_, column, &Wanted::name) - wanted_.begin());
+  }
   [[noreturn]] void reject(std::size_t column, std::string_view must) const {
     throw error(line_, wanted_.at(column).name + " = \"" + std::string{text(column)} + "\": must be " + std::string{must});
   }
@@ -124,8 +137,8 @@ class CsvReader {
   std::string text_;
   std::size_t at_ = 0;
   std::size_t line_ = 0;
-  std::size_t width_ = 0;
   bool truncated_ = false;
+  std::vector<std::string> header_;
   std::vector<Wanted> wanted_;
   std::vector<std::string_view> cells_;
 };

@@ -6,48 +6,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
-#include <trophic/observe/event.hpp>
-#include <trophic/population/food_web.hpp>
+#include <trophic/observe/tables.hpp>
 #include <trophic/population/individual.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::analysis {
 
-/// A row of events.csv; see observe::EventLog. Rows are in the order in which things happened.
-struct EventRow {
-  double time_s = 0.0;
-  std::int64_t tick = 0;
-  observe::EventKind kind = observe::EventKind::birth;
-  IndividualId id = 0;
-  Species species = 0;
-  BodyIndex body = 0;
-  bool active = true;
-  Origin origin = Origin::random;
-  std::optional<Cause> cause;
-  std::optional<IndividualId> victim;
-  double x_m = 0.0;
-  double y_m = 0.0;
-};
-
-/// A row of agents.csv; see observe::AgentLog. Rows are sorted by tick.
-struct AgentRow {
-  double time_s = 0.0;
-  std::int64_t tick = 0;
-  BodyIndex body = 0;
-  IndividualId id = 0;
-  Species species = 0;
-  Origin origin = Origin::random;
-  int tag = 1;
-  double x_m = 0.0;
-  double y_m = 0.0;
-  std::optional<IndividualId> adversary;
-  std::optional<std::int64_t> hunger_ticks;
-};
-
+using observe::AgentRow;  ///< sorted by tick
+using observe::EventRow;  ///< in the order in which things happened
 using Events = std::span<const EventRow>;
 using Agents = std::span<const AgentRow>;
 
@@ -96,9 +65,24 @@ class Moment {
   std::vector<std::pair<IndividualId, const AgentRow*>> by_id_;
 };
 
-/// A share of a whole; none of an empty whole.
-[[nodiscard]] constexpr std::optional<double> share(double part, double whole) {
-  return whole > 0.0 ? std::optional{part / whole} : std::nullopt;
+/// The rows of a tick, and those of the one `ticks` later: empty where the run has none.
+struct Stretch {
+  Agents start;
+  Agents end;
+};
+
+/// One stretch from each tick, in order. `ticks` > 0.
+[[nodiscard]] inline std::vector<Stretch> stretches(Agents agents, std::int64_t ticks) {
+  const std::vector<Agents> moments = by_tick(agents);
+  std::vector<Stretch> all;
+  std::size_t later = 0;
+  for (const Agents& now : moments) {
+    const std::int64_t tick = now.front().tick + ticks;
+    while (later < moments.size() && moments[later].front().tick < tick) ++later;
+    const bool has_end = later < moments.size() && moments[later].front().tick == tick;
+    all.push_back({now, has_end ? moments[later] : Agents{}});
+  }
+  return all;
 }
 
 }  // namespace trophic::analysis

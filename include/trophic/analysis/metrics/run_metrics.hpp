@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All metrics of one run, each with the baselines that it has to be set beside.
+// All metrics of one run.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <trophic/analysis/data/read_run.hpp>
 #include <trophic/analysis/metrics/attribution.hpp>
 #include <trophic/analysis/metrics/demography.hpp>
+#include <trophic/analysis/metrics/measurement.hpp>
 #include <trophic/analysis/metrics/series.hpp>
 #include <trophic/analysis/metrics/stuck.hpp>
 #include <trophic/analysis/metrics/tag_symmetry.hpp>
@@ -19,47 +20,6 @@
 #include <vector>
 
 namespace trophic::analysis {
-
-/// What a measurement means.
-struct MetricName {
-  std::string metric;
-  std::string species;  ///< "prey"; of a metric of two: "prey+predator"
-  std::string group;    ///< all, random, inherited; of deaths a cause, of ticks_at a number of members
-  std::string unit;     ///< "1" for shares
-  friend auto operator<=>(const MetricName&, const MetricName&) = default;
-};
-
-/// What another value of a measurement is for. Only a null, which is what chance alone would give, gets a verdict.
-enum class Role { reference, paper, null };
-[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Role) {
-  return {"reference", "paper", "null"};
-}
-
-/// A value to set a measurement beside. `paper`: the baseline that the paper compares with.
-struct Baseline {
-  std::string name;
-  Role role = Role::reference;
-  std::optional<double> value;
-};
-
-/// One number of one run; none where it cannot be computed.
-struct Measurement {
-  MetricName name;
-  std::optional<double> value;
-  std::vector<Baseline> baselines;
-};
-
-/// A curve over the time of one run; `baseline` is empty for what was observed.
-struct Curve {
-  MetricName name;
-  std::string baseline;
-  Series points;
-};
-
-struct RunMetrics {
-  std::vector<Measurement> measurements;
-  std::vector<Curve> curves;
-};
 
 /// Hunters that the released rules leave when they starve and rescue at their floor: the authors' runs have 8 for 30 % of the
 /// time.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <trophic/analysis/data/tables.hpp>
@@ -20,12 +19,9 @@ inline constexpr std::int64_t stuck_ticks = 5;  ///< 10 s
 [[nodiscard]] inline WindowMean stuck(Agents agents, std::optional<Species> species, double reach_m = stuck_reach_m,
                                       std::int64_t ticks = stuck_ticks, double window_s = 200.0) {
   WindowMean mean{window_s};
-  const auto moments = by_tick(agents);
-  std::size_t later = 0;
-  for (const Agents& now : moments) {
-    while (later < moments.size() && moments[later].front().tick < now.front().tick + ticks) ++later;
-    if (later == moments.size() || moments[later].front().tick != now.front().tick + ticks) continue;
-    const Moment end{moments[later]};
+  for (const auto& [now, later] : stretches(agents, ticks)) {
+    if (later.empty()) continue;
+    const Moment end{later};
     Mean share;
     for (const AgentRow& from : now) {
       const AgentRow* to = end.find_body(from.body);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <trophic/analysis/data/tables.hpp>
@@ -29,13 +28,9 @@ template <class AdversaryOf>
 [[nodiscard]] std::vector<VelocitySample> samples_towards(Agents agents, std::int64_t ticks, AdversaryOf adversary_of) {
   const auto distance = [](const AgentRow& a, const AgentRow& b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); };
   std::vector<VelocitySample> samples;
-  const auto moments = by_tick(agents);
-  std::size_t later = 0;
-  for (const Agents& now : moments) {
-    while (later < moments.size() && moments[later].front().tick < now.front().tick + ticks) ++later;
-    const bool has_end = later < moments.size() && moments[later].front().tick == now.front().tick + ticks;
+  for (const auto& [now, later] : stretches(agents, ticks)) {
     const Moment start{now};
-    const Moment end{has_end ? moments[later] : Agents{}};
+    const Moment end{later};
     for (const AgentRow& from : now) {
       const AgentRow* adversary = adversary_of(from, start);
       const AgentRow* to = end.find(from.id);

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <trophic/analysis/metrics/measurement.hpp>
 #include <trophic/analysis/report/published.hpp>
-#include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
+#include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
 #include <vector>
 
@@ -23,28 +23,6 @@ namespace trophic::analysis {
 enum class Reproduction { unknown, reproduced, not_reproduced, undecided };
 [[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Reproduction) {
   return {"no verdict", "reproduced", "not reproduced", "undecided"};
-}
-
-/// Runs that would decide about a mean this far from the published value, if mean and spread stay as they are: the fewest whose
-/// intervals show either equivalence or exclusion. None if a million would not.
-[[nodiscard]] inline std::optional<std::size_t> runs_to_decide(double distance, double deviation, double margin) {
-  const auto half_width = [&](std::size_t runs, double level) {
-    const double freedom = static_cast<double>(runs - 1);
-    return boost::math::quantile(boost::math::students_t{freedom}, (1.0 + level) / 2.0) * deviation /
-           std::sqrt(static_cast<double>(runs));
-  };
-  const auto decides = [&](std::size_t runs) {
-    return half_width(runs, 0.90) < margin - distance || half_width(runs, 0.95) < distance;
-  };
-  // Widths shrink with the number of runs: the first number that decides is found by halving.
-  std::size_t decided = 1'000'000;
-  if (!decides(decided)) return std::nullopt;
-  std::size_t too_few = runs_for_verdict - 1;
-  while (decided - too_few > 1) {
-    const std::size_t middle = too_few + (decided - too_few) / 2;
-    (decides(middle) ? decided : too_few) = middle;
-  }
-  return decided;
 }
 
 /// A claim beside ours.

@@ -3,30 +3,19 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
-#include <span>
 #include <stdexcept>
-#include <trophic/analysis/metrics/run_metrics.hpp>
-#include <trophic/analysis/metrics/shadow.hpp>
-#include <trophic/analysis/report/summary.hpp>
-#include <trophic/analysis/statistics/holm.hpp>
+#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/analysis/metrics/measurement.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
+#include <trophic/analysis/statistics/difference.hpp>
+#include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::analysis {
-
-/// A difference of sets. The interval is of this difference alone; `adjusted` is its p value corrected for all metrics that are
-/// compared (Holm), and decides whether the sets differ.
-struct Difference {
-  std::optional<double> value;
-  std::optional<Interval> interval;
-  std::optional<double> p;
-  std::optional<double> adjusted;
-  [[nodiscard]] bool differs() const { return adjusted && *adjusted <= 0.05; }
-};
 
 /// One metric of two sets.
 struct SetDifference {
@@ -44,26 +33,6 @@ inline void check_comparable(const RunFacts& a, const RunFacts& b) {
                               number_text(a.until_s) + " s; runs of different length are not compared: use --until"};
 }
 
-namespace detail {
-
-[[nodiscard]] inline Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of) {
-  return {value, interval_of(of), p_value(of), {}};
-}
-
-inline void adjust(std::vector<SetDifference>& all, Difference SetDifference::*of) {
-  std::vector<double> p_values;
-  for (const SetDifference& each : all) {
-    if (const auto& p = (each.*of).p) p_values.push_back(*p);
-  }
-  const std::vector<double> adjusted = holm(p_values);
-  std::size_t k = 0;
-  for (SetDifference& each : all) {
-    if ((each.*of).p) (each.*of).adjusted = adjusted[k++];
-  }
-}
-
-}  // namespace detail
-
 /// For every metric that both sets measured, in the order of `a`.
 [[nodiscard]] inline std::vector<SetDifference> compare_sets(const ShadowedSet& a, const ShadowedSet& b) {
   std::vector<SetDifference> all;
@@ -77,18 +46,21 @@ inline void adjust(std::vector<SetDifference>& all, Difference SetDifference::*o
     SetDifference d{name, estimate(of_a), estimate(of_b), {}, {}};
     std::optional<double> raw;
     if (d.a.mean && d.b.mean) raw = *d.b.mean - *d.a.mean;
-    d.raw = detail::difference_of(raw, contrast({{-1.0, of_a}, {1.0, of_b}}));
+    d.raw = difference_of(raw, contrast({{-1.0, of_a}, {1.0, of_b}}));
     if (a.shadow && b.shadow) {
       const auto null_a = values_of(a.shadow_runs(), name);
       const auto null_b = values_of(b.shadow_runs(), name);
       std::optional<double> over;
       if (raw && !null_a.empty() && !null_b.empty()) over = *raw + *mean_of(null_a) - *mean_of(null_b);
-      d.over_shadow = detail::difference_of(over, contrast({{-1.0, of_a}, {1.0, null_a}, {1.0, of_b}, {-1.0, null_b}}));
+      d.over_shadow = difference_of(over, contrast({{-1.0, of_a}, {1.0, null_a}, {1.0, of_b}, {-1.0, null_b}}));
     }
     all.push_back(std::move(d));
   }
-  detail::adjust(all, &SetDifference::raw);
-  detail::adjust(all, &SetDifference::over_shadow);
+  for (Difference SetDifference::*kind : {&SetDifference::raw, &SetDifference::over_shadow}) {
+    std::vector<Difference*> together;
+    for (SetDifference& each : all) together.push_back(&(each.*kind));
+    adjust_together(together);
+  }
   return all;
 }
 

@@ -4,8 +4,9 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
-#include <trophic/analysis/metrics/run_metrics.hpp>
+#include <trophic/analysis/metrics/measurement.hpp>
 
 namespace trophic::analysis {
 

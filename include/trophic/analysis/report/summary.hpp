@@ -3,44 +3,20 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/metrics/run_metrics.hpp>
+#include <trophic/analysis/metrics/measurement.hpp>
 #include <trophic/analysis/report/published.hpp>
+#include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::analysis {
-
-/// Where the interval of a difference lies: all of it on one side of zero, or not. `unknown`: too few runs for an interval. Not
-/// distinguishable is no finding of absence.
-enum class Verdict { unknown, below, not_distinguishable, above };
-[[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Verdict) {
-  return {"no verdict", "below", "not distinguishable", "above"};
-}
-[[nodiscard]] constexpr Verdict verdict(const std::optional<Interval>& difference) {
-  if (!difference) return Verdict::unknown;
-  if (difference->lower > 0.0) return Verdict::above;
-  return difference->upper < 0.0 ? Verdict::below : Verdict::not_distinguishable;
-}
-
-/// A mean over runs, their spread and, from `runs_for_verdict` runs on, the mean's 95 % interval.
-struct Estimate {
-  std::size_t runs = 0;  ///< those in which it could be computed
-  std::optional<double> mean;
-  std::optional<double> deviation;  ///< between runs
-  std::optional<Interval> interval;
-};
-
-[[nodiscard]] inline Estimate estimate(std::span<const double> values) {
-  return {values.size(), mean_of(values), deviation_of(values), interval_of_mean(values)};
-}
 
 /// Ours beside another value. Only a null has a difference, and a verdict.
 struct Comparison {
@@ -61,16 +37,6 @@ struct SummaryRow {
 
 /// The name of the comparison with the neutral shadow.
 inline constexpr std::string_view shadow_name = "shadow";
-
-/// What runs have as a metric's value; runs without one are left out.
-[[nodiscard]] inline std::vector<double> values_of(std::span<const RunMetrics> runs, const MetricName& name) {
-  std::vector<double> values;
-  for (const RunMetrics& run : runs) {
-    const auto found = std::ranges::find(run.measurements, name, &Measurement::name);
-    if (found != run.measurements.end() && found->value) values.push_back(*found->value);
-  }
-  return values;
-}
 
 namespace detail {
 

@@ -10,10 +10,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/data/run_set.hpp>
-#include <trophic/analysis/metrics/shadow.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/report/claim_verdict.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
+#include <trophic/analysis/report/reading.hpp>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
@@ -22,48 +22,9 @@ namespace trophic::analysis {
 
 namespace detail {
 
-/// A value in the unit that people read: velocities in cm/s, shares with three decimals, counts with one.
-class Reading {
- public:
-  explicit Reading(const MetricName& name)
-      : factor_{name.unit == "m/s" ? 100.0 : 1.0},
-        decimals_{name.unit == "m/s"                                                               ? 2
-                  : name.unit == "ticks" || name.metric == "deaths" || name.metric == "population" ? 1
-                                                                                                   : 3} {}
-
-  [[nodiscard]] std::string operator()(double value, bool sign = false) const {
-    std::string text(64, '\0');
-    const int length = std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", decimals_, factor_ * value);
-    text.resize(static_cast<std::size_t>(length));
-    return text;
-  }
-  [[nodiscard]] std::string operator()(const std::optional<double>& value, bool sign = false) const {
-    return value ? (*this)(*value, sign) : "missing";
-  }
-  [[nodiscard]] std::string with_interval(const std::optional<double>& value, const std::optional<Interval>& interval,
-                                          bool sign = false) const {
-    if (!value) return "missing";
-    if (!interval) return (*this)(*value, sign);
-    return (*this)(*value, sign) + " [" + (*this)(interval->lower, sign) + ", " + (*this)(interval->upper, sign) + "]";
-  }
-  /// A mean with its interval, or with the spread between runs where there are too few for one.
-  [[nodiscard]] std::string of(const Estimate& estimate) const {
-    if (estimate.interval || !estimate.deviation) return with_interval(estimate.mean, estimate.interval);
-    return (*this)(estimate.mean) + " (sd " + (*this)(estimate.deviation) + ")";
-  }
-
- private:
-  double factor_;
-  int decimals_;
-};
-
 [[nodiscard]] inline std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size() + 1, width), ' ');
   return text;
-}
-
-[[nodiscard]] inline std::string title(const MetricName& name) {
-  return name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")");
 }
 
 }  // namespace detail
@@ -80,10 +41,6 @@ namespace detail {
   const RunFacts& facts = set.facts.front();
   return set.label + " on " + facts.backend + ", " + std::to_string(set.runs.size()) + (set.runs.size() == 1 ? " run" : " runs") +
          " of " + number_text(facts.until_s) + " s";
-}
-
-[[nodiscard]] inline std::string metric_title(const MetricName& name) {
-  return title(name) + (name.unit == "m/s" ? ", cm/s" : "");
 }
 
 /// Nobody died of it in any run: not worth a line.
@@ -106,12 +63,12 @@ inline void print_table(std::ostream& out, const ShadowedSet& set, std::span<con
       << "ours - null [95 %]\n";
   for (const SummaryRow& row : rows) {
     if (detail::is_idle_cause(row.name, row.ours.mean)) continue;
-    const detail::Reading reading{row.name};
+    const Reading reading{row.name};
     const std::string fewer =
         row.ours.runs != 0 && row.ours.runs < set.ours.runs.size()
             ? "  (" + std::to_string(row.ours.runs) + " of " + std::to_string(set.ours.runs.size()) + " runs)"
             : "";
-    out << detail::padded(detail::metric_title(row.name), 42) << detail::padded(reading.of(row.ours), 30)
+    out << detail::padded(metric_title(row.name), 42) << detail::padded(reading.of(row.ours), 30)
         << (row.published ? reading(*row.published) : "-") << fewer << "\n";
     for (const Comparison& other : row.comparisons) {
       const std::string mark = other.role == Role::paper ? "* " : other.role == Role::null ? "= " : "  ";
@@ -159,8 +116,8 @@ inline void print_differences(std::ostream& out, const ShadowedSet& a, const Sha
   for (const SetDifference& d : differences) {
     if (d.raw.p) ++tests;
     if (d.name.metric == "deaths" && d.a.mean == 0.0 && d.b.mean == 0.0) continue;
-    const detail::Reading reading{d.name};
-    out << detail::padded(detail::metric_title(d.name), 42) << detail::padded(reading(d.a.mean), 12)
+    const Reading reading{d.name};
+    out << detail::padded(metric_title(d.name), 42) << detail::padded(reading(d.a.mean), 12)
         << detail::padded(reading(d.b.mean), 12) << detail::tested(reading, d.raw)
         << (have_shadows ? detail::tested(reading, d.over_shadow) : "") << "\n";
   }
@@ -184,8 +141,8 @@ inline void print_claims(std::ostream& out, const RunSet& set, std::span<const C
       << detail::padded("source", 8) << detail::padded("ours [95 %]", 30) << "verdict\n";
   for (const ClaimVerdict& each : verdicts) {
     const MetricName name = metric_of(each.claim);
-    const detail::Reading reading{name};
-    out << detail::padded((each.claim.second_line ? "  or " : "") + detail::metric_title(name), 42)
+    const Reading reading{name};
+    out << detail::padded((each.claim.second_line ? "  or " : "") + metric_title(name), 42)
         << detail::padded(reading(each.claim.value), 12) << detail::padded(reading(each.claim.margin), 11)
         << detail::padded(std::string{enum_name(each.claim.source)}, 8) << detail::padded(reading.of(each.ours), 30)
         << enum_name(each.verdict);

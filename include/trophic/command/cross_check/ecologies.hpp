@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/data/run_set.hpp>
+#include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/command/cross_check/report.hpp>

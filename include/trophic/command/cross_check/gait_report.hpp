@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
+#include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/command/cross_check/report.hpp>
 #include <trophic/command/cross_check/walk.hpp>
 #include <trophic/observe/csv.hpp>
@@ -52,13 +52,37 @@ struct Outcome {
   return *best;
 }
 
+/// trajectories.csv: where a robot was.
+struct TrajectoryRow {
+  std::string engine = {};
+  std::string settings = {};
+  double timestep_s = 0.0;
+  double target_angle_rad = 0.0;
+  std::size_t robot = 0;
+  double time_s = 0.0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading_rad = 0.0;
+
+  static constexpr auto columns() {
+    using trophic::observe::column;
+    return std::tuple{column("engine", &TrajectoryRow::engine, "", "name of the physics engine"),
+                      column("settings", &TrajectoryRow::settings, "", "which numbers of the engine"),
+                      column("timestep_s", &TrajectoryRow::timestep_s, "s", "of the engine"),
+                      column("target_angle_rad", &TrajectoryRow::target_angle_rad, "rad", "that the robots were steered by"),
+                      column("robot", &TrajectoryRow::robot, "", "its number"),
+                      column("time_s", &TrajectoryRow::time_s, "s", "since the start"),
+                      column("x_m", &TrajectoryRow::x_m, "m", "where it stands"),
+                      column("y_m", &TrajectoryRow::y_m, "m", "where it stands"),
+                      column("heading_rad", &TrajectoryRow::heading_rad, "rad", "counter-clockwise from x")};
+  }
+};
+
 /// Writes what walks towards one target angle did after those towards another. Differences are judged against MuJoCo's first
 /// outcome for the same angle; margins are shares of what MuJoCo's robots do on the first angle of all, on which they turn.
 class GaitReport {
  public:
-  GaitReport(const std::filesystem::path& folder, Csv& csv)
-      : csv_{csv},
-        paths_{folder / "trajectories.csv", "engine,settings,timestep_s,target_angle_rad,robot,time_s,x_m,y_m,heading_rad"} {
+  GaitReport(const std::filesystem::path& folder, Csv& csv) : csv_{csv}, paths_{folder / "trajectories.csv"} {
     std::cout << std::left
               << "one gait: mean over robots [95 %]; difference to mujoco in % of its value at target angle 0.7, with "
                  "verdict for a margin of 10 %;\ndistance after 10 s to the same robot at mujoco's and at the engine's "
@@ -117,15 +141,22 @@ class GaitReport {
     for (std::size_t robot = 0; robot < outcome.walks.size(); ++robot) {
       const auto& path = outcome.walks[robot].path;
       for (std::size_t i = 0; i < path.size(); ++i) {
-        paths_.row(c.engine, c.settings, c.timestep_s, c.target_angle_rad, robot, sample_s * static_cast<double>(i), path[i].x_m,
-                   path[i].y_m, path[i].heading_rad);
+        paths_.write({.engine = c.engine,
+                      .settings = c.settings,
+                      .timestep_s = c.timestep_s,
+                      .target_angle_rad = c.target_angle_rad,
+                      .robot = robot,
+                      .time_s = sample_s * static_cast<double>(i),
+                      .x_m = path[i].x_m,
+                      .y_m = path[i].y_m,
+                      .heading_rad = path[i].heading_rad});
       }
     }
     paths_.flush();
   }
 
   Csv& csv_;
-  observe::CsvFile paths_;
+  trophic::observe::CsvFile<TrajectoryRow> paths_;
   std::vector<double> scales_;  ///< one per quantity
 };
 

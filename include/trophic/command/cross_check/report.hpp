@@ -2,15 +2,18 @@
 // What was compared, as lines of one CSV and as text for the terminal.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <iomanip>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
+#include <trophic/analysis/statistics/estimate.hpp>
+#include <trophic/observe/column.hpp>
 #include <trophic/observe/csv.hpp>
+#include <tuple>
 
 namespace trophic::command::cross_check {
 
@@ -27,28 +30,84 @@ struct Subject {
   std::string_view unit;
 };
 
+/// cross_check.csv: a mean over n robots or runs with its 95 % interval, and how it differs from MuJoCo's at its default
+/// timestep.
+struct CheckRow {
+  std::string part = {};
+  std::string engine = {};
+  std::string settings = {};
+  std::optional<double> timestep_s = {};
+  std::optional<double> target_angle_rad = {};
+  std::string quantity = {};
+  std::string species = {};
+  std::string group = {};
+  std::string unit = {};
+  std::optional<double> mean = {};
+  std::optional<double> lower = {};
+  std::optional<double> upper = {};
+  std::size_t n = 0;
+  std::optional<double> margin = {};
+  std::optional<double> difference = {};
+  std::optional<double> difference_lower = {};
+  std::optional<double> difference_upper = {};
+  std::string verdict = {};
+
+  static constexpr auto columns() {
+    using trophic::observe::column;
+    return std::tuple{column("part", &CheckRow::part, "", "gait or ecology"),
+                      column("engine", &CheckRow::engine, "", "name of the physics engine"),
+                      column("settings", &CheckRow::settings, "", "which numbers of the engine; of gaits"),
+                      column("timestep_s", &CheckRow::timestep_s, "s", "of the engine; of gaits"),
+                      column("target_angle_rad", &CheckRow::target_angle_rad, "rad", "that the robots were steered by; of gaits"),
+                      column("quantity", &CheckRow::quantity, "", "what was measured"),
+                      column("species", &CheckRow::species, "", "of metrics"),
+                      column("group", &CheckRow::group, "", "of metrics, as in metrics.csv"),
+                      column("unit", &CheckRow::unit, "", "of mean, margin, difference and intervals"),
+                      column("mean", &CheckRow::mean, "", "over robots or runs"),
+                      column("lower", &CheckRow::lower, "", "of its 95 % interval"),
+                      column("upper", &CheckRow::upper, "", "of its 95 % interval"),
+                      column("n", &CheckRow::n, "", "robots or runs"),
+                      column("margin", &CheckRow::margin, "", "within which engines are equivalent"),
+                      column("difference", &CheckRow::difference, "", "to MuJoCo's mean at its default timestep"),
+                      column("difference_lower", &CheckRow::difference_lower, "", "of its 90 % interval"),
+                      column("difference_upper", &CheckRow::difference_upper, "", "of its 90 % interval"),
+                      column("verdict", &CheckRow::verdict, "", "equivalent, different, undecided or unknown")};
+  }
+};
+
 class Csv {
  public:
-  explicit Csv(const std::filesystem::path& path)
-      : file_{path,
-              "part,engine,settings,timestep_s,target_angle_rad,quantity,species,group,unit,mean,lower,upper,n,margin,difference,"
-              "difference_lower,difference_upper,verdict"} {}
+  explicit Csv(const std::filesystem::path& path) : file_{path} {}
 
   /// Mean and 95 % interval over n robots or runs; `against_mujoco`: MuJoCo's at its default timestep are the test's first set.
   void add(const Subject& subject, const analysis::Estimate& estimate,
            const std::optional<analysis::EquivalenceTest>& against_mujoco = {}) {
     const auto lower = [](const auto& interval) { return interval ? std::optional{interval->lower} : std::nullopt; };
     const auto upper = [](const auto& interval) { return interval ? std::optional{interval->upper} : std::nullopt; };
-    const auto test = against_mujoco.value_or(analysis::EquivalenceTest{});
-    file_.row(subject.part, subject.engine, subject.settings, subject.timestep_s, subject.target_angle_rad, subject.quantity,
-              subject.species, subject.group, subject.unit, estimate.mean, lower(estimate.interval), upper(estimate.interval),
-              estimate.runs, against_mujoco ? std::optional{test.margin} : std::nullopt, test.difference, lower(test.interval),
-              upper(test.interval), against_mujoco ? enum_name(test.verdict) : std::string_view{});
+    const auto test = against_mujoco.value_or(trophic::analysis::EquivalenceTest{});
+    file_.write({.part = std::string{subject.part},
+                 .engine = subject.engine,
+                 .settings = subject.settings,
+                 .timestep_s = subject.timestep_s,
+                 .target_angle_rad = subject.target_angle_rad,
+                 .quantity = std::string{subject.quantity},
+                 .species = subject.species,
+                 .group = subject.group,
+                 .unit = std::string{subject.unit},
+                 .mean = estimate.mean,
+                 .lower = lower(estimate.interval),
+                 .upper = upper(estimate.interval),
+                 .n = estimate.runs,
+                 .margin = against_mujoco ? std::optional{test.margin} : std::nullopt,
+                 .difference = test.difference,
+                 .difference_lower = lower(test.interval),
+                 .difference_upper = upper(test.interval),
+                 .verdict = std::string{against_mujoco ? trophic::enum_name(test.verdict) : ""}});
     file_.flush();
   }
 
  private:
-  observe::CsvFile file_;
+  trophic::observe::CsvFile<CheckRow> file_;
 };
 
 [[nodiscard]] inline std::string text(double value, int decimals) {

@@ -4,33 +4,22 @@
 
 #include <string_view>
 #include <trophic/death/activation/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
+#include <trophic/death/activation/detail/away_from_hunters.hpp>
 
 namespace trophic::death::activation {
 
 /// Rule: an inactive newborn becomes active once it is farther than distance from everybody that eats its species, whatever
-/// the tags (Sec. "Prey Death", against "spawn-killing"; the paper gives no number, the released code 5 m). In the released
-/// code its age counts from then. Reads: positions, species.   Random draws: 0.
+/// the tags (Sec. "Prey Death", against "spawn-killing"; the paper gives no number, the released code 5 m). Its age counts from
+/// birth; AgesOnceAwayFromHunters is the released code's.   Reads: positions, species.   Random draws: 0.
 struct ActiveAwayFromHunters {
   static constexpr std::string_view name = "active_away_from_hunters";
+  static constexpr std::string_view source = "paper, Sec. \"Prey Death\"; silent on the distance: released code's";
 
-  struct Params {
-    double distance_m = 5.0;
-    bool restarts_age = false;
-    static constexpr auto fields() {
-      return std::tuple{field("distance_m", &Params::distance_m, at_least(0.0), "farther than this from every hunter"),
-                        field("restarts_age", &Params::restarts_age, "age counts from activation, not from birth")};
-    }
-  };
+  using Params = detail::SafeDistance;
   Params params;
 
-  [[nodiscard]] bool activates(BodyIndex body, const View& view) const {
-    const Species own = view.robots[body].species;
-    const auto hunter = view.closest(body, [&](const Individual& other) { return view.web.eats(other.species, own); });
-    return !hunter || view.distance_m(body, *hunter) > params.distance_m;
-  }
-  [[nodiscard]] bool restarts_age() const { return params.restarts_age; }
+  [[nodiscard]] bool activates(BodyIndex body, const View& view) const { return detail::away_from_hunters(params, body, view); }
+  [[nodiscard]] bool restarts_age() const { return false; }
 };
 static_assert(Activation<ActiveAwayFromHunters>);
 

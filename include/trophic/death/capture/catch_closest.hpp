@@ -18,6 +18,7 @@ namespace trophic::death::capture {
 /// founders and newborns are too young. Reads: positions, species, activity, ages.   Random draws: number of hunters - 1.
 struct CatchClosest {
   static constexpr std::string_view name = "catch_closest";
+  static constexpr std::string_view source = "released code";
 
   struct Params {
     double reach_m = 1.0;

@@ -18,6 +18,7 @@ namespace trophic::death::capture {
 /// ages.   Random draws: 0.
 struct CatchWithinReach {
   static constexpr std::string_view name = "catch_within_reach";
+  static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";
 
   struct Params {
     double reach_m = 1.0;

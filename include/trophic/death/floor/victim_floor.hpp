@@ -15,6 +15,7 @@ namespace trophic::death::floor {
 /// count.   Random draws: 0.
 struct VictimFloor {
   static constexpr std::string_view name = "victim_floor";
+  static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";
 
   struct Params {
     std::size_t floor = 7;

@@ -14,6 +14,7 @@ namespace trophic::death::reprieve {
 /// A prey that switches its tag ends the reprieve. Reads: positions, species, visibility.   Random draws: 0.
 struct NearPerceivedVictim {
   static constexpr std::string_view name = "near_perceived_victim";
+  static constexpr std::string_view source = "paper, Sec. \"Predator Death\"; silent on the range: released code's";
 
   struct Params {
     double range_m = 5.0;

@@ -14,6 +14,7 @@ namespace trophic::death::reprieve {
 /// hidden stays exempt: the opposite of the text. Reads: body memory.   Random draws: 0.
 struct NearRememberedAdversary {
   static constexpr std::string_view name = "near_remembered_adversary";
+  static constexpr std::string_view source = "released code";
 
   struct Params {
     double range_m = 5.0;

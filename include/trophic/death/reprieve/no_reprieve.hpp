@@ -10,6 +10,7 @@ namespace trophic::death::reprieve {
 /// Rule: hunger alone decides.   Reads: nothing.   Random draws: 0.
 struct NoReprieve {
   static constexpr std::string_view name = "no_reprieve";
+  static constexpr std::string_view source = "control";
   [[nodiscard]] bool spared(BodyIndex, const View&) const { return false; }
 };
 static_assert(Reprieve<NoReprieve>);

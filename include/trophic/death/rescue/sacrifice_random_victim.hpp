@@ -16,6 +16,7 @@ namespace trophic::death::rescue {
 /// 7; the released code: 7 or fewer, which is below 8). Reads: species.   Random draws: 1 per sacrifice.
 struct SacrificeRandomVictim {
   static constexpr std::string_view name = "sacrifice_random_victim";
+  static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";
 
   struct Params {
     std::size_t below = 7;

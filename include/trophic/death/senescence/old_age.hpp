@@ -13,6 +13,7 @@ namespace trophic::death::senescence {
 /// the prey's poor adaptation (Sec. "Conclusion"). Reads: own age.   Random draws: 0.
 struct OldAge {
   static constexpr std::string_view name = "old_age";
+  static constexpr std::string_view source = "paper, Sec. \"Conclusion\": future work";
 
   struct Params {
     double max_age_s = 600.0;

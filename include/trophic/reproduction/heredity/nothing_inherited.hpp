@@ -13,6 +13,7 @@ namespace trophic::reproduction::heredity {
 /// Reads: nothing.   Random draws: those of the initial genome.
 struct NothingInherited {
   static constexpr std::string_view name = "nothing_inherited";
+  static constexpr std::string_view source = "control";
   [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>&) const { return nullptr; }
 };
 static_assert(Heredity<NothingInherited>);

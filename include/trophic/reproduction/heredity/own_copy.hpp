@@ -12,6 +12,7 @@ namespace trophic::reproduction::heredity {
 /// genome.   Random draws: 0.
 struct OwnCopy {
   static constexpr std::string_view name = "own_copy";
+  static constexpr std::string_view source = "paper, Sec. \"Reproduction\"";
   [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
     return std::make_shared<Genome>(*parent);
   }

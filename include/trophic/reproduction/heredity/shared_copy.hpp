@@ -13,6 +13,7 @@ namespace trophic::reproduction::heredity {
 /// parent's genome.   Random draws: 0.
 struct SharedCopy {
   static constexpr std::string_view name = "shared_copy";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const { return parent; }
 };
 static_assert(Heredity<SharedCopy>);

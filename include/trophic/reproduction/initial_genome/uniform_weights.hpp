@@ -14,6 +14,7 @@ namespace trophic::reproduction::initial_genome {
 /// Random draws: 1 per weight.
 struct UniformWeights {
   static constexpr std::string_view name = "uniform_weights";
+  static constexpr std::string_view source = "paper, Sec. \"Initialization\"";
 
   struct Params {
     double limit = 1.0;

@@ -15,6 +15,7 @@ namespace trophic::reproduction::mutation {
 /// uniform perturbation. Reads: the weights.   Random draws: 2 per weight.
 struct NormalMutation {
   static constexpr std::string_view name = "normal_mutation";
+  static constexpr std::string_view source = "paper, Sec. \"Reproduction\"; silent on the deviation";
 
   struct Params {
     double sd = 0.05;

@@ -15,6 +15,7 @@ namespace trophic::reproduction::mutation {
 /// weights.   Random draws: 1 per weight.
 struct UniformMutation {
   static constexpr std::string_view name = "uniform_mutation";
+  static constexpr std::string_view source = "released code";
 
   struct Params {
     double half_width = 0.05;

@@ -12,6 +12,7 @@ namespace trophic::reproduction::parent {
 /// killer.   Random draws: 0.
 struct Killer {
   static constexpr std::string_view name = "killer";
+  static constexpr std::string_view source = "paper, Sec. \"Reproduction\"";
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
     if (!vacancy.killer) return std::nullopt;
     return view.robots[*vacancy.killer].as_ancestor();

@@ -12,6 +12,7 @@ namespace trophic::reproduction::parent {
 /// nobody ever, or one of another species than the body goes to: none.   Reads: body memory.   Random draws: 0.
 struct LastKiller {
   static constexpr std::string_view name = "last_killer";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
     const std::optional<Ancestor>& killer = view.robots[vacancy.body].memory.last_killer;
     return killer && vacancy.heir && killer->species != *vacancy.heir ? std::nullopt : killer;

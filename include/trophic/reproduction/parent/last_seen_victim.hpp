@@ -14,6 +14,7 @@ namespace trophic::reproduction::parent {
 /// Random draws: 0.
 struct LastSeenVictim {
   static constexpr std::string_view name = "last_seen_victim";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
     return view.robots[vacancy.body].memory.last_seen_victim;
   }

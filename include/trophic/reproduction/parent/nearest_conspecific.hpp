@@ -13,6 +13,7 @@ namespace trophic::reproduction::parent {
 /// species.   Reads: positions, species.   Random draws: 0.
 struct NearestConspecific {
   static constexpr std::string_view name = "nearest_conspecific";
+  static constexpr std::string_view source = "not in the paper";
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
     const Species heir = vacancy.heir.value_or(view.robots[vacancy.body].species);
     const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return other.species == heir; });

@@ -16,6 +16,7 @@ namespace trophic::reproduction::parent {
 /// species.   Random draws: 0.
 struct NearestVictim {
   static constexpr std::string_view name = "nearest_victim";
+  static constexpr std::string_view source = "paper, Sec. \"Reproduction\"; silent on the range: an early draft's";
 
   struct Params {
     double range_m = 4.0;

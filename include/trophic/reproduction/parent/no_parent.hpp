@@ -12,6 +12,7 @@ namespace trophic::reproduction::parent {
 /// sacrificed prey; `rules::Paper` uses this.   Reads: nothing.   Random draws: 0.
 struct NoParent {
   static constexpr std::string_view name = "no_parent";
+  static constexpr std::string_view source = "paper: silent";
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const { return std::nullopt; }
 };
 static_assert(Parent<NoParent>);

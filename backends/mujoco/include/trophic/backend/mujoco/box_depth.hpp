@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The whole depth of face contacts between boxes, for the models that ask for it.
+// How deep the contacts of boxes with each other are.
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <pugixml.hpp>
 #include <string_view>
 
 namespace trophic::backend::mujoco {
@@ -22,76 +16,6 @@ enum class BoxDepth {
 };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(BoxDepth) {
   return {"engine", "whole"};
-}
-
-/// The custom number by which a model asks for the whole depth.
-inline constexpr const char* whole_box_depth = "trophic.whole_box_depth";
-
-/// Writes the request into the MJCF document with this root.
-inline void ask_whole_box_depth(pugi::xml_node mujoco) {
-  auto numeric = mujoco.append_child("custom").append_child("numeric");
-  numeric.append_attribute("name") = whole_box_depth;
-  numeric.append_attribute("data") = "1";
-}
-
-[[nodiscard]] inline bool asks_whole_box_depth(const mjModel& model) {
-  for (int i = 0; i < model.nnumeric; ++i) {
-    if (std::strcmp(model.names + model.name_numericadr[i], whole_box_depth) == 0) {
-      return model.numeric_data[model.numeric_adr[i]] != 0.0;
-    }
-  }
-  return false;
-}
-
-/// Whether a contact of two boxes lies on a face of one of them with half its depth.
-///
-/// A face contact's normal is that of the face, bit for bit. The point lies midway between the two surfaces, half the depth
-/// inside the face: where the depth itself is reported it is twice as far from it, where half of it is, just as far.
-[[nodiscard]] inline bool has_half_depth(const mjModel& model, const mjData& data, const mjContact& contact, int first,
-                                         int second) {
-  const mjtNum* const normal = contact.frame;
-  for (const int geom : {first, second}) {
-    const mjtNum* const rotation = data.geom_xmat + 9 * geom;
-    for (int axis = 0; axis < 3; ++axis) {
-      const mjtNum column[3] = {rotation[axis], rotation[3 + axis], rotation[6 + axis]};
-      const bool along = normal[0] == column[0] && normal[1] == column[1] && normal[2] == column[2];
-      const bool against = normal[0] == -column[0] && normal[1] == -column[1] && normal[2] == -column[2];
-      if (!along && !against) continue;
-      mjtNum from_centre[3];
-      mju_sub3(from_centre, contact.pos, data.geom_xpos + 3 * geom);
-      const mjtNum outwards = geom == first ? mju_dot3(from_centre, normal) : -mju_dot3(from_centre, normal);
-      const mjtNum from_face = outwards - model.geom_size[3 * geom + axis];
-      if (std::abs(from_face) > 0.75 * std::abs(contact.dist)) return true;
-    }
-  }
-  return false;
-}
-
-/// MuJoCo's test of two boxes, or that of whoever replaced it before us.
-[[nodiscard]] inline mjfCollision& engine_box_test() {
-  static mjfCollision function = nullptr;
-  return function;
-}
-
-/// The same with whole depths in models that ask for them. A function of its arguments, so any thread may call it.
-inline int test_boxes(const mjModel* model, const mjData* data, mjContact* contacts, int first, int second, mjtNum margin) {
-  const int count = engine_box_test()(model, data, contacts, first, second, margin);
-  if (count == 0 || !asks_whole_box_depth(*model)) return count;
-  for (mjContact* contact = contacts; contact != contacts + count; ++contact) {
-    if (has_half_depth(*model, *data, *contact, first, second)) contact->dist *= 2.0;
-  }
-  return count;
-}
-
-/// Puts `test_boxes` into MuJoCo's table, once in a process. To be called before a model of ours is stepped.
-inline void install_box_test() {
-  static const bool installed = [] {
-    mjfCollision& entry = mjCOLLISIONFUNC[mjGEOM_BOX][mjGEOM_BOX];
-    engine_box_test() = entry;
-    entry = test_boxes;
-    return true;
-  }();
-  static_cast<void>(installed);
 }
 
 }  // namespace trophic::backend::mujoco

@@ -2,16 +2,17 @@
 // Compiles an MJCF document in memory.
 #pragma once
 
+#include <pugixml.hpp>
+
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <pugixml.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <trophic/backend/mujoco/box_depth.hpp>
+#include <trophic/backend/mujoco/box_test.hpp>
 #include <trophic/backend/mujoco/engine.hpp>
 
 namespace trophic::backend::mujoco {

@@ -9,6 +9,7 @@
 #include <span>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
+#include <trophic/backend/mujoco/kernel/workspace.hpp>
 #include <utility>
 #include <vector>
 

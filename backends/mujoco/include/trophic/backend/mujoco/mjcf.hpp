@@ -2,6 +2,8 @@
 // Writes robots and arena as MJCF, MuJoCo's model format.
 #pragma once
 
+#include <pugixml.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,12 +11,11 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#include <pugixml.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
-#include <trophic/backend/mujoco/box_depth.hpp>
+#include <trophic/backend/mujoco/box_test.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/params.hpp>

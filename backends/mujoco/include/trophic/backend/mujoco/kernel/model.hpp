@@ -3,14 +3,14 @@
 #pragma once
 
 #include <mujoco/mujoco.h>
-
 #include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <trophic/backend/mujoco/box_depth.hpp>
+#include <trophic/backend/mujoco/box_test.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {

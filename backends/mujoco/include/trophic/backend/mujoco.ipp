@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Definitions of mujoco.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/backend/mujoco/one_model.hpp>
+#include <trophic/backend/mujoco/robot_states.hpp>
+#include <trophic/backend/mujoco/save_mjcf.hpp>
+#include <trophic/habitat/validate_robot.hpp>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace trophic::backend {
+
+/// The engine behind a Mujoco: its robots, their states, and the models that they are stepped in.
+class Mujoco::Simulation {
+ public:
+  Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
+             const Params& params)
+      : robot_{checked(robot)},
+        arena_{arena},
+        physics_{checked(physics, params)},
+        box_depth_{params.box_depth},
+        steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
+        stepper_{make_stepper(starts.size(), params.stepping, params.threads)},
+        states_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_), starts.size()},
+        next_{states_},
+        layout_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_)},
+        targets_rad_(starts.size() * robot.hinges.size()),
+        angles_rad_(targets_rad_.size()) {
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      check_start(i, starts[i]);
+      states_.set_root(i, starts[i]);
+    }
+  }
+
+  void advance_to(double time_s) {
+    const double steps = std::ceil((time_s - slack_s) / physics_.timestep_s);
+    if (!(steps > static_cast<double>(steps_))) return;
+    const auto goal = static_cast<std::uint64_t>(steps);
+    while (steps_ < goal) advance(std::min<std::size_t>(steps_per_block_, goal - steps_));
+  }
+
+  /// Throws std::invalid_argument unless there is one finite number per hinge.
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+    const std::size_t hinges = robot_.hinges.size();
+    if (targets_rad.size() != hinges) {
+      throw std::invalid_argument{"joint targets of robot " + std::to_string(robot) + ": " + std::to_string(targets_rad.size()) +
+                                  " numbers, must be " + std::to_string(hinges)};
+    }
+    for (std::size_t i = 0; i < hinges; ++i) {
+      const double limit_rad = robot_.hinges[i].servo.target_limit_rad;
+      if (!std::isfinite(targets_rad[i])) {
+        throw std::invalid_argument{"joint target " + std::to_string(i) + " of robot " + std::to_string(robot) + " = " +
+                                    number_text(targets_rad[i]) + ": must be finite"};
+      }
+      targets_rad_[robot * hinges + i] = std::clamp(targets_rad[i], -limit_rad, limit_rad);
+    }
+  }
+
+  [[nodiscard]] std::size_t robots() const { return states_.robots(); }
+  [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * physics_.timestep_s; }
+  [[nodiscard]] Pose pose(std::size_t robot) const { return states_.root(robot); }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
+    return std::span{angles_rad_}.subspan(robot * layout_.hinges, layout_.hinges);
+  }
+
+  [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_}; }
+
+  /// Throws std::invalid_argument for a state of another robot or number of robots.
+  void restore(const State& state) {
+    if (state.robots.size() != states_.values().size() || state.targets_rad.size() != targets_rad_.size()) {
+      throw std::invalid_argument{"mujoco state of " + std::to_string(state.robots.size()) + " numbers: must have " +
+                                  std::to_string(states_.values().size())};
+    }
+    steps_ = state.steps;
+    states_.set_values(state.robots);
+    targets_rad_ = state.targets_rad;
+    read_angles();
+  }
+
+  /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
+  /// `simulate` opens it; the heights of a height field go into a binary file beside it. Throws std::runtime_error.
+  void save_mjcf(const std::filesystem::path& path) const {
+    mujoco::save_mjcf(path, robot_, arena_, physics_, box_depth_, states_, targets_rad_);
+  }
+
+ private:
+  /// Groups of robots are chosen anew after so much time, as often as controllers usually set targets.
+  static constexpr double block_s = 1.0 / 60.0;
+  /// Rounding that makes no step.
+  static constexpr double slack_s = 1e-9;
+
+  static const RobotModel& checked(const RobotModel& robot) {
+    validate(robot);
+    return robot;
+  }
+
+  static const Physics& checked(const Physics& physics, const Params& params) {
+    validate(physics, "physics");
+    validate(params, "mujoco");
+    return physics;
+  }
+
+  using Stepper = std::variant<mujoco::Islands, mujoco::OneModel>;
+
+  [[nodiscard]] Stepper make_stepper(std::size_t robots, Stepping stepping, std::size_t threads) const {
+    if (robots == 0) throw std::invalid_argument{"robots = 0: must be >= 1"};
+    if (stepping == Stepping::one_model) {
+      return Stepper{std::in_place_type<mujoco::OneModel>, robot_, arena_, physics_, robots, box_depth_};
+    }
+    const bool fast = stepping == Stepping::fast;
+    return Stepper{std::in_place_type<mujoco::Islands>, robot_, arena_, physics_, threads, fast, box_depth_};
+  }
+
+  void check_start(std::size_t robot, const Pose& start) const {
+    const Eigen::Vector3d& at = start.position_m;
+    const double norm = start.orientation.norm();
+    const bool inside = at.allFinite() && std::max(std::abs(at.x()), std::abs(at.y())) <= arena_.half_side_m &&
+                        std::abs(at.z()) <= arena_.extent_m;
+    if (!inside || !(norm > 0.5 && norm < 2.0)) {
+      throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(at.x()) + ", " +
+                                  number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +
+                                  number_text(arena_.half_side_m)};
+    }
+  }
+
+  void advance(std::size_t steps) {
+    mujoco::GroupResult result =
+        std::visit([&](auto& stepper) { return stepper.advance(states_, targets_rad_, steps, next_); }, stepper_);
+    if (result.end == mujoco::GroupResult::End::done) check_inside(next_, steps, result);
+    if (result.end != mujoco::GroupResult::End::done) {
+      throw Diverged{static_cast<double>(steps_ + result.steps) * physics_.timestep_s, result.robot, result.what};
+    }
+    std::swap(states_, next_);
+    steps_ += steps;
+    read_angles();
+  }
+
+  void check_inside(const mujoco::RobotStates& states, std::size_t steps, mujoco::GroupResult& result) const {
+    for (std::size_t i = 0; i < states.robots(); ++i) {
+      const Eigen::Vector3d at = states.root(i).position_m;
+      if (at.cwiseAbs().maxCoeff() > arena_.extent_m) {
+        result = {.end = mujoco::GroupResult::End::diverged, .steps = steps, .robot = i, .what = "it left the arena"};
+        return;
+      }
+    }
+  }
+
+  void read_angles() {
+    for (std::size_t robot = 0; robot < states_.robots(); ++robot) {
+      for (std::size_t hinge = 0; hinge < layout_.hinges; ++hinge) {
+        angles_rad_[robot * layout_.hinges + hinge] = states_.positions(robot)[layout_.angle_index[hinge]];
+      }
+    }
+  }
+
+  RobotModel robot_;
+  Arena arena_;
+  Physics physics_;
+  mujoco::BoxDepth box_depth_;
+  std::size_t steps_per_block_;
+  Stepper stepper_;
+  mujoco::RobotStates states_;
+  mujoco::RobotStates next_;  ///< where a block of steps is written, until it is known to be sound
+  mujoco::Layout layout_;
+  std::uint64_t steps_ = 0;
+  std::vector<double> targets_rad_;
+  std::vector<double> angles_rad_;
+};
+
+TROPHIC_INLINE std::string Mujoco::version() {
+  return mj_versionString();
+}
+TROPHIC_INLINE std::vector<std::string> Mujoco::remarks(const Physics&) {
+  return {};
+}
+
+TROPHIC_INLINE Mujoco::Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
+                              const Params& params)
+    : simulation_{std::make_unique<Simulation>(robot, arena, starts, physics, params)} {}
+TROPHIC_INLINE Mujoco::Mujoco(Mujoco&&) noexcept = default;
+TROPHIC_INLINE Mujoco& Mujoco::operator=(Mujoco&&) noexcept = default;
+TROPHIC_INLINE Mujoco::~Mujoco() = default;
+
+TROPHIC_INLINE void Mujoco::advance_to(double time_s) {
+  simulation_->advance_to(time_s);
+}
+TROPHIC_INLINE void Mujoco::set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+  simulation_->set_joint_targets(robot, targets_rad);
+}
+TROPHIC_INLINE std::size_t Mujoco::robots() const {
+  return simulation_->robots();
+}
+TROPHIC_INLINE double Mujoco::time_s() const {
+  return simulation_->time_s();
+}
+TROPHIC_INLINE Pose Mujoco::pose(std::size_t robot) const {
+  return simulation_->pose(robot);
+}
+TROPHIC_INLINE std::span<const double> Mujoco::joint_angles(std::size_t robot) const {
+  return simulation_->joint_angles(robot);
+}
+TROPHIC_INLINE Mujoco::State Mujoco::save() const {
+  return simulation_->save();
+}
+TROPHIC_INLINE void Mujoco::restore(const State& state) {
+  simulation_->restore(state);
+}
+TROPHIC_INLINE void Mujoco::save_mjcf(const std::filesystem::path& path) const {
+  simulation_->save_mjcf(path);
+}
+
+}  // namespace trophic::backend

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Definitions of step.hpp but the kernel itself.
+#pragma once
+
+#include <trophic/backend/mujoco/kernel/step.hpp>
+
+namespace trophic::backend::kernel {
+
+TROPHIC_INLINE StepFunction fastest_step() {
+#if defined(__x86_64__) && !defined(__AVX2__)
+  if (__builtin_cpu_supports("avx2")) return step_avx2;
+#endif
+  return step_portable;
+}
+
+}  // namespace trophic::backend::kernel

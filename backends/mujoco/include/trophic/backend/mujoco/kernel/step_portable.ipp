@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The kernel for every processor.
+#pragma once
+
+#include <trophic/backend/mujoco/kernel/any_step.hpp>
+#include <trophic/backend/mujoco/kernel/step.hpp>
+
+namespace trophic::backend::kernel {
+
+// Most processors take step_avx2. Whoever includes everything need not wait as long for this one: fully optimised it is
+// the longest function of all to compile.
+#if TROPHIC_HEADER_ONLY && defined(__x86_64__) && !defined(__AVX2__) && !defined(__clang__)
+[[gnu::optimize(1)]]
+#endif
+[[gnu::flatten]] TROPHIC_INLINE unsigned
+step_portable(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes) {
+  return any_step(model, state, work, lanes);
+}
+
+}  // namespace trophic::backend::kernel

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Definitions of ode.hpp.
+#pragma once
+
+#include <ode/ode.h>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/backend/ode.hpp>
+#include <trophic/backend/ode/groups.hpp>
+#include <trophic/backend/ode/robot.hpp>
+#include <trophic/habitat/validate_robot.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::backend {
+
+/// The engine behind an Ode: its robots' state and the worlds that they are stepped in.
+class Ode::Simulation {
+ public:
+  Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
+             const Params& params)
+      : setup_{std::make_unique<ode::Setup>(ode::Setup{.robot = robot, .arena = arena, .physics = physics, .params = params})} {
+    check(*setup_, starts);
+    for (const Pose& start : starts) ode::append_at_rest(robot, start, state_.links);
+    state_.angles_rad.assign(starts.size() * robot.hinges.size(), 0.0);
+    state_.targets_rad.assign(starts.size() * robot.hinges.size(), 0.0);
+    groups_ = std::make_unique<ode::Groups>(*setup_);
+  }
+
+  void advance_to(double time_s) {
+    while (this->time_s() < time_s - slack_s) {
+      next_ = state_;
+      ++next_.steps;
+      if (const auto failure = groups_->step(next_)) {
+        throw Diverged{static_cast<double>(next_.steps) * setup_->physics.timestep_s, failure->robot, failure->what};
+      }
+      std::swap(state_, next_);
+    }
+  }
+
+  [[nodiscard]] std::size_t robots() const { return state_.links.size() / setup_->robot.links.size(); }
+  [[nodiscard]] double time_s() const { return static_cast<double>(state_.steps) * setup_->physics.timestep_s; }
+
+  [[nodiscard]] Pose pose(std::size_t robot) const {
+    return ode::link_frame(state_.links.at(robot * setup_->robot.links.size()), setup_->robot.links[0]);
+  }
+
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
+    const std::size_t hinges = setup_->robot.hinges.size();
+    return std::span{state_.angles_rad}.subspan(checked(robot) * hinges, hinges);
+  }
+
+  /// Throws std::invalid_argument unless there is one finite target per hinge.
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+    const auto& hinges = setup_->robot.hinges;
+    if (targets_rad.size() != hinges.size()) {
+      throw std::invalid_argument{"targets_rad.size() = " + std::to_string(targets_rad.size()) + ": must be " +
+                                  std::to_string(hinges.size())};
+    }
+    const auto own = std::span{state_.targets_rad}.subspan(checked(robot) * hinges.size(), hinges.size());
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+      if (!std::isfinite(targets_rad[i])) {
+        throw std::invalid_argument{"targets_rad[" + std::to_string(i) + "] = " + number_text(targets_rad[i]) +
+                                    ": must be finite"};
+      }
+    }
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+      const double limit_rad = hinges[i].servo.target_limit_rad;
+      own[i] = std::clamp(targets_rad[i], -limit_rad, limit_rad);
+    }
+  }
+
+  [[nodiscard]] State save() const { return state_; }
+
+  /// Throws std::invalid_argument for a state of another number of robots or another robot.
+  void restore(const State& state) {
+    const auto check_size = [](std::string_view field, std::size_t size, std::size_t expected) {
+      if (size != expected) {
+        throw std::invalid_argument{"state." + std::string{field} + ".size() = " + std::to_string(size) + ": must be " +
+                                    std::to_string(expected)};
+      }
+    };
+    check_size("links", state.links.size(), state_.links.size());
+    check_size("angles_rad", state.angles_rad.size(), state_.angles_rad.size());
+    check_size("targets_rad", state.targets_rad.size(), state_.targets_rad.size());
+    state_ = state;
+  }
+
+ private:
+  /// Rounding that makes no step.
+  static constexpr double slack_s = 1e-9;
+
+  static void check(const ode::Setup& setup, std::span<const Pose> starts) {
+    trophic::validate(setup.physics, "physics");
+    trophic::validate(setup.params, "ode");
+    trophic::validate(setup.robot);
+    for (const Hinge& hinge : setup.robot.hinges) {
+      if (hinge.range_rad > ode::Robot::largest_range_rad) {
+        throw std::invalid_argument{"robot " + setup.robot.name + ": hinge \"" + hinge.name +
+                                    "\" range_rad = " + number_text(hinge.range_rad) +
+                                    ": must be <= " + number_text(ode::Robot::largest_range_rad) + " for ODE"};
+      }
+    }
+    if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const Eigen::Vector3d& at = starts[i].position_m;
+      const double norm = starts[i].orientation.norm();
+      const bool inside =
+          std::max(std::abs(at.x()), std::abs(at.y())) <= setup.arena.half_side_m && std::abs(at.z()) <= setup.arena.extent_m;
+      if (!inside || !(norm > 0.5 && norm < 2.0)) {
+        throw std::invalid_argument{"start pose " + std::to_string(i) + " at (" + number_text(at.x()) + ", " +
+                                    number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +
+                                    number_text(setup.arena.half_side_m)};
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t checked(std::size_t robot) const {
+    if (robot >= robots()) {
+      throw std::out_of_range{"robot " + std::to_string(robot) + ": must be < " + std::to_string(robots())};
+    }
+    return robot;
+  }
+
+  std::unique_ptr<ode::Setup> setup_;
+  std::unique_ptr<ode::Groups> groups_;
+  ode::State state_;
+  ode::State next_;
+};
+
+TROPHIC_INLINE std::string Ode::version() {
+  return dODE_VERSION;
+}
+TROPHIC_INLINE std::vector<std::string> Ode::remarks(const Physics& physics) {
+  if (physics.integrator == Integrator::semi_implicit_euler) return {};
+  return {"physics.integrator = " + std::string{enum_name(physics.integrator)} +
+          " has no effect: ode steps by its own semi-implicit Euler method"};
+}
+
+TROPHIC_INLINE Ode::Ode(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
+                        const Params& params)
+    : simulation_{std::make_unique<Simulation>(robot, arena, starts, physics, params)} {}
+TROPHIC_INLINE Ode::Ode(Ode&&) noexcept = default;
+TROPHIC_INLINE Ode& Ode::operator=(Ode&&) noexcept = default;
+TROPHIC_INLINE Ode::~Ode() = default;
+
+TROPHIC_INLINE void Ode::advance_to(double time_s) {
+  simulation_->advance_to(time_s);
+}
+TROPHIC_INLINE std::size_t Ode::robots() const {
+  return simulation_->robots();
+}
+TROPHIC_INLINE double Ode::time_s() const {
+  return simulation_->time_s();
+}
+TROPHIC_INLINE Pose Ode::pose(std::size_t robot) const {
+  return simulation_->pose(robot);
+}
+TROPHIC_INLINE std::span<const double> Ode::joint_angles(std::size_t robot) const {
+  return simulation_->joint_angles(robot);
+}
+TROPHIC_INLINE void Ode::set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+  simulation_->set_joint_targets(robot, targets_rad);
+}
+TROPHIC_INLINE Ode::State Ode::save() const {
+  return simulation_->save();
+}
+TROPHIC_INLINE void Ode::restore(const State& state) {
+  simulation_->restore(state);
+}
+
+}  // namespace trophic::backend

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// trophic::ode_compiled.
+#include <trophic/backend/ode.ipp>

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Which runs belong together: one experiment, several seeds.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// Runs of one fingerprint.
+struct PooledRuns {
+  std::vector<RunFacts> facts;  ///< at least one
+  std::vector<std::string> remarks;
+};
+
+/// The folders of the runs that a path stands for: the path itself, or the replicates that its replicates.json lists. A listed
+/// one that is not there goes to `remarks`. Throws std::runtime_error for a path that is no folder or a broken list.
+[[nodiscard]] inline std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path,
+                                                                    std::vector<std::string>& remarks) {
+  if (!std::filesystem::is_directory(path)) throw std::runtime_error{path.string() + ": is not a folder"};
+  const std::filesystem::path list = path / "replicates.json";
+  if (!std::filesystem::exists(list)) return {path};
+  std::ifstream file{list};
+  std::vector<std::filesystem::path> folders;
+  try {
+    const auto json = nlohmann::json::parse(file);
+    for (const auto& replicate : json.at("replicates")) {
+      const std::filesystem::path folder = path / replicate.at("folder").get<std::string>();
+      if (std::filesystem::is_directory(folder)) {
+        folders.push_back(folder);
+      } else {
+        remarks.push_back(folder.string() + ": missing, the replicate was not run");
+      }
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error{list.string() + ": " + error.what()};
+  }
+  return folders;
+}
+
+/// Why two runs are not pooled: a sentence that names both; empty where they may be.
+[[nodiscard]] inline std::string why_not_pooled(const RunFacts& facts, const RunFacts& other, bool is_cut) {
+  const std::string here = facts.folder.string() + ": ";
+  const std::string there = other.folder.string();
+  if (facts.fingerprint != other.fingerprint) {
+    return here + "fingerprint " + facts.fingerprint + " (" + facts.rules + " on " + facts.backend + "), but " + there + " has " +
+           other.fingerprint + " (" + other.rules + " on " + other.backend +
+           "); runs of different rules or numbers are not pooled: use --compare";
+  }
+  if (other.seed == facts.seed) {
+    return here + "seed " + std::to_string(facts.seed) + " as in " + there + "; the same run twice is no second replicate";
+  }
+  if (is_cut) return "";
+  const auto lasted = [](const RunFacts& run) {
+    return "status \"" + run.status + "\" at " + (run.reached_s ? number_text(*run.reached_s) : "an unknown time") + " of " +
+           number_text(run.until_s) + " s";
+  };
+  if (facts.status != other.status || facts.until_s != other.until_s || facts.reached_s != other.reached_s) {
+    return here + lasted(facts) + ", but " + there + " has " + lasted(other) +
+           "; runs of different length are not pooled: leave some out, or cut all with --until";
+  }
+  return "";
+}
+
+/// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
+/// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, status or duration,
+/// or if one is there twice; std::runtime_error if nothing can be read.
+[[nodiscard]] inline PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut) {
+  PooledRuns pooled;
+  std::vector<std::filesystem::path> folders;
+  for (const std::filesystem::path& path : paths) {
+    for (auto& folder : run_folders(path, pooled.remarks)) folders.push_back(std::move(folder));
+  }
+  for (const std::filesystem::path& folder : folders) {
+    RunFacts facts;
+    try {
+      facts = read_facts(folder);
+    } catch (const std::runtime_error& error) {
+      pooled.remarks.push_back(std::string{error.what()} + "; left out");
+      continue;
+    }
+    for (const RunFacts& other : pooled.facts) {
+      if (const std::string why = why_not_pooled(facts, other, is_cut); !why.empty()) throw std::invalid_argument{why};
+    }
+    pooled.facts.push_back(std::move(facts));
+  }
+  if (pooled.facts.empty()) {
+    throw std::runtime_error{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
+  }
+  return pooled;
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What a run's manifest says.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <trophic/population/food_web.hpp>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// What a run's manifest says that metrics need.
+struct RunFacts {
+  std::filesystem::path folder;
+  std::string fingerprint;
+  std::string rules;
+  std::string backend;
+  std::string status;  ///< running (or killed), complete, stopped, failed
+  std::uint64_t seed = 0;
+  double until_s = 0.0;             ///< planned; after cut_to, what is left
+  std::optional<double> reached_s;  ///< none for a run that was killed or is still running
+  double half_side_m = 0.0;
+  nlohmann::json policies;  ///< by slot
+  nlohmann::json numbers;
+  FoodWeb web{{}, {}};
+};
+
+/// Reads FOLDER/manifest.json. Throws std::runtime_error naming file and field.
+[[nodiscard]] inline RunFacts read_facts(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "manifest.json";
+  std::ifstream file{path};
+  if (!file) throw std::runtime_error{path.string() + ": cannot be read; is " + folder.string() + " a run's folder?"};
+  try {
+    const auto json = nlohmann::json::parse(file);
+    RunFacts facts;
+    facts.folder = folder;
+    facts.fingerprint = json.at("fingerprint").get<std::string>();
+    facts.rules = json.at("rule_table").get<std::string>();
+    facts.backend = json.at("backend").get<std::string>();
+    facts.status = json.at("status").get<std::string>();
+    facts.seed = json.at("seed").get<std::uint64_t>();
+    facts.until_s = json.at("clock").at("until_s").get<double>();
+    facts.half_side_m = json.at("arena").at("half_side_m").get<double>();
+    if (json.contains("result")) facts.reached_s = json["result"].at("reached_s").get<double>();
+    facts.policies = json.value("rules", nlohmann::json::object());
+    facts.numbers = json.value("numbers", nlohmann::json::object());
+    const auto names = json.at("species").get<std::vector<std::string>>();
+    std::vector<Feeding> links;
+    const auto number = [&](const std::string& name) {
+      return static_cast<Species>(std::ranges::find(names, name) - names.begin());
+    };
+    for (const auto& link : json.at("food_web")) {
+      links.push_back({number(link.at("hunter").get<std::string>()), number(link.at("victim").get<std::string>())});
+    }
+    facts.web = FoodWeb{names, links};
+    return facts;
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error{path.string() + ": " + error.what()};
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error{path.string() + ": " + error.what()};
+  }
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A neutral shadow: the same ecology in which nothing is inherited. Where it lies, and whether it is one.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/params/params.hpp>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// The slot in which a table and its shadow differ, and the policy that the shadow has there.
+inline constexpr std::string_view shadow_slot = "heredity";
+inline constexpr std::string_view shadow_policy = "nothing_inherited";
+
+/// Where --shadow put the shadows of these runs: PATH/shadow, where there is such a folder.
+[[nodiscard]] inline std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesystem::path> paths) {
+  std::vector<std::filesystem::path> found;
+  for (const std::filesystem::path& path : paths) {
+    if (std::filesystem::is_directory(path / "shadow")) found.push_back(path / "shadow");
+  }
+  return found;
+}
+
+/// Throws std::invalid_argument, naming both runs and what differs, unless `shadow` is a run of the same rules, numbers, engine
+/// and duration as `ours` with nothing inherited. Seeds may differ.
+inline void check_shadow(const RunFacts& ours, const RunFacts& shadow) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument{shadow.folder.string() + ": is no neutral shadow of " + ours.folder.string() + ": " + why};
+  };
+  const std::string slot{shadow_slot};
+  const std::string policy = shadow.policies.value(slot, "unknown");
+  if (policy != shadow_policy) {
+    refuse("its rule in slot " + slot + " is " + policy + ": must be " + std::string{shadow_policy});
+  }
+  const auto rest_of = [&](const RunFacts& facts) {
+    nlohmann::json rest{{"rules", facts.policies}, {"numbers", facts.numbers}, {"backend", facts.backend}};
+    rest["rules"].erase(slot);
+    rest["numbers"].erase("seed");
+    if (rest["numbers"].contains("rules")) rest["numbers"]["rules"].erase(slot);
+    return rest.flatten();
+  };
+  const nlohmann::json a = rest_of(ours);
+  const nlohmann::json b = rest_of(shadow);
+  const auto text = [](const nlohmann::json& of, const std::string& key) {
+    return of.contains(key) ? of[key].dump() : std::string{"missing"};
+  };
+  for (const nlohmann::json& one : {a, b}) {
+    for (const auto& [key, value] : one.items()) {
+      if (text(a, key) != text(b, key)) refuse(key.substr(1) + " = " + text(b, key) + ": must be " + text(a, key));
+    }
+  }
+  if (ours.until_s != shadow.until_s || ours.status != shadow.status) {
+    refuse("it is " + shadow.status + " at " + number_text(shadow.until_s) + " s: must be " + ours.status + " at " +
+           number_text(ours.until_s) + " s");
+  }
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Runs that belong together, measured, with the shadow that they are set beside.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <trophic/analysis/data/pooled_runs.hpp>
+#include <trophic/analysis/data/read_run.hpp>
+#include <trophic/analysis/data/shadow.hpp>
+#include <trophic/analysis/metrics/measurement.hpp>
+#include <trophic/analysis/metrics/run_metrics.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// Runs of one fingerprint with what was measured in each.
+struct RunSet {
+  std::string label;             ///< name of the rule table
+  std::vector<RunFacts> facts;   ///< one per run
+  std::vector<RunMetrics> runs;  ///< in the order of `facts`
+  std::vector<std::string> remarks;
+};
+
+/// Reads and measures runs that may be pooled; with `until_s`, only their first seconds. Throws as pooled_runs does, and
+/// std::invalid_argument for a run that is shorter than `until_s`.
+[[nodiscard]] inline RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s = {}) {
+  PooledRuns pooled = pooled_runs(paths, until_s.has_value());
+  RunSet set{pooled.facts.front().rules, std::move(pooled.facts), {}, std::move(pooled.remarks)};
+  for (RunFacts& facts : set.facts) {
+    RunData run = read_run(facts.folder);
+    if (until_s) cut_to(run, *until_s);
+    facts.until_s = run.facts.until_s;
+    set.remarks.insert(set.remarks.end(), run.remarks.begin(), run.remarks.end());
+    set.runs.push_back(measure_run(run));
+  }
+  return set;
+}
+
+/// A set with its shadow, where there is one.
+struct ShadowedSet {
+  RunSet ours;
+  std::optional<RunSet> shadow;
+  /// The shadow's runs; none without one.
+  [[nodiscard]] std::span<const RunMetrics> shadow_runs() const {
+    return shadow ? std::span<const RunMetrics>{shadow->runs} : std::span<const RunMetrics>{};
+  }
+};
+
+/// Reads a set and its shadow: `elsewhere`, or else what shadow_folders finds. Throws as read_set and check_shadow do.
+[[nodiscard]] inline ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths,
+                                                   const std::optional<std::filesystem::path>& elsewhere = {},
+                                                   std::optional<double> until_s = {}) {
+  ShadowedSet set{read_set(paths, until_s), {}};
+  const auto folders = elsewhere ? std::vector{*elsewhere} : shadow_folders(paths);
+  if (folders.empty()) return set;
+  set.shadow = read_set(folders, until_s);
+  check_shadow(set.ours.facts.front(), set.shadow->facts.front());
+  return set;
+}
+
+}  // namespace trophic::analysis

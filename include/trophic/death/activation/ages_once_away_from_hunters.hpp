@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Newborn prey stay out of the game until they are away from every predator, and begin to age only then.
+#pragma once
+
+#include <string_view>
+#include <trophic/death/activation/contract.hpp>
+#include <trophic/death/activation/detail/away_from_hunters.hpp>
+
+namespace trophic::death::activation {
+
+/// Rule (released code): as ActiveAwayFromHunters, but a newborn's age counts from its activation.   Reads: positions,
+/// species.   Random draws: 0.
+struct AgesOnceAwayFromHunters {
+  static constexpr std::string_view name = "ages_once_away_from_hunters";
+  static constexpr std::string_view source = "released code";
+
+  using Params = detail::SafeDistance;
+  Params params;
+
+  [[nodiscard]] bool activates(BodyIndex body, const View& view) const { return detail::away_from_hunters(params, body, view); }
+  [[nodiscard]] bool restarts_age() const { return true; }
+};
+static_assert(Activation<AgesOnceAwayFromHunters>);
+
+}  // namespace trophic::death::activation

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Newborn are fair game.
+#pragma once
+
+#include <string_view>
+#include <trophic/death/activation/contract.hpp>
+
+namespace trophic::death::activation {
+
+/// Rule: a newborn becomes active at the first tick after its birth, wherever it is: the control with spawn-killing.   Reads:
+/// nothing.   Random draws: 0.
+struct AlwaysActive {
+  static constexpr std::string_view name = "always_active";
+  static constexpr std::string_view source = "control";
+  [[nodiscard]] bool activates(BodyIndex, const View&) const { return true; }
+  [[nodiscard]] bool restarts_age() const { return false; }
+};
+static_assert(Activation<AlwaysActive>);
+
+}  // namespace trophic::death::activation

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Nobody is caught.
+#pragma once
+
+#include <string_view>
+#include <trophic/death/capture/contract.hpp>
+#include <vector>
+
+namespace trophic::death::capture {
+
+/// Rule: hunters catch nobody: the control without predation.   Reads: nothing.   Random draws: 0.
+struct NoCapture {
+  static constexpr std::string_view name = "no_capture";
+  static constexpr std::string_view source = "control";
+  [[nodiscard]] std::vector<Capture> captures(const View&, Rng&) const { return {}; }
+};
+static_assert(CaptureRule<NoCapture>);
+
+}  // namespace trophic::death::capture

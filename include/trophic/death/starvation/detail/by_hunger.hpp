@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Hunters in the order in which they starve.
+#pragma once
+
+#include <algorithm>
+#include <trophic/population/view.hpp>
+#include <vector>
+
+namespace trophic::death::starvation::detail {
+
+/// The bodies of all hunters, the hungriest (most ticks since birth or last catch) first. Ties: the earlier born first.
+[[nodiscard]] inline std::vector<BodyIndex> by_hunger(const View& view) {
+  std::vector<BodyIndex> hunters;
+  for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+    if (view.web.hunts(view.robots[body].species)) hunters.push_back(body);
+  }
+  std::ranges::sort(hunters, [&](BodyIndex a, BodyIndex b) {
+    const Individual& first = view.robots[a];
+    const Individual& second = view.robots[b];
+    return first.fed_tick != second.fed_tick ? first.fed_tick < second.fed_tick : first.id < second.id;
+  });
+  return hunters;
+}
+
+}  // namespace trophic::death::starvation::detail

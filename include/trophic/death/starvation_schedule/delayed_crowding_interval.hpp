@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The more predators there were at the last starvation, the sooner comes the next.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <trophic/death/starvation_schedule/contract.hpp>
+#include <trophic/death/starvation_schedule/detail/crowding.hpp>
+
+namespace trophic::death::starvation_schedule {
+
+/// Rule: a starvation procedure is held every Delta = base - p ticks, p the number of hunters (Sec. "Predator Death", Eq. 3: base
+/// 25). Delta is fixed at the start and again after each procedure, so that it depends on the crowding with a delay;
+/// DirectCrowdingInterval is the released code's. Delta never falls below min_interval, 2, which the paper derives from its floor
+/// of 7 prey. With only_above hunters or fewer (0 in the paper) a procedure waits, overdue.   Reads: number of hunters, clock.
+/// Random draws: 0.
+struct DelayedCrowdingInterval {
+  static constexpr std::string_view name = "delayed_crowding_interval";
+  static constexpr std::string_view source = "paper, Sec. \"Predator Death\", Eq. 3";
+
+  using Params = detail::Crowding;
+  Params params;
+
+  [[nodiscard]] std::int64_t interval_ticks(const View& view) const { return detail::interval_ticks(params, view); }
+  [[nodiscard]] bool due(const StarvationClock& clock, const View& view) const {
+    return detail::is_due(params, clock.interval_ticks, clock.last_tick, view);
+  }
+};
+static_assert(StarvationSchedule<DelayedCrowdingInterval>);
+
+}  // namespace trophic::death::starvation_schedule

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// An interval that shrinks with the number of hunters: what the crowding intervals share.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <trophic/params/params.hpp>
+#include <trophic/population/view.hpp>
+#include <tuple>
+
+namespace trophic::death::starvation_schedule::detail {
+
+struct Crowding {
+  std::int64_t base_ticks = 25;
+  std::int64_t min_interval_ticks = 2;
+  std::size_t only_above = 0;
+  static constexpr auto fields() {
+    return std::tuple{
+        field("base_ticks", &Crowding::base_ticks, at_least(1), "Delta = this - number of hunters"),
+        field("min_interval_ticks", &Crowding::min_interval_ticks, at_least(1), "Delta never falls below this"),
+        field("only_above", &Crowding::only_above, at_least(0), "no procedure unless there are more hunters than this")};
+  }
+};
+
+/// Delta = base - p, p the number of hunters; never below min_interval.
+[[nodiscard]] inline std::int64_t interval_ticks(const Crowding& crowding, const View& view) {
+  return std::max(crowding.min_interval_ticks, crowding.base_ticks - static_cast<std::int64_t>(view.count_hunters()));
+}
+
+/// Whether `interval` ticks have passed since the last procedure and there are hunters enough for another one.
+[[nodiscard]] inline bool is_due(const Crowding& crowding, std::int64_t interval, std::int64_t last_tick, const View& view) {
+  return view.tick - last_tick >= interval && view.count_hunters() > crowding.only_above;
+}
+
+}  // namespace trophic::death::starvation_schedule::detail

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The more predators there are now, the sooner one starves.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <trophic/death/starvation_schedule/contract.hpp>
+#include <trophic/death/starvation_schedule/detail/crowding.hpp>
+
+namespace trophic::death::starvation_schedule {
+
+/// Rule (released code): a starvation procedure is held once Delta = base - p ticks have passed since the last one, p the number
+/// of hunters at this tick: births and deaths since then count, other than with DelayedCrowdingInterval. With only_above hunters
+/// or fewer (7 in the released code) a procedure waits, overdue. Delta never falls below min_interval, 2: with 24 hunters that
+/// code waits two ticks as well, since its clock restarts after the procedure.   Reads: number of hunters, time of the last
+/// procedure.   Random draws: 0.
+struct DirectCrowdingInterval {
+  static constexpr std::string_view name = "direct_crowding_interval";
+  static constexpr std::string_view source = "released code";
+
+  using Params = detail::Crowding;
+  Params params;
+
+  [[nodiscard]] std::int64_t interval_ticks(const View& view) const { return detail::interval_ticks(params, view); }
+  [[nodiscard]] bool due(const StarvationClock& clock, const View& view) const {
+    return detail::is_due(params, interval_ticks(view), clock.last_tick, view);
+  }
+};
+static_assert(StarvationSchedule<DirectCrowdingInterval>);
+
+}  // namespace trophic::death::starvation_schedule

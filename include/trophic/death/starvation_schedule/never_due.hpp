@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Nobody starves: no procedure is ever held.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <trophic/death/starvation_schedule/contract.hpp>
+
+namespace trophic::death::starvation_schedule {
+
+/// Rule: no starvation procedure is held: the control that shows what starvation does.   Reads: nothing.   Random draws: 0.
+struct NeverDue {
+  static constexpr std::string_view name = "never_due";
+  static constexpr std::string_view source = "control";
+  [[nodiscard]] std::int64_t interval_ticks(const View&) const { return std::numeric_limits<std::int64_t>::max(); }
+  [[nodiscard]] bool due(const StarvationClock&, const View&) const { return false; }
+};
+static_assert(StarvationSchedule<NeverDue>);
+
+}  // namespace trophic::death::starvation_schedule

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The numbers of the physics that an experiment states, whatever engine steps it.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <tuple>
+
+namespace trophic {
+
+enum class Integrator { semi_implicit_euler, rk4 };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Integrator) {
+  return {"semi_implicit_euler", "rk4"};
+}
+
+/// How the equations of motion are stepped; the part of the physics that an experiment's rules state (Sec. Methodology).
+/// The paper gives the timestep and is silent about the integrator.
+struct Physics {
+  double timestep_s = 0.0012;
+  Integrator integrator = Integrator::semi_implicit_euler;
+  double gravity_m_s2 = 9.81;
+
+  static constexpr auto fields() {
+    return std::tuple{field("timestep_s", &Physics::timestep_s, above_to(0.0, 0.1), "physics step, simulated seconds"),
+                      field("integrator", &Physics::integrator, "semi_implicit_euler or rk4"),
+                      field("gravity_m_s2", &Physics::gravity_m_s2, at_least(0.0), "downwards")};
+  }
+};
+
+}  // namespace trophic

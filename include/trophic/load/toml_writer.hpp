@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Writes TOML: every file and every listing of numbers that a program of trophic makes.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <concepts>
+#include <cstddef>
+#include <ranges>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/params/settings.hpp>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace trophic {
+
+/// The shortest TOML float that reads back as the same number, bit for bit. toml++ 3.3 writes 0.1 as 0.10000000000000001, which
+/// is the same number in a form that nobody wants to edit.
+[[nodiscard]] inline std::string toml_float(double value) {
+  const std::string text = number_text(value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+/// Keys in the order in which they are put, with comments, neither of which a toml::table keeps. Values: numbers (as toml_float),
+/// switches, enumerators by name, texts (as toml++ quotes them), pairs and ranges of values as lists, and structs with fields()
+/// as inline tables, one a line.
+class TomlWriter {
+ public:
+  /// Begins the table of a path: "evolution.numbers".
+  void table(std::string_view path) { heading("[" + std::string{path} + "]"); }
+  /// Begins the next element of an array of tables.
+  void element(std::string_view path) { heading("[[" + std::string{path} + "]]"); }
+
+  template <class Value>
+  void put(std::string_view key, const Value& value, std::string_view comment = {}) {
+    text_.append(key).append(" = ").append(written(value));
+    if (!comment.empty()) text_.append("  # ").append(comment);
+    text_ += '\n';
+  }
+
+  /// Every setting in the table that its path names, with its help as a comment; `root` goes before the paths.
+  void put_all(const Settings& settings, std::string_view root = {}) {
+    std::string open{root};
+    if (!root.empty()) table(root);
+    for (const Setting& setting : settings) {
+      const std::string path = join_path(root, setting.path);
+      const auto dot = path.rfind('.');
+      const std::string in = dot == std::string::npos ? "" : path.substr(0, dot);
+      if (in != open) table(open = in);
+      const std::string_view key = std::string_view{path}.substr(dot == std::string::npos ? 0 : dot + 1);
+      std::visit([&](const auto& value) { put(key, value, setting.help); }, setting.value);
+    }
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  void heading(const std::string& line) {
+    if (!text_.empty()) text_ += '\n';
+    text_ += line + '\n';
+  }
+
+  template <class Value>
+  [[nodiscard]] static std::string written(const Value& value) {
+    if constexpr (std::same_as<Value, bool>) {
+      return value ? "true" : "false";
+    } else if constexpr (std::floating_point<Value>) {
+      return toml_float(value);
+    } else if constexpr (std::integral<Value>) {
+      return number_text(value);
+    } else if constexpr (NamedEnum<Value>) {
+      return written(enum_name(value));
+    } else if constexpr (std::convertible_to<Value, std::string_view>) {
+      std::ostringstream quoted;
+      quoted << toml::value<std::string>{std::string{value}};
+      return quoted.str();
+    } else if constexpr (HasFields<Value>) {
+      std::string text;
+      for_each_field(value, [&](const auto& field, const auto& member) {
+        text.append(text.empty() ? "{ " : ", ").append(field.name).append(" = ").append(written(member));
+      });
+      return text + " }";
+    } else if constexpr (std::ranges::range<Value>) {
+      using Element = std::ranges::range_value_t<Value>;
+      const std::string_view between = HasFields<Element> ? ",\n  " : ", ";
+      std::string text;
+      for (const Element& element : value) text.append(text.empty() ? "" : between).append(written(element));
+      return HasFields<Element> ? "[\n  " + text + "\n]" : "[" + text + "]";
+    } else {
+      return "[" + written(value.first) + ", " + written(value.second) + "]";
+    }
+  }
+
+  std::string text_;
+};
+
+/// Settings as a TOML text that reads back as the same numbers, with each field's help as a comment.
+[[nodiscard]] inline std::string toml_text(const Settings& settings) {
+  TomlWriter writer;
+  writer.put_all(settings);
+  return writer.text();
+}
+
+}  // namespace trophic

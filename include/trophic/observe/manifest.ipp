@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Definitions of manifest.hpp.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <trophic/observe/manifest.hpp>
+#include <trophic/support/replace_file.hpp>
+#include <trophic/version.hpp>
+#include <utility>
+#include <variant>
+
+namespace trophic::observe {
+
+namespace detail {
+
+/// "rules.tag_switch.cool_down_s" as the place in a nested object.
+[[nodiscard]] inline nlohmann::ordered_json::json_pointer json_place(std::string path) {
+  for (char& c : path) {
+    if (c == '.') c = '/';
+  }
+  return nlohmann::ordered_json::json_pointer{"/" + path};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE std::string compiler() {
+#if defined(__clang__)
+  return "clang++ " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) + "." +
+         std::to_string(__clang_patchlevel__);
+#elif defined(__GNUC__)
+  return "g++ " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__) + "." + std::to_string(__GNUC_PATCHLEVEL__);
+#else
+  return "unknown";
+#endif
+}
+
+struct Manifest::Content {
+  nlohmann::ordered_json json;
+};
+
+TROPHIC_INLINE Manifest::Manifest(std::filesystem::path path, Facts facts)
+    : path_{std::move(path)}, facts_{std::move(facts)}, content_{std::make_unique<Content>()} {}
+TROPHIC_INLINE Manifest::Manifest(Manifest&&) noexcept = default;
+TROPHIC_INLINE Manifest& Manifest::operator=(Manifest&&) noexcept = default;
+TROPHIC_INLINE Manifest::~Manifest() = default;
+
+TROPHIC_INLINE void Manifest::on_start(const Run& run, const View& view) {
+  until_s_ = run.until_s;
+  content_->json["trophic"] = version;
+  content_->json["status"] = "running";
+  content_->json["fingerprint"] = run.fingerprint;
+  content_->json["seed"] = run.seed;
+  content_->json["rule_table"] = run.rules;
+  content_->json["backend"] = run.backend;
+  content_->json["remarks"] = run.remarks;
+  content_->json["compiler"] = compiler();
+  for (const auto& [name, text] : facts_) content_->json[name] = text;
+  content_->json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
+  for (Species species = 0; species < view.web.size(); ++species) content_->json["species"].push_back(view.web.name(species));
+  content_->json["food_web"] = nlohmann::ordered_json::array();
+  for (const Feeding& link : view.web.links()) {
+    content_->json["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
+  }
+  content_->json["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
+  content_->json["tags"] = run.tags;
+  for (const auto& [slot, policy] : run.slots) content_->json["rules"][slot] = policy;
+  for (const Setting& setting : run.settings) {
+    std::visit([&](const auto& value) { content_->json["numbers"][detail::json_place(setting.path)] = value; }, setting.value);
+  }
+  write();
+}
+
+TROPHIC_INLINE void Manifest::on_failure(std::string_view what) {
+  content_->json["error"] = what;
+  finish("failed");
+}
+
+TROPHIC_INLINE void Manifest::add(const Facts& facts) {
+  for (const auto& [name, text] : facts) content_->json[name] = text;
+  write();
+}
+
+TROPHIC_INLINE void Manifest::finish(std::string_view status) {
+  content_->json["status"] = status;
+  auto& result = content_->json["result"];
+  result["reached_s"] = reached_s_;
+  result["births"] = tally_.births();
+  result["deaths"] = tally_.deaths();
+  for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+    result[std::string{enum_name(static_cast<Cause>(cause))}] = tally_.deaths(static_cast<Cause>(cause));
+  }
+  write();
+}
+
+TROPHIC_INLINE void Manifest::write() const {
+  replace_file(path_, content_->json.dump(2) + '\n');
+}
+
+}  // namespace trophic::observe

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Definitions of settings.hpp.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <trophic/params/settings.hpp>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace trophic {
+
+TROPHIC_INLINE std::string value_text(const Setting& setting) {
+  return std::visit(
+      [](const auto& value) -> std::string {
+        using T = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::same_as<T, bool>) {
+          return value ? "true" : "false";
+        } else if constexpr (std::same_as<T, std::string>) {
+          return value;
+        } else {
+          return number_text(value);
+        }
+      },
+      setting.value);
+}
+
+TROPHIC_INLINE std::string hash_text(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  std::string digits(16, '0');
+  for (std::size_t i = digits.size(); i-- > 0; hash >>= 4) digits[i] = "0123456789abcdef"[hash & 15U];
+  return digits;
+}
+
+namespace detail {
+
+TROPHIC_INLINE void add_setting(Settings& settings, std::string_view path, std::string_view name, decltype(Setting::value) value,
+                                std::string_view help) {
+  settings.push_back({join_path(path, name), std::move(value), std::string{help}});
+}
+
+}  // namespace detail
+
+}  // namespace trophic

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Tags without a clock.
+#pragma once
+
+#include <string_view>
+#include <trophic/perception/tag_switch/contract.hpp>
+
+namespace trophic::perception::tag_switch {
+
+/// Rule: the tag may change at every decision: the control that shows what the cool-down does.   Reads: nothing.   Random
+/// draws: 0.
+struct FreeTags {
+  static constexpr std::string_view name = "free_tags";
+  static constexpr std::string_view source = "control";
+  [[nodiscard]] bool may_switch(const Individual&, const View&) const { return true; }
+  [[nodiscard]] bool restarts(bool switched) const { return switched; }
+};
+static_assert(TagSwitch<FreeTags>);
+
+}  // namespace trophic::perception::tag_switch

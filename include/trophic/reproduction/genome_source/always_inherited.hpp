@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Every new controller inherits where it can.
+#pragma once
+
+#include <string_view>
+#include <trophic/reproduction/genome_source/contract.hpp>
+
+namespace trophic::reproduction::genome_source {
+
+/// Rule: a new controller is sourced from a parent; one without a parent is random and labelled so: no random newcomers
+/// beside.   Reads: nothing.   Random draws: 0.
+struct AlwaysInherited {
+  static constexpr std::string_view name = "always_inherited";
+  static constexpr std::string_view source = "control";
+  [[nodiscard]] bool inherits(Rng&) const { return true; }
+  [[nodiscard]] Origin without_parent() const { return Origin::random; }
+};
+static_assert(GenomeSource<AlwaysInherited>);
+
+}  // namespace trophic::reproduction::genome_source

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Some new controllers are random, the others inherit, those without a parent in name only.
+#pragma once
+
+#include <string_view>
+#include <trophic/reproduction/genome_source/contract.hpp>
+#include <trophic/reproduction/genome_source/detail/random_share.hpp>
+
+namespace trophic::reproduction::genome_source {
+
+/// Rule (released code: 0.34): as RandomOrInherited, but a random genome for want of a parent is labelled inherited: the label
+/// is that of the draw, not of the descent.   Reads: nothing.   Random draws: 1.
+struct RandomOrInheritedInName {
+  static constexpr std::string_view name = "random_or_inherited_in_name";
+  static constexpr std::string_view source = "released code";
+
+  using Params = detail::RandomShare;
+  Params params;
+
+  [[nodiscard]] bool inherits(Rng& rng) const { return !rng.chance(params.random_share); }
+  [[nodiscard]] Origin without_parent() const { return Origin::inherited; }
+};
+static_assert(GenomeSource<RandomOrInheritedInName>);
+
+}  // namespace trophic::reproduction::genome_source

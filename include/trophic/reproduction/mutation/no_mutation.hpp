@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Genomes are passed on as they are.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <trophic/reproduction/mutation/contract.hpp>
+
+namespace trophic::reproduction::mutation {
+
+/// Rule: no weight changes: selection among founders and newcomers alone.   Reads: nothing.   Random draws: 0.
+struct NoMutation {
+  static constexpr std::string_view name = "no_mutation";
+  static constexpr std::string_view source = "control";
+  void mutate(std::span<double>, Rng&) const {}
+};
+static_assert(Mutation<NoMutation>);
+
+}  // namespace trophic::reproduction::mutation

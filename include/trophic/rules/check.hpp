@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// What a table of rules must be: each mistake in it is one compile error, a sentence.
+#pragma once
+
+#include <concepts>
+#include <trophic/params/params.hpp>
+#include <trophic/rules/policy.hpp>
+#include <trophic/rules/slots.hpp>
+#include <type_traits>
+
+namespace trophic {
+
+template <class Rules>
+struct TableParams;
+
+namespace detail {
+
+/// Stands for the policy of a slot that a table lacks.
+struct NoPolicy {};
+
+/// `slot_<member><Rules>::type`: the policy in a slot.
+#define TROPHIC_SLOT(Slot, member, kind, Contract) \
+  template <class Rules>                           \
+  struct slot_##member {                           \
+    using type = NoPolicy;                         \
+  };                                               \
+  template <class Rules>                           \
+  requires requires {                              \
+    typename Rules::Slot;                          \
+  }                                                \
+  struct slot_##member<Rules> {                    \
+    using type = typename Rules::Slot;             \
+  };
+TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
+#undef TROPHIC_SLOT
+
+/// The first thing wrong with what a slot holds. What comes after it is not looked at, so that one mistake is one error.
+enum class Fault { none, missing, contract, name, fields, open, listed, twice, made, made_from_nothing };
+
+template <class Policy, bool fits_contract>
+[[nodiscard]] consteval Fault fault_of() {
+  using Params = ParamsOf<Policy>;
+  if constexpr (std::same_as<Policy, NoPolicy>) {
+    return Fault::missing;
+  } else if constexpr (!fits_contract) {
+    return Fault::contract;
+  } else if constexpr (!Named<Policy>) {
+    return Fault::name;
+  } else if constexpr (!Parameters<Params>) {
+    return Fault::fields;
+  } else if constexpr (!OpenParams<Params>) {
+    return Fault::open;
+  } else if constexpr (!AllListed<members_of<Params>, fields_of<Params>>) {
+    return Fault::listed;
+  } else if constexpr (!listed_once<Params>()) {
+    return Fault::twice;
+  } else if constexpr (HasNumbers<Policy>) {
+    return MadeFromParams<Policy> ? Fault::none : Fault::made;
+  } else {
+    return std::default_initializable<Policy> ? Fault::none : Fault::made_from_nothing;
+  }
+}
+
+template <class Rules>
+concept Final = std::is_final_v<Rules>;
+
+/// Whether a table states its numbers, as a function of its own type.
+template <class Rules>
+concept StatesParams = requires {
+  requires std::same_as<decltype(Rules::params()), TableParams<Rules>>;
+};
+
+/// What is wrong with each slot of a table, and whether nothing is wrong with the table.
+template <class Rules>
+struct RuleFaults {
+#define TROPHIC_FAULT(Slot, member, kind, Contract) \
+  using Slot = typename slot_##member<Rules>::type; \
+  static constexpr Fault member = fault_of<Slot, kind::Contract<Slot>>();
+  TROPHIC_RULE_SLOTS(TROPHIC_FAULT)
+#undef TROPHIC_FAULT
+#define TROPHIC_NO_FAULT(Slot, member, kind, Contract) &&member == Fault::none
+  static constexpr bool none = Final<Rules> && Named<Rules> && StatesParams<Rules> TROPHIC_RULE_SLOTS(TROPHIC_NO_FAULT);
+#undef TROPHIC_NO_FAULT
+};
+
+/// Fails to compile, with one sentence, unless Rules is final, has a name and numbers, and has a policy in every slot that fits
+/// the slot's contract.
+template <class Rules>
+struct CheckRules {
+  static_assert(Final<Rules>,
+                "the rule table must be final, `struct NAME final`: in a table derived from it a misspelt slot would run the "
+                "base's rule; to swap a rule use with_<slot>, for other numbers with_params");
+  static_assert(Named<Rules>, "the rule table needs static constexpr std::string_view name, for manifests");
+  static_assert(StatesParams<Rules>,
+                "the rule table must state its numbers: static TableParams<TABLE> params() { return TableParams<TABLE>{.slot = "
+                "{.number = 1.0}}; }, with its own type for TABLE");
+
+#define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract)                                                              \
+  using Slot = typename slot_##member<Rules>::type;                                                                   \
+  static constexpr Fault member##_fault = RuleFaults<Rules>::member;                                                  \
+  static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot         \
+                                                  " = ...;` or make it of a complete table with with_" #member);      \
+  static_assert(member##_fault != Fault::contract || kind::Contract<Slot>,                                            \
+                "the policy in Rules::" #Slot " needs " TROPHIC_SENTENCE_##Contract);                                 \
+  static_assert(member##_fault != Fault::name,                                                                        \
+                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");        \
+  static_assert(member##_fault != Fault::fields,                                                                      \
+                "the Params of the policy in Rules::" #Slot                                                           \
+                " need static constexpr auto fields(), listing every number; see trophic/params/params.hpp");         \
+  static_assert(member##_fault != Fault::open,                                                                        \
+                "the Params of the policy in Rules::" #Slot " must be an aggregate: public numbers, no constructor"); \
+  static_assert(member##_fault != Fault::listed || AllListed<members_of<ParamsOf<Slot>>, fields_of<ParamsOf<Slot>>>,  \
+                "the Params of the policy in Rules::" #Slot                                                           \
+                " must list every number in fields(); see trophic/params/params.hpp");                                \
+  static_assert(member##_fault != Fault::twice,                                                                       \
+                "the Params of the policy in Rules::" #Slot " must list no number and no name twice in fields()");    \
+  static_assert(member##_fault != Fault::made,                                                                        \
+                "the policy in Rules::" #Slot                                                                         \
+                " has Params but cannot be made from them: it needs `Params params;` as its first "                   \
+                "member or a constructor from Params");                                                               \
+  static_assert(member##_fault != Fault::made_from_nothing,                                                           \
+                "the policy in Rules::" #Slot " has no Params, so it needs a default constructor");
+  TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
+#undef TROPHIC_CHECK_SLOT
+};
+
+}  // namespace detail
+
+/// Whether a type is a table of rules: final, with a name and its numbers, and a fitting policy in each slot. One that is not
+/// is refused by RuleParams, and so by every experiment, with a sentence for what is wrong.
+template <class Rules>
+inline constexpr bool is_rule_table = detail::RuleFaults<Rules>::none;
+
+}  // namespace trophic

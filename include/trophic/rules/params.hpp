@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The numbers of a table of rules: those that it states, and those that an experiment runs with.
+#pragma once
+
+#include <trophic/params/params.hpp>
+#include <trophic/rules/check.hpp>
+#include <trophic/rules/policy.hpp>
+#include <trophic/rules/slots.hpp>
+#include <tuple>
+
+namespace trophic {
+
+/// What a table states of its numbers: one member per slot, each a policy's Params at the policy's own defaults. A table gives
+/// one by designated initialisers, so that a misspelt slot or number does not compile:
+/// `static TableParams<Mine> params() { return TableParams<Mine>{.tag_switch = {.cool_down_s = 20.0}}; }`.
+template <class Rules>
+struct TableParams {
+#define TROPHIC_NUMBERS(Slot, member, kind, Contract) ParamsOf<typename detail::slot_##member<Rules>::type> member{};
+  TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)
+#undef TROPHIC_NUMBERS
+};
+
+namespace detail {
+
+/// What a table states; the policies' defaults for a table that states nothing, which `CheckRules` refuses.
+template <class Rules>
+[[nodiscard]] TableParams<Rules> stated_params() {
+  if constexpr (StatesParams<Rules>) return Rules::params();
+  return {};
+}
+
+/// A tuple of all arguments but the first, which lets a list begin with a comma.
+template <class... Items>
+[[nodiscard]] constexpr std::tuple<Items...> tuple_after(int, Items... items) {
+  return {items...};
+}
+
+}  // namespace detail
+
+/// The numbers of an experiment's rules, one member per slot. Each starts at what the table states.
+template <class Rules>
+struct RuleParams {
+  static_assert(sizeof(detail::CheckRules<Rules>) > 0);  // says what is wrong with the table
+#define TROPHIC_NUMBERS(Slot, member, kind, Contract) \
+  ParamsOf<typename detail::slot_##member<Rules>::type> member = detail::stated_params<Rules>().member;
+  TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)
+#undef TROPHIC_NUMBERS
+
+  static constexpr auto fields() {
+#define TROPHIC_FIELD(Slot, member, kind, Contract) , field(#member, &RuleParams::member)
+    return detail::tuple_after(0 TROPHIC_RULE_SLOTS(TROPHIC_FIELD));
+#undef TROPHIC_FIELD
+  }
+};
+
+}  // namespace trophic

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What every policy is, whatever its slot: its name, its numbers, where it comes from, and how it is made.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/support/rule_error.hpp>
+#include <type_traits>
+
+namespace trophic {
+
+/// The Params of a policy without numbers.
+struct NoParams {
+  friend bool operator==(const NoParams&, const NoParams&) = default;
+};
+
+namespace detail {
+
+template <class Policy>
+struct params_of {
+  using type = NoParams;
+};
+template <class Policy>
+requires requires {
+  typename Policy::Params;
+}
+struct params_of<Policy> {
+  using type = typename Policy::Params;
+};
+
+}  // namespace detail
+
+/// The numbers of a policy: its nested Params, or none.
+template <class Policy>
+using ParamsOf = typename detail::params_of<Policy>::type;
+
+namespace detail {
+
+/// Without numbers a policy needs a default constructor; with numbers it must be made from them.
+template <class Policy>
+concept HasNumbers = !std::is_empty_v<ParamsOf<Policy>>;
+template <class Policy>
+concept MadeFromParams = requires(const ParamsOf<Policy>& params) {
+  Policy{params};
+};
+
+/// For policies and tables.
+template <class T>
+concept Named = requires {
+  { T::name } -> std::convertible_to<std::string_view>;
+};
+
+/// Empty for a policy without a name, which `CheckRules` reports.
+template <class Policy>
+[[nodiscard]] constexpr std::string_view policy_name() {
+  if constexpr (Named<Policy>) return Policy::name;
+  return {};
+}
+
+}  // namespace detail
+
+/// Where a policy comes from, for a printed table: its `static constexpr std::string_view source`, which it may leave out.
+template <class Policy>
+[[nodiscard]] constexpr std::string_view source_of() {
+  if constexpr (requires { std::string_view{Policy::source}; }) return Policy::source;
+  return {};
+}
+
+/// A policy with these numbers. Throws RuleError if it has a public member `params` that holds other numbers afterwards: what
+/// runs would not be what the manifest claims.
+template <class Policy>
+[[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params, [[maybe_unused]] std::string_view slot = {}) {
+  if constexpr (detail::HasNumbers<Policy>) {
+    Policy policy{params};
+    if constexpr (requires { requires std::same_as<std::remove_cv_t<decltype(Policy::params)>, ParamsOf<Policy>>; }) {
+      const std::string lost = first_difference(params, policy.params);
+      if (!lost.empty()) {
+        throw RuleError{"the policy " + std::string{detail::policy_name<Policy>()} + (slot.empty() ? "" : " in rules.") +
+                        std::string{slot} + " holds another " + lost + " than it was made from"};
+      }
+    }
+    return policy;
+  } else {
+    return Policy{};
+  }
+}
+
+}  // namespace trophic

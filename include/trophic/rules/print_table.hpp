@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// A table of rules as a table for readers: which policy stands in each slot, with which numbers, and where that comes from.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <trophic/params/settings.hpp>
+#include <trophic/rules/table.hpp>
+#include <variant>
+#include <vector>
+
+namespace trophic::rules {
+
+/// A line of a printed table.
+struct PrintedRule {
+  std::string kind;  ///< perception, control, reproduction, death, ...
+  std::string slot;
+  std::string policy;
+  std::string numbers;  ///< "cool_down_s = 50, ...", floating-point numbers to six digits; manifests have them exactly
+  std::string source;   ///< the policy's own `source`; empty where it names none
+};
+
+namespace detail {
+
+[[nodiscard]] inline std::string short_value(const Setting& setting) {
+  const double* number = std::get_if<double>(&setting.value);
+  if (number == nullptr) return value_text(setting);
+  std::array<char, 64> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number, std::chars_format::general, 6).ptr;
+  return {buffer.data(), end};
+}
+
+template <class Params>
+[[nodiscard]] std::string numbers_text(const Params& params) {
+  std::string text;
+  for (const Setting& setting : settings_of(params)) {
+    const std::string value = short_value(setting);
+    if (value.empty()) continue;
+    text.append(text.empty() ? "" : ", ").append(setting.path).append(" = ").append(value);
+  }
+  return text;
+}
+
+/// `text` with each character of `special` replaced by what `escape` gives for it.
+template <class Escape>
+[[nodiscard]] std::string escaped(std::string_view text, std::string_view special, Escape&& escape) {
+  std::string result;
+  for (const char letter : text) {
+    if (special.find(letter) == std::string_view::npos) {
+      result += letter;
+    } else {
+      result += escape(letter);
+    }
+  }
+  return result;
+}
+
+/// Text as Markdown shows it letter by letter.
+[[nodiscard]] inline std::string markdown_text(std::string_view text) {
+  return escaped(text, "\\`*_<>[]|~", [](char letter) { return std::string{'\\', letter}; });
+}
+
+/// Text as LaTeX shows it letter by letter; quotation marks open and close.
+[[nodiscard]] inline std::string latex_text(std::string_view text) {
+  bool open = false;
+  return escaped(text, "\\{}$&#%_^~<>|\"", [&](char letter) -> std::string {
+    switch (letter) {
+      case '\\':
+        return "\\textbackslash{}";
+      case '^':
+        return "\\textasciicircum{}";
+      case '~':
+        return "\\textasciitilde{}";
+      case '<':
+        return "\\textless{}";
+      case '>':
+        return "\\textgreater{}";
+      case '|':
+        return "\\textbar{}";
+      case '"':
+        open = !open;
+        return open ? "``" : "''";
+      default:
+        return {'\\', letter};
+    }
+  });
+}
+
+template <class Text>
+[[nodiscard]] std::string joined(const PrintedRule& rule, std::string_view between, Text&& text) {
+  std::string line = text(rule.kind);
+  for (const std::string* cell : {&rule.slot, &rule.policy, &rule.numbers, &rule.source})
+    line.append(between).append(text(*cell));
+  return line;
+}
+
+}  // namespace detail
+
+/// One line for each slot of a table, with the numbers given or its own, then its world and its physics.
+template <class Rules>
+[[nodiscard]] std::vector<PrintedRule> printed_rules(const RuleParams<Rules>& params = {}) {
+  std::vector<PrintedRule> lines;
+#define TROPHIC_PRINT(Slot, member, kind, Contract)                                                     \
+  lines.push_back({#kind, #member, std::string{Rules::Slot::name}, detail::numbers_text(params.member), \
+                   std::string{source_of<typename Rules::Slot>()}});
+  TROPHIC_RULE_SLOTS(TROPHIC_PRINT)
+#undef TROPHIC_PRINT
+  lines.push_back({"world", "", "", detail::numbers_text(Rules::world()), ""});
+  lines.push_back({"physics", "", "", detail::numbers_text(Rules::physics()), ""});
+  return lines;
+}
+
+/// The table as Markdown.
+template <class Rules>
+[[nodiscard]] std::string markdown_table(const RuleParams<Rules>& params = {}) {
+  std::string text = "| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n";
+  for (const PrintedRule& rule : printed_rules<Rules>(params)) {
+    text.append("| ").append(detail::joined(rule, " | ", detail::markdown_text)).append(" |\n");
+  }
+  return text;
+}
+
+/// The table as a LaTeX tabular that needs no package.
+template <class Rules>
+[[nodiscard]] std::string latex_table(const RuleParams<Rules>& params = {}) {
+  std::string text =
+      "\\begin{tabular}{lllp{0.28\\linewidth}p{0.28\\linewidth}}\n\\hline\nkind & slot & policy & numbers & source "
+      "\\\\\n\\hline\n";
+  for (const PrintedRule& rule : printed_rules<Rules>(params)) {
+    text.append(detail::joined(rule, " & ", detail::latex_text)).append(" \\\\\n");
+  }
+  return text + "\\hline\n\\end{tabular}\n";
+}
+
+}  // namespace trophic::rules

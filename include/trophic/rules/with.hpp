@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// A table made of another one: with one rule swapped, with other numbers, in another world, under a name of its own.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <trophic/rules/check.hpp>
+#include <trophic/rules/params.hpp>
+#include <trophic/rules/policy.hpp>
+#include <trophic/rules/slots.hpp>
+#include <type_traits>
+
+namespace trophic {
+
+namespace detail {
+
+/// A text put together at compile time. `Write{}(append)` calls `append(std::string_view)` for each part of it.
+template <class Write>
+struct TextOf {
+  static constexpr std::size_t size = [] {
+    std::size_t sum = 0;
+    Write{}([&](std::string_view part) { sum += part.size(); });
+    return sum;
+  }();
+  static constexpr std::array<char, size> letters = [] {
+    std::array<char, size> all{};
+    std::size_t end = 0;
+    Write{}([&](std::string_view part) {
+      for (const char letter : part) all[end++] = letter;
+    });
+    return all;
+  }();
+  static constexpr std::string_view text{letters.data(), size};
+};
+
+/// All that a table made of another one takes over as it is.
+template <class Rules>
+struct OfTable {
+#define TROPHIC_KEEP(Slot, member, kind, Contract) using Slot = typename slot_##member<Rules>::type;
+  TROPHIC_RULE_SLOTS(TROPHIC_KEEP)
+#undef TROPHIC_KEEP
+  static auto world() {
+    return Rules::world();
+  }
+  static auto physics() {
+    return Rules::physics();
+  }
+};
+
+/// The numbers of one table as those of another with the same policies.
+template <class Table, class Rules>
+[[nodiscard]] TableParams<Table> same_params(const TableParams<Rules>& from) {
+  TableParams<Table> own;
+#define TROPHIC_KEEP(Slot, member, kind, Contract) own.member = from.member;
+  TROPHIC_RULE_SLOTS(TROPHIC_KEEP)
+#undef TROPHIC_KEEP
+  return own;
+}
+
+}  // namespace detail
+
+/// A table with the rule of one slot swapped, that rule at the policy's own numbers. Written with_<slot><Rules, Policy>.
+template <class Rules, RuleSlot swapped, class Policy>
+struct with_rule final {
+#define TROPHIC_SWAP(Slot, member, kind, Contract) \
+  using Slot = std::conditional_t<swapped == RuleSlot::member, Policy, typename detail::slot_##member<Rules>::type>;
+  TROPHIC_RULE_SLOTS(TROPHIC_SWAP)
+#undef TROPHIC_SWAP
+
+  /// "paper with mutation = uniform_mutation".
+  struct WriteName {
+    constexpr void operator()(auto append) const {
+      append(detail::policy_name<Rules>());
+      append(" with ");
+      append(slot_name(swapped));
+      append(" = ");
+      append(detail::policy_name<Policy>());
+    }
+  };
+  static constexpr std::string_view name = detail::TextOf<WriteName>::text;
+
+  static TableParams<with_rule> params() {
+    const auto kept = detail::stated_params<Rules>();
+    TableParams<with_rule> own;
+#define TROPHIC_SWAP(Slot, member, kind, Contract) \
+  if constexpr (swapped != RuleSlot::member) own.member = kept.member;
+    TROPHIC_RULE_SLOTS(TROPHIC_SWAP)
+#undef TROPHIC_SWAP
+    return own;
+  }
+  static auto world() {
+    return Rules::world();
+  }
+  static auto physics() {
+    return Rules::physics();
+  }
+};
+
+// with_<slot><Rules, Policy>: the table with one rule swapped. Swaps nest.
+#define TROPHIC_WITH(Slot, member, kind, Contract) \
+  template <class Rules, class Policy>             \
+  using with_##member = with_rule<Rules, RuleSlot::member, Policy>;
+TROPHIC_RULE_SLOTS(TROPHIC_WITH)
+#undef TROPHIC_WITH
+
+/// A table with other numbers: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as a table
+/// does whose numbers are set at run time; a manifest lists them.
+template <class Rules, auto change>
+struct with_params final : detail::OfTable<Rules> {
+  static constexpr std::string_view name = detail::policy_name<Rules>();
+  static TableParams<with_params> params() {
+    TableParams<Rules> changed = detail::stated_params<Rules>();
+    change(changed);
+    return detail::same_params<with_params>(changed);
+  }
+};
+
+/// A table in another world: `with_world<Paper, [](auto& world) { world.robots = 60; }>`. It keeps its name, too.
+template <class Rules, auto change>
+struct with_world final : detail::OfTable<Rules> {
+  static constexpr std::string_view name = detail::policy_name<Rules>();
+  static TableParams<with_world> params() { return detail::same_params<with_world>(detail::stated_params<Rules>()); }
+  static auto world() {
+    auto changed = Rules::world();
+    change(changed);
+    return changed;
+  }
+};
+
+/// The name of a table as a template argument.
+template <std::size_t size>
+struct TableName {
+  char text[size]{};
+  consteval TableName(const char (&from)[size]) { std::copy_n(from, size, text); }
+};
+
+/// A table under a name of its own: `named<with_senescence<Paper, OldAge>, "ageing">`.
+template <class Rules, TableName own_name>
+struct named final : detail::OfTable<Rules> {
+  static constexpr std::string_view name{own_name.text};
+  static TableParams<named> params() { return detail::same_params<named>(detail::stated_params<Rules>()); }
+};
+
+}  // namespace trophic

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+// trophic::command_compiled: the part of the command line that no rule table changes.
+#include <trophic/command/experiment_program.ipp>
+#include <trophic/command/run_command.ipp>

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// trophic::compiled: bodies, gaits and random numbers.
+#include <trophic/body/build.ipp>
+#include <trophic/body/module.ipp>
+#include <trophic/habitat/gait.ipp>
+#include <trophic/habitat/ground_pose.ipp>
+#include <trophic/habitat/habitat.ipp>
+#include <trophic/habitat/sides.ipp>
+#include <trophic/habitat/validate_robot.ipp>
+#include <trophic/locomotion/cpg.ipp>
+#include <trophic/locomotion/steerable.ipp>
+#include <trophic/params/params.ipp>
+#include <trophic/params/settings.ipp>
+#include <trophic/support/rng.ipp>
+#include <trophic/support/rule_error.ipp>

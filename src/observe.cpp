@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// trophic::compiled: what runs leave behind.
+#include <trophic/observe/manifest.ipp>
+#include <trophic/observe/run.ipp>
+#include <trophic/observe/run_folder.ipp>
+#include <trophic/support/replace_file.ipp>

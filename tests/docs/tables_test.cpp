@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// docs/tables.md is made from the columns that the files are written by.
+#include <doctest/doctest.h>
+
+#include <concepts>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <trophic/analysis/report/flip_tables.hpp>
+#include <trophic/analysis/report/metrics_table.hpp>
+#include <trophic/gait_evolution/history.hpp>
+#include <trophic/observe/column.hpp>
+#include <trophic/observe/tables.hpp>
+#include <type_traits>
+
+namespace {
+
+using namespace trophic;
+
+/// What stands in a column's cells.
+template <class T>
+std::string cells(const observe::Written& written) {
+  if constexpr (requires(T value) { value.has_value(); }) {
+    return cells<typename T::value_type>(written) + (written.none.empty() ? ", or empty" : ", or " + std::string{written.none});
+  } else if constexpr (std::same_as<T, bool>) {
+    return "0 or 1";
+  } else if constexpr (NamedEnum<T>) {
+    std::string names;
+    for (const std::string_view name : enum_names(T{})) names += (names.empty() ? "" : ", ") + std::string{name};
+    return names;
+  } else if constexpr (std::integral<T>) {
+    return "whole number";
+  } else if constexpr (std::floating_point<T>) {
+    return written.decimals < 0 ? "number, exact" : "number, " + std::to_string(written.decimals) + " decimals";
+  } else {
+    return "text";
+  }
+}
+
+template <observe::TableRow Row>
+std::string section(std::string_view file, std::string_view what) {
+  std::string text =
+      "\n## " + std::string{file} + "\n\n" + std::string{what} + "\n\n| column | unit | cells | meaning |\n|---|---|---|---|\n";
+  observe::for_each_column<Row>([&](const auto& column) {
+    using Kind = std::remove_cvref_t<decltype(column)>;
+    std::string name{column.name};
+    std::string_view unit;
+    std::string kind;
+    if constexpr (observe::is_species_column<Kind>) {
+      kind = "name of a species";
+    } else if constexpr (observe::is_list_columns<Kind>) {
+      name = name + "0, " + name + "1, ...";
+      unit = column.unit;
+      kind = "number, exact";
+    } else {
+      unit = column.unit;
+      kind = cells<std::remove_cvref_t<decltype(Row{}.*column.member)>>(column.written);
+    }
+    text += "| " + name + " | " + std::string{unit} + " | " + kind + " | " + std::string{column.help} + " |\n";
+  });
+  return text;
+}
+
+std::string document() {
+  return "# Tables\n\nEvery column of every table that trophic writes. Made from the code: the test of this page says how to "
+         "make it anew.\n\n"
+         "CSV with one header row. Numbers that are exact read back as the same bits. Times are in seconds of the ecology's "
+         "clock, which\n"
+         "is simulated time in the paper's rules.\n" +
+         section<observe::EventRow>("events.csv", "A run's events, one a row, in the order in which they happened.") +
+         section<observe::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.") +
+         section<observe::TaxonRow>(
+             "phylogeny.csv",
+             "Every individual in the ALife data standard, written when it dies. Those alive at the end follow.") +
+         section<observe::GenomeRow>("genomes.csv",
+                                     "A row a birth. Where genomes are shared, a later row of the same genome_id holds what "
+                                     "everybody who shares it\nhas from then on.") +
+         section<analysis::MetricRow>("metrics.csv",
+                                      "What the analysis measured: every value and every curve of every run, one value a row.") +
+         section<analysis::FlipRow>("flips.csv", "What each flip of a rule changes, one effect a row.") +
+         section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "A row a generation.") +
+         section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
+                                           "Every candidate in the ALife data standard, time in generations.");
+}
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+}  // namespace
+
+TEST_CASE("docs/tables.md lists every column that is written") {
+  const std::string now = document();
+  std::ofstream{WRITTEN_TABLES} << now;
+  INFO("made anew: " WRITTEN_TABLES "; cmake --build BUILD --target docs_tables_md puts it into docs/");
+  const bool same = content(TABLES_MD) == now;
+  CHECK(same);
+}

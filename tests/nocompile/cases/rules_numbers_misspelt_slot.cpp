@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A number given to a slot that does not exist would be the policy's default.
+// expect: 'floo'
+#include <trophic/rules/paper.hpp>
+
+struct Table final {
+  static constexpr std::string_view name = "table";
+#define TROPHIC_SAME(Slot, member, kind, Contract) using Slot = trophic::rules::Paper::Slot;
+  TROPHIC_RULE_SLOTS(TROPHIC_SAME)
+  static trophic::TableParams<Table> params() {
+#ifdef VALID
+    return trophic::TableParams<Table>{.floor = {.floor = 5}};
+#else
+    return trophic::TableParams<Table>{.floo = {.floor = 5}};
+#endif
+  }
+  static trophic::World world() {
+    return {};
+  }
+  static trophic::Physics physics() {
+    return {};
+  }
+};
+
+int main() {
+  return trophic::RuleParams<Table>{}.floor.floor == 5 ? 0 : 1;
+}

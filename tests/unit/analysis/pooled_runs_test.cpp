@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/analysis/data/pooled_runs.hpp>
+#include <unit/analysis/run_files.hpp>
+#include <vector>
+
+namespace {
+
+using namespace trophic;
+using analysis::pooled_runs;
+using test::manifest;
+using test::message_of;
+using test::TemporaryFolder;
+using test::write_run;
+using Paths = std::vector<std::filesystem::path>;
+
+}  // namespace
+
+TEST_CASE("a folder of replicates stands for those that its list names, what is missing is remarked on") {
+  const TemporaryFolder folder;
+  static_cast<void>(folder.file("replicates.json", R"({"replicates": [{"folder": "replicate-00"}, {"folder": "replicate-01"},
+    {"folder": "replicate-02"}]})"));
+  write_run(folder.path() / "replicate-00", manifest("aa", 1));
+  write_run(folder.path() / "replicate-02", manifest("aa", 2));
+  write_run(folder.path() / "replicate-02.incomplete-1", manifest("bb", 2));
+  const auto set = pooled_runs(Paths{folder.path()}, false);
+  CHECK(set.facts.size() == 2);
+  REQUIRE(set.remarks.size() == 1);
+  CHECK(set.remarks[0] == (folder.path() / "replicate-01").string() + ": missing, the replicate was not run");
+}
+
+TEST_CASE("runs of other rules are not pooled, nor is one run counted twice") {
+  const TemporaryFolder folder;
+  const auto a = write_run(folder.path() / "a", manifest("aa", 1));
+  const auto b = write_run(folder.path() / "b", manifest("bb", 2, "released"));
+  const auto c = write_run(folder.path() / "c", manifest("aa", 1));
+  const std::string mixed = message_of<std::invalid_argument>([&] { static_cast<void>(pooled_runs(Paths{a, b}, false)); });
+  CHECK(mixed.starts_with(b.string() + ": fingerprint bb (released on kinematic 1), but " + a.string() + " has aa (paper"));
+  CHECK(mixed.ends_with("use --compare"));
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(pooled_runs(Paths{a, c}, false));
+        }).find("seed 1 as in " + a.string()) != std::string::npos);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <trophic/habitat/world.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/load/habitat.hpp>
+#include <trophic/params/numbers_text.hpp>
+#include <vector>
+
+using namespace trophic;
+
+namespace {
+
+template <class... Models>
+constexpr bool all_listed = ((trophic::detail::members_of<Models> == trophic::detail::fields_of<Models>)&&...);
+static_assert(all_listed<Box, Link, Servo, Hinge, MeasuredWalk, RobotModel, HeightField, Arena, Gait, Habitat>,
+              "a model's struct has a member that its fields() lack");
+
+/// A copy in which the number at a place is another one; none behind the last. Counts of elements are constant: no places.
+std::optional<Habitat> with_other_number(const Habitat& habitat, std::size_t place) {
+  Habitat other = habitat;
+  std::size_t at = 0;
+  for_each_number(other, [&](auto& number) {
+    using Number = std::remove_reference_t<decltype(number)>;
+    if constexpr (!std::is_const_v<Number>) {
+      if (at++ == place) number = static_cast<Number>(number + 1);
+    }
+  });
+  return place < at ? std::optional{other} : std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("fingerprints: every number of every model changes the text, names do not") {
+  World world;
+  world.arena = "height_field";
+  const Habitat habitat = load_habitat(world);
+  REQUIRE(habitat.arena.height_field);
+  const std::string text = numbers_text(habitat);
+  std::size_t place = 0;
+  for (auto other = with_other_number(habitat, 0); other; other = with_other_number(habitat, ++place)) {
+    CAPTURE(place);
+    CHECK(numbers_text(*other) != text);
+  }
+  CHECK(place > 400);
+  Habitat renamed = habitat;
+  renamed.robot.name = renamed.robot.links[0].boxes[0].part = renamed.arena.name = renamed.gait.provenance = "other";
+  CHECK(numbers_text(renamed) == text);
+}
+
+TEST_CASE("fingerprints: where elements end is part of the text") {
+  using Rows = std::vector<std::vector<double>>;
+  CHECK(numbers_text(Rows{{1, 2}, {}}) != numbers_text(Rows{{1}, {2}}));
+  CHECK(numbers_text(std::optional<double>{}) != numbers_text(std::optional<double>{0.0}));
+  CHECK(numbers_text(Eigen::MatrixXd::Zero(1, 2).eval()) != numbers_text(Eigen::MatrixXd::Zero(2, 1).eval()));
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/print_table.hpp>
+#include <trophic/rules/released.hpp>
+#include <tuple>
+
+using namespace trophic;
+
+namespace {
+
+/// A rule with a source in which every character is special somewhere.
+struct Odd {
+  static constexpr std::string_view name = "odd_rule";
+  static constexpr std::string_view source = R"(50 % of "A & B" {$5} #1 a_b ^ ~ \ <c|d> *)";
+  struct Params {
+    double share = 1.0 / 3.0;
+    bool strict_one = true;
+    static constexpr auto fields() {
+      return std::tuple{field("share", &Params::share, at_least(0.0)), field("strict_one", &Params::strict_one)};
+    }
+  };
+  Params params;
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const { return false; }
+};
+
+/// A user's rule that names no source.
+struct Plain {
+  static constexpr std::string_view name = "plain";
+  [[nodiscard]] bool may_die(Species, const View&) const { return true; }
+};
+
+using Swapped = with_floor<with_senescence<rules::Paper, Odd>, Plain>;
+
+std::string line_of(const std::string& text, std::string_view beginning) {
+  const std::size_t begin = text.find(beginning);
+  REQUIRE(begin != std::string::npos);
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+}  // namespace
+
+TEST_CASE("print table: a line for each slot in order, then world and physics") {
+  const auto lines = rules::printed_rules<Swapped>();
+  REQUIRE(lines.size() == rules::slot_names.size() + 2);
+  for (std::size_t i = 0; i < rules::slot_names.size(); ++i) CHECK(lines[i].slot == rules::slot_names[i]);
+  CHECK(lines[0].kind == "community");
+  CHECK(lines[0].policy == "predator_prey");
+  CHECK(lines[0].numbers == "predators = 14");
+  CHECK(lines[0].source == "paper, Sec. \"Initialization\"");
+  CHECK(lines[lines.size() - 2].kind == "world");
+  CHECK(lines[lines.size() - 2].numbers ==
+        "robots = 30, duration_s = 6000, tick_s = 2, first_tick_s = 0, control_hz = 60, clock_scale = 1, robot = spider, arena = "
+        "walled_square, cpg_integration = exact");
+  CHECK(lines.back().numbers == "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
+}
+
+TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
+  const std::string markdown = rules::markdown_table<Swapped>();
+  CHECK(
+      markdown.starts_with("| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n"
+                           "| community | community | predator\\_prey | predators = 14 | paper, Sec. \"Initialization\" |\n"));
+  CHECK(line_of(markdown, "| death | senescence |") ==
+        R"(| death | senescence | odd\_rule | share = 0.333333, strict\_one = true | )"
+        R"(50 % of "A & B" {$5} #1 a\_b ^ \~ \\ \<c\|d\> \* |)");
+  CHECK(line_of(markdown, "| death | floor |") == "| death | floor | plain |  |  |");
+
+  const std::string latex = rules::latex_table<Swapped>();
+  CHECK(
+      latex.starts_with("\\begin{tabular}{lllp{0.28\\linewidth}p{0.28\\linewidth}}\n\\hline\n"
+                        "kind & slot & policy & numbers & source \\\\\n\\hline\n"
+                        "community & community & predator\\_prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
+  CHECK(line_of(latex, "death & senescence &") ==
+        R"(death & senescence & odd\_rule & share = 0.333333, strict\_one = true & )"
+        R"(50 \% of ``A \& B'' \{\$5\} \#1 a\_b \textasciicircum{} \textasciitilde{} \textbackslash{} )"
+        R"(\textless{}c\textbar{}d\textgreater{} * \\)");
+  CHECK(latex.ends_with("\\hline\n\\end{tabular}\n"));
+}
+
+TEST_CASE("print table: the numbers that an experiment runs with") {
+  RuleParams<rules::Released> params;
+  params.rescue.below = 9;
+  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | rescue |").find("below = 8") != std::string::npos);
+  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | rescue |").find("below = 9") != std::string::npos);
+}

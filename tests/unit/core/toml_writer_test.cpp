@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <trophic/load/toml_table.hpp>
+#include <trophic/load/toml_writer.hpp>
+#include <trophic/support/rng.hpp>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+using namespace trophic;
+
+namespace {
+
+enum class Colour { red, green };
+constexpr std::array<std::string_view, 2> enum_names(Colour) {
+  return {"red", "green"};
+}
+
+struct Gene {
+  std::uint32_t id = 3;
+  double weight = 0.5;
+  bool enabled = true;
+  Colour colour = Colour::green;
+  static constexpr auto fields() {
+    return std::tuple{field("id", &Gene::id), field("weight", &Gene::weight), field("enabled", &Gene::enabled),
+                      field("colour", &Gene::colour)};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("toml: every double reads back as the same bits") {
+  std::vector<double> values{0.0,
+                             -0.0,
+                             0.1,
+                             1.0,
+                             -7.0,
+                             1e22,
+                             123456789012345678.0,
+                             std::numeric_limits<double>::max(),
+                             std::numeric_limits<double>::min(),
+                             std::numeric_limits<double>::denorm_min(),
+                             std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity()};
+  Rng rng{1, Stream::null_model};
+  while (values.size() < 20'000) {
+    const double value = std::bit_cast<double>(rng.bits());
+    if (!std::isnan(value)) values.push_back(value);
+  }
+  TomlWriter writer;
+  writer.put("values", values);
+  const std::vector<double> read = trophic::detail::TomlTable::parse(writer.text(), "memory").numbers("values");
+  REQUIRE(read.size() == values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    CAPTURE(values[i]);
+    CHECK(std::bit_cast<std::uint64_t>(read[i]) == std::bit_cast<std::uint64_t>(values[i]));
+  }
+}
+
+TEST_CASE("toml: keys keep their order, tables their headings, help is a comment") {
+  TomlWriter writer;
+  writer.put("name", "it's");
+  writer.put("colour", Colour::red);
+  writer.put("none", std::vector<double>{});
+  writer.put("pairs", std::vector<std::pair<int, int>>{{1, 2}, {3, 4}});
+  writer.put("genes", std::vector<Gene>(2));
+  writer.element("part");
+  writer.put("size_m", 2.0, "metres");
+  CHECK(writer.text() ==
+        "name = \"it's\"\ncolour = 'red'\nnone = []\npairs = [[1, 2], [3, 4]]\n"
+        "genes = [\n  { id = 3, weight = 0.5, enabled = true, colour = 'green' },\n"
+        "  { id = 3, weight = 0.5, enabled = true, colour = 'green' }\n]\n\n[[part]]\nsize_m = 2.0  # metres\n");
+  const auto table = trophic::detail::TomlTable::parse(writer.text(), "memory");
+  CHECK(table.text("name") == "it's");
+  CHECK(table.tables("genes")[1].truth("enabled"));
+}
+
+TEST_CASE("toml: settings in the tables of their paths, below a root where one is given") {
+  const Settings settings{{"seed", std::int64_t{3}, {}}, {"world.tick_s", 2.0, "seconds"}, {"rules.a.b", true, {}}};
+  CHECK(toml_text(settings) == "seed = 3\n\n[world]\ntick_s = 2.0  # seconds\n\n[rules.a]\nb = true\n");
+  TomlWriter writer;
+  writer.put_all(settings, "made.by");
+  CHECK(writer.text() == "[made.by]\nseed = 3\n\n[made.by.world]\ntick_s = 2.0  # seconds\n\n[made.by.rules.a]\nb = true\n");
+}

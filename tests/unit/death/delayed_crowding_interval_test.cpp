@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <support/hand_population.hpp>
+#include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::test;
+using death::StarvationClock;
+using death::starvation_schedule::DelayedCrowdingInterval;
+
+namespace {
+
+HandPopulation with_predators(std::size_t predators, std::size_t robots = 30) {
+  std::vector<Robot> list(robots);
+  for (std::size_t i = 0; i < predators; ++i) list[i].species = predator;
+  return HandPopulation{list};
+}
+
+}  // namespace
+
+TEST_CASE("delayed crowding interval: Delta = 25 - p ticks") {
+  const DelayedCrowdingInterval rule;
+  CHECK(rule.interval_ticks(with_predators(14).view()) == 11);
+  CHECK(rule.interval_ticks(with_predators(7).view()) == 18);
+  CHECK(rule.interval_ticks(with_predators(23).view()) == 2);
+  CHECK(rule.interval_ticks(with_predators(0).view()) == 25);
+  CHECK(DelayedCrowdingInterval{{.base_ticks = 40}}.interval_ticks(with_predators(14).view()) == 26);
+}
+
+TEST_CASE("delayed crowding interval: never below 2 ticks") {
+  CHECK(DelayedCrowdingInterval{}.interval_ticks(with_predators(24).view()) == 2);
+  CHECK(DelayedCrowdingInterval{}.interval_ticks(with_predators(30).view()) == 2);
+  CHECK(DelayedCrowdingInterval{}.interval_ticks(with_predators(40, 40).view()) == 2);
+  CHECK(DelayedCrowdingInterval{{.min_interval_ticks = 5}}.interval_ticks(with_predators(23).view()) == 5);
+}
+
+TEST_CASE("delayed crowding interval: due once the interval fixed at the last procedure has passed, whoever was born since") {
+  const DelayedCrowdingInterval rule;
+  HandPopulation robots = with_predators(20);  // Delta would be 5 now
+  const StarvationClock clock{.last_tick = 100, .interval_ticks = 11};
+  CHECK_FALSE(rule.due(clock, robots.at_tick(105).view()));
+  CHECK_FALSE(rule.due(clock, robots.at_tick(110).view()));
+  CHECK(rule.due(clock, robots.at_tick(111).view()));
+  CHECK(rule.due(clock, robots.at_tick(112).view()));
+}
+
+TEST_CASE("delayed crowding interval: with only_above predators or fewer the procedure waits, overdue") {
+  const DelayedCrowdingInterval rule{{.only_above = 7}};
+  const StarvationClock clock{.last_tick = 0, .interval_ticks = 2};
+  CHECK_FALSE(rule.due(clock, with_predators(7).at_tick(500).view()));
+  CHECK(rule.due(clock, with_predators(8).at_tick(500).view()));
+}
+
+TEST_CASE("delayed crowding interval: in a food chain p counts every species that eats somebody") {
+  const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = grazer}, {.species = hunter}}, chain_web()};
+  CHECK(DelayedCrowdingInterval{}.interval_ticks(robots.view()) == 22);
+}

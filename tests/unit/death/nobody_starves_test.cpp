@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <support/hand_population.hpp>
+#include <trophic/death/starvation/nobody_starves.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+
+TEST_CASE("nobody starves: not the hungriest predator") {
+  const HandPopulation robots{{{.species = predator, .fed_tick = -500}}};
+  CHECK(death::starvation::NobodyStarves{}.victim(robots.view(), [](BodyIndex) { return false; }) == std::nullopt);
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <trophic/reproduction/genome_source/always_inherited.hpp>
+
+using namespace trophic;
+
+TEST_CASE("always inherited: every controller, and nothing is drawn; without a parent it is random") {
+  const reproduction::genome_source::AlwaysInherited rule;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Rng rng{seed, Stream::genome_source};
+    Rng reference = rng;
+    CHECK(rule.inherits(rng));
+    CHECK(rng.bits() == reference.bits());
+  }
+  CHECK(rule.without_parent() == Origin::random);
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <trophic/reproduction/genome_source/random_or_inherited.hpp>
+#include <trophic/reproduction/genome_source/random_or_inherited_in_name.hpp>
+
+using namespace trophic;
+using reproduction::genome_source::RandomOrInherited;
+using reproduction::genome_source::RandomOrInheritedInName;
+
+TEST_CASE("random or inherited in name: whoever finds no parent is labelled inherited") {
+  CHECK(RandomOrInheritedInName{}.without_parent() == Origin::inherited);
+}
+
+TEST_CASE("random or inherited in name: the draws are those of random or inherited") {
+  for (const double random_share : {0.0, 1.0 / 3.0, 0.34, 1.0}) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+      Rng rng{seed, Stream::genome_source};
+      Rng reference = rng;
+      CHECK(RandomOrInheritedInName{{.random_share = random_share}}.inherits(rng) ==
+            RandomOrInherited{{.random_share = random_share}}.inherits(reference));
+      CHECK(rng.bits() == reference.bits());
+    }
+  }
+}
