@@ -1,19 +1,24 @@
 # trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode]): a program of trophic/command, linked with the engines that are named,
-# or with every one that was found. Manifests and --version name the revision of the project's sources and the flags of the build.
+# or with every one that was found; with the compiled libraries where there are, else from headers. Manifests and --version name
+# the revision of the project's sources and the flags of the build.
 
 function(trophic_add_experiment name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "BACKENDS")
+  set(kind "")
+  if(TARGET trophic::command_compiled)
+    set(kind _compiled)
+  endif()
   if(NOT "BACKENDS" IN_LIST ARGN)
     foreach(backend mujoco ode)
-      if(TARGET trophic::${backend})
+      if(TARGET trophic::${backend}${kind})
         list(APPEND arg_BACKENDS ${backend})
       endif()
     endforeach()
   endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
-  target_link_libraries(${name} PRIVATE trophic::command_compiled)
+  target_link_libraries(${name} PRIVATE trophic::command${kind})
   foreach(backend IN LISTS arg_BACKENDS)
-    target_link_libraries(${name} PRIVATE trophic::${backend}_compiled)
+    target_link_libraries(${name} PRIVATE trophic::${backend}${kind})
   endforeach()
   trophic_link_facts(${name})
 endfunction()
@@ -27,7 +32,8 @@ function(trophic_link_facts name)
     add_custom_target(
       ${facts}_look_up_revision
       BYPRODUCTS ${revision}
-      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
+      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} 
+              -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
       COMMENT "Looking up the source revision" VERBATIM)
     add_library(${facts} OBJECT ${revision})
     add_dependencies(${facts} ${facts}_look_up_revision)

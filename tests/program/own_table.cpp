@@ -5,7 +5,7 @@
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>
 
-struct Ageing : trophic::with_senescence<trophic::rules::Paper, trophic::death::senescence::OldAge> {};
+using Ageing = trophic::named<trophic::with_senescence<trophic::rules::Paper, trophic::death::senescence::OldAge>, "ageing">;
 
 int main(int argc, char** argv) {
   return trophic::command::experiment<Ageing, trophic::rules::Paper>(argc, argv);

@@ -13,7 +13,7 @@ from in_folder import InFolder
 
 PROGRAM = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-AGEING = "paper with senescence = old_age"
+AGEING = "ageing"
 
 
 class OwnTable(InFolder):
@@ -29,7 +29,7 @@ class OwnTable(InFolder):
         text = self.call_ok("--help")
         self.assertIn(f"rule table: {AGEING} or paper ({AGEING})", text)
         for option in ("rules", "backend", "seed", "duration", "robots", "robot", "threads", "replicates", "jobs", "resume", "shadow",
-                       "config", "set", "out", "save-mjcf", "print-config", "version", "completion"):
+                       "config", "set", "out", "save-mjcf", "print-config", "print-table", "version", "completion"):
             self.assertIn(f"--{option} ", text)
 
     def test_the_first_table_is_the_default_and_its_numbers_are_listed(self):
@@ -37,6 +37,18 @@ class OwnTable(InFolder):
         self.assertIn(f'rule_table = "{AGEING}"', printed)
         self.assertIn("[rules.senescence]\nmax_age_s = ", printed)
         self.assertNotIn("[rules.senescence]", self.call_ok("--backend", "kinematic", "--rules", "paper", "--print-config"))
+
+    def test_its_rules_are_printed_as_a_table_with_the_numbers_that_are_set(self):
+        options = ["--backend", "kinematic", "--set", "rules.senescence.max_age_s=1234"]
+        rows = [line for line in self.call_ok(*options, "--print-table", "markdown").splitlines() if "| senescence |" in line]
+        self.assertEqual(len(rows), 1)
+        self.assertIn("old\\_age | max\\_age\\_s = 1234", rows[0])
+        latex = self.call_ok(*options, "--print-table", "latex")
+        self.assertTrue(latex.startswith("\\begin{tabular}"))
+        self.assertIn("max\\_age\\_s = 1234", latex)
+        refused = self.call(*options, "--print-table", "word")
+        self.assertEqual((refused.returncode, refused.stderr), (2, f"{pathlib.Path(PROGRAM).name}: --print-table word: must be markdown or latex\n"))
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_run_dies_of_old_age(self):
         self.call_ok("--backend", "kinematic", "--set", "rules.senescence.max_age_s=50", "--duration", 200, "--out", "run")

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/command/words.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/params/toml.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::command {
@@ -49,15 +50,25 @@ inline void check_made_for(const Config& config, const std::string& rule_table, 
 }
 
 /// The setting that a path which is none was meant to be: one that ends like it ("mutation.sd" for "rules.mutation.sd"), or the
-/// nearest.
+/// nearest among those that share as many of its first sections as any does.
 [[nodiscard]] inline std::optional<std::string> nearest_path(const std::string& path, const Settings& settings) {
-  std::vector<std::string> paths;
   std::vector<std::string> ending;
   for (const Setting& setting : settings) {
-    paths.push_back(setting.path);
     if (setting.path.ends_with("." + path)) ending.push_back(setting.path);
   }
-  return ending.size() == 1 ? std::optional{ending.front()} : nearest_word(path, paths);
+  if (ending.size() == 1) return ending.front();
+
+  std::string shared;
+  std::vector<std::string> rests;
+  for (std::size_t dot = path.rfind('.'); rests.empty(); dot = dot == 0 ? std::string::npos : path.rfind('.', dot - 1)) {
+    shared = dot == std::string::npos ? "" : path.substr(0, dot + 1);
+    for (const Setting& setting : settings) {
+      if (setting.path.starts_with(shared)) rests.push_back(setting.path.substr(shared.size()));
+    }
+    if (shared.empty()) break;
+  }
+  const auto rest = nearest_word(std::string_view{path}.substr(shared.size()), rests);
+  return rest ? std::optional{shared + *rest} : std::nullopt;
 }
 
 namespace detail {

@@ -19,6 +19,7 @@
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/rules/print_table.hpp>
 #include <trophic/rules/table.hpp>
 #include <vector>
 
@@ -71,6 +72,8 @@ template <class Rules, Backend B>
 [[nodiscard]] int run_table(const ExperimentOptions& options, const Config& config) {
   const Experiment<Rules, B> numbers = numbers_of<Rules, B>(options, config);
   if (options.print_config) return print_config(table_name<Rules>(), std::string{B::name}, settings_of(numbers));
+  if (options.print_table == "markdown") return print_text(rules::markdown_table<Rules>(numbers.rules));
+  if (options.print_table == "latex") return print_text(rules::latex_table<Rules>(numbers.rules));
   if (!options.replicates) return run_once<Rules, B>(options, numbers);
   const auto plan = plan_of(options, numbers.seed);
   return report_unfinished(options,

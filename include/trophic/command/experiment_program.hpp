@@ -37,7 +37,8 @@ struct ExperimentOptions {
   std::string out;
   std::string save_mjcf;
   bool print_config = false;
-  std::string program;  ///< as it was called
+  std::string print_table;  ///< markdown or latex; empty: no table is printed
+  std::string program;      ///< as it was called
   observe::Facts facts;
 };
 
@@ -54,6 +55,9 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, World& world);
 
 /// The numbers of a table on a backend as a configuration file.
 [[nodiscard]] int print_config(const std::string& table, const std::string& backend, const Settings& settings);
+
+/// Prints a text for people or papers.
+[[nodiscard]] int print_text(const std::string& text);
 
 /// What --replicates, --jobs and --resume say, with the master seed.
 [[nodiscard]] replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed);

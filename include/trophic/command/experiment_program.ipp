@@ -32,7 +32,11 @@ TROPHIC_INLINE int print_config(const std::string& table, const std::string& bac
   writer.put("rule_table", table);
   writer.put("engine", backend);
   writer.put_all(settings);
-  std::cout << writer.text() << std::flush;
+  return print_text(writer.text());
+}
+
+TROPHIC_INLINE int print_text(const std::string& text) {
+  std::cout << text << std::flush;
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
   return 0;
 }
@@ -109,6 +113,11 @@ namespace detail {
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--print-config", &options.print_config, "print every number as TOML and stop"},
+      {"--print-table",
+       &options.print_table,
+       "print the rules with their numbers and sources, as markdown or latex, and stop",
+       {"markdown", "latex"},
+       Words::demanded},
   };
 }
 

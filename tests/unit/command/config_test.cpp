@@ -26,7 +26,7 @@ Config config_of(const std::string& text, std::vector<std::string> assignments =
 }
 
 std::string message(const Config& config) {
-  return test::message_of([&] {
+  return test::message_of<std::invalid_argument>([&] {
     Numbers numbers;
     read_config_into(numbers, config);
   });
@@ -57,16 +57,21 @@ TEST_CASE("a path without its beginning is known where it is the end of one sett
   CHECK(nearest_path("y.range_m", settings) == "b.y.range_m");
   CHECK(nearest_path("range_m", settings) == "b.y.range_m");
   CHECK(nearest_path("sd", settings) == std::nullopt);
+  CHECK(nearest_path("", settings) == std::nullopt);
+  CHECK(nearest_path(".", settings) == std::nullopt);
+  CHECK(nearest_path("b.y.rang_m", settings) == "b.y.range_m");
+  CHECK(nearest_path("b.y.colour", settings) == std::nullopt);
 }
 
 TEST_CASE("a file of another backend or table is refused only for the numbers that it has of it") {
   const Config full = config_of("engine = 'mujoco'\nrule_table = 'paper'\n[backend]\nthreads = 2\n[rules.mutation]\nsd = 0.1\n");
   CHECK_NOTHROW(check_made_for(full, "paper", "mujoco"));
-  CHECK(test::message_of([&] { check_made_for(full, "paper", "kinematic"); }) ==
+  CHECK(test::message_of<std::invalid_argument>([&] { check_made_for(full, "paper", "kinematic"); }) ==
         "numbers.toml: was written for engine = \"mujoco\" and has its numbers in [backend], which are none of kinematic; take "
         "--backend mujoco, or a file without engine and [backend]");
-  CHECK(test::message_of([&] { check_made_for(full, "released", "mujoco"); }).find("rule_table = \"paper\"") !=
-        std::string::npos);
+  CHECK(test::message_of<std::invalid_argument>([&] {
+          check_made_for(full, "released", "mujoco");
+        }).find("rule_table = \"paper\"") != std::string::npos);
   const Config world = config_of("engine = 'mujoco'\nrule_table = 'paper'\n[world]\nrobots = 20\n");
   CHECK_NOTHROW(check_made_for(world, "released", "kinematic"));
   CHECK_NOTHROW(check_made_for(config_of("[backend]\nthreads = 2\n"), "paper", "kinematic"));
