@@ -125,6 +125,7 @@
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/params/policy.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/adversary.hpp>
@@ -190,13 +191,13 @@
 #include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/params.hpp>
-#include <trophic/rules/policy.hpp>
 #include <trophic/rules/print_table.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/rules/with.hpp>
 #include <trophic/rules/with_rules_of.hpp>
+#include <trophic/support/joined_text.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>

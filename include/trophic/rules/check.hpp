@@ -4,7 +4,7 @@
 
 #include <concepts>
 #include <trophic/params/params.hpp>
-#include <trophic/rules/policy.hpp>
+#include <trophic/params/policy.hpp>
 #include <trophic/rules/slots.hpp>
 #include <type_traits>
 

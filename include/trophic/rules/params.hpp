@@ -3,8 +3,8 @@
 #pragma once
 
 #include <trophic/params/params.hpp>
+#include <trophic/params/policy.hpp>
 #include <trophic/rules/check.hpp>
-#include <trophic/rules/policy.hpp>
 #include <trophic/rules/slots.hpp>
 #include <tuple>
 

@@ -4,9 +4,9 @@
 
 #include <string>
 #include <string_view>
+#include <trophic/params/policy.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/params.hpp>
-#include <trophic/rules/policy.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/with.hpp>
 

@@ -12,6 +12,7 @@ namespace trophic::perception::newborn_tag {
 /// KeepsBodyTag where the paper is silent.   Reads: nothing.   Random draws: 1.
 struct RandomTag {
   static constexpr std::string_view name = "random_tag";
+  static constexpr std::string_view source = "paper: silent";
   [[nodiscard]] int tag(std::optional<int>, Rng& rng) const { return rng.chance(0.5) ? 1 : -1; }
 };
 static_assert(NewbornTag<RandomTag>);

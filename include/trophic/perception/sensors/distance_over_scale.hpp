@@ -14,6 +14,7 @@ namespace trophic::perception::sensors {
 /// distance.   Random draws: 0.
 struct DistanceOverScale {
   static constexpr std::string_view name = "distance_over_scale";
+  static constexpr std::string_view source = "released code";
 
   struct Params {
     double full_scale_m = 20.0;

@@ -13,6 +13,7 @@ namespace trophic::perception::sensors {
 /// Reads: distance, arena.   Random draws: 0.
 struct DistanceOverTerrain {
   static constexpr std::string_view name = "distance_over_terrain";
+  static constexpr std::string_view source = "paper, Sec. \"Inputs\"";
   [[nodiscard]] double input(const Sighting& sighting, const View& view) const {
     return std::min(1.0, sighting.distance_m / view.arena.extent_m);
   }

@@ -11,6 +11,7 @@ namespace trophic::perception::sensors {
 /// prey, prey on the right for predators (released code).   Reads: bearing, both species.   Random draws: 0.
 struct SideAwayFromHunter {
   static constexpr std::string_view name = "side_away_from_hunter";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] double input(const Sighting& sighting, const View& view) const {
     const double side = sighting.bearing_rad < 0.0 ? -1.0 : 1.0;
     const bool hunted = view.web.eats(view.robots[sighting.adversary].species, view.robots[sighting.self].species);

@@ -11,6 +11,7 @@ namespace trophic::perception::sensors {
 /// straight behind as left.   Reads: bearing.   Random draws: 0.
 struct SideOfAdversary {
   static constexpr std::string_view name = "side_of_adversary";
+  static constexpr std::string_view source = "paper, Sec. \"Inputs\"";
   [[nodiscard]] double input(const Sighting& sighting, const View&) const { return sighting.bearing_rad < 0.0 ? -1.0 : 1.0; }
 };
 static_assert(SightingInput<SideOfAdversary>);

@@ -11,6 +11,7 @@ namespace trophic::perception::sensors {
 /// all tags and activities.   Random draws: 0.
 struct TagRatioOfActive {
   static constexpr std::string_view name = "tag_ratio_of_active";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] double input(const View& view) const {
     double total = 0.0;
     double positive = 0.0;

@@ -12,6 +12,7 @@ namespace trophic::perception::sensors {
 /// tags.   Random draws: 0.
 struct TagRatioOfAll {
   static constexpr std::string_view name = "tag_ratio_of_all";
+  static constexpr std::string_view source = "paper, Sec. \"Inputs\", Eq. 2";
   [[nodiscard]] double input(const View& view) const {
     const auto total = static_cast<double>(view.robots.size());
     const auto positive = static_cast<double>(std::ranges::count(view.robots, 1, &Individual::tag));

@@ -11,6 +11,7 @@ namespace trophic::perception::visibility {
 /// invisible: Sec. "Prey Death").   Reads: both tags, other's activity.   Random draws: 0.
 struct SameTag {
   static constexpr std::string_view name = "same_tag";
+  static constexpr std::string_view source = "paper, Sec. \"Tagging System\"";
   [[nodiscard]] bool perceives(const Individual& self, const Individual& other) const {
     return self.tag == other.tag && other.active;
   }
