@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every policy is, whatever its slot: its name, its numbers, where it comes from, and how it is made.
+// How a policy is made from its numbers.
 #pragma once
 
 #include <concepts>
@@ -46,10 +46,9 @@ concept MadeFromParams = requires(const ParamsOf<Policy>& params) {
   Policy{params};
 };
 
-/// For policies and tables.
-template <class T>
+template <class Policy>
 concept Named = requires {
-  { T::name } -> std::convertible_to<std::string_view>;
+  { Policy::name } -> std::convertible_to<std::string_view>;
 };
 
 /// Empty for a policy without a name, which `CheckRules` reports.
@@ -60,13 +59,6 @@ template <class Policy>
 }
 
 }  // namespace detail
-
-/// Where a policy comes from, for a printed table: its `static constexpr std::string_view source`, which it may leave out.
-template <class Policy>
-[[nodiscard]] constexpr std::string_view source_of() {
-  if constexpr (requires { std::string_view{Policy::source}; }) return Policy::source;
-  return {};
-}
 
 /// A policy with these numbers. Throws RuleError if it has a public member `params` that holds other numbers afterwards: what
 /// runs would not be what the manifest claims.

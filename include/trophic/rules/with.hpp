@@ -10,30 +10,12 @@
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/params.hpp>
 #include <trophic/rules/slots.hpp>
+#include <trophic/support/joined_text.hpp>
 #include <type_traits>
 
 namespace trophic {
 
 namespace detail {
-
-/// A text put together at compile time. `Write{}(append)` calls `append(std::string_view)` for each part of it.
-template <class Write>
-struct TextOf {
-  static constexpr std::size_t size = [] {
-    std::size_t sum = 0;
-    Write{}([&](std::string_view part) { sum += part.size(); });
-    return sum;
-  }();
-  static constexpr std::array<char, size> letters = [] {
-    std::array<char, size> all{};
-    std::size_t end = 0;
-    Write{}([&](std::string_view part) {
-      for (const char letter : part) all[end++] = letter;
-    });
-    return all;
-  }();
-  static constexpr std::string_view text{letters.data(), size};
-};
 
 /// All that a table made of another one takes over as it is.
 template <class Rules>
@@ -70,16 +52,12 @@ struct with_rule final {
 #undef TROPHIC_SWAP
 
   /// "paper with mutation = uniform_mutation".
-  struct WriteName {
-    constexpr void operator()(auto append) const {
-      append(detail::policy_name<Rules>());
-      append(" with ");
-      append(slot_name(swapped));
-      append(" = ");
-      append(detail::policy_name<Policy>());
-    }
+  struct Words {
+    static constexpr std::array<std::string_view, 5> words{detail::policy_name<Rules>(), " with ", slot_name(swapped), " = ",
+                                                           detail::policy_name<Policy>()};
+    static constexpr std::string_view separator{};
   };
-  static constexpr std::string_view name = detail::TextOf<WriteName>::text;
+  static constexpr std::string_view name = JoinedText<Words>::view;
 
   static TableParams<with_rule> params() {
     const auto kept = detail::stated_params<Rules>();

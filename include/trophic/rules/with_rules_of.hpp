@@ -2,6 +2,7 @@
 // One table with some slots of another, and what the two differ in.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <trophic/params/params.hpp>
 #include <trophic/params/settings.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/joined_text.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -52,23 +54,26 @@ struct with_rules_of final {
 #undef TROPHIC_SLOT_OF
 
   /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; numbers are in the manifest.
-  struct WriteName {
-    constexpr void operator()(auto append) const {
-      append(Base::name);
-      bool first = true;
-#define TROPHIC_NAME_SWAP(Slot, member, kind, Contract)                    \
-  if constexpr (!std::same_as<typename Base::Slot, with_rules_of::Slot>) { \
-    append(first ? std::string_view{" with "} : std::string_view{", "});   \
-    append(#member " = ");                                                 \
-    append(trophic::detail::policy_name<typename with_rules_of::Slot>());  \
-    first = false;                                                         \
+  struct Words {
+    static constexpr auto words = [] {
+      std::array<std::string_view, 1 + 4 * slot_names.size()> all;
+      std::size_t end = 0;
+      all[end++] = Base::name;
+#define TROPHIC_NAME_SWAP(Slot, member, kind, Contract)                          \
+  if constexpr (!std::same_as<typename Base::Slot, with_rules_of::Slot>) {       \
+    all[end] = end == 1 ? " with " : ", ";                                       \
+    all[end + 1] = #member;                                                      \
+    all[end + 2] = " = ";                                                        \
+    all[end + 3] = trophic::detail::policy_name<typename with_rules_of::Slot>(); \
+    end += 4;                                                                    \
   }
       TROPHIC_RULE_SLOTS(TROPHIC_NAME_SWAP)
 #undef TROPHIC_NAME_SWAP
-      static_cast<void>(first);
-    }
+      return all;
+    }();
+    static constexpr std::string_view separator{};
   };
-  static constexpr std::string_view name = trophic::detail::TextOf<WriteName>::text;
+  static constexpr std::string_view name = JoinedText<Words>::view;
 
   static TableParams<with_rules_of> params() {
     const auto base = Base::params();

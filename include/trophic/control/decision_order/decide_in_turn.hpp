@@ -11,6 +11,7 @@ namespace trophic::control::decision_order {
 /// have taken at this tick. The tag ratio is that of the tick's start for all.   Reads: nothing.   Random draws: 0.
 struct DecideInTurn {
   static constexpr std::string_view name = "decide_in_turn";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] bool in_turn() const { return true; }
 };
 static_assert(DecisionOrder<DecideInTurn>);

@@ -11,6 +11,7 @@ namespace trophic::control::decision_order {
 /// silent.   Reads: nothing.   Random draws: 0.
 struct DecideTogether {
   static constexpr std::string_view name = "decide_together";
+  static constexpr std::string_view source = "paper: silent";
   [[nodiscard]] bool in_turn() const { return false; }
 };
 static_assert(DecisionOrder<DecideTogether>);

@@ -20,6 +20,7 @@ namespace trophic::control::steering {
 /// sides.   Random draws: 0.
 struct TargetedSteering {
   static constexpr std::string_view name = "targeted_steering";
+  static constexpr std::string_view source = "paper, Sec. \"Targeted Steering\", Eq. 1";
 
   struct Params {
     double exponent = 2.0;

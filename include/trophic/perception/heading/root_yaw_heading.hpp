@@ -14,6 +14,7 @@ namespace trophic::perception::heading {
 /// heading is 90 degrees off it, and it sees some adversaries on the other side.   Reads: root pose.   Random draws: 0.
 struct RootYawHeading {
   static constexpr std::string_view name = "root_yaw_heading";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const {
     return wrap_angle(ground_pose(root, 0.0).heading_rad + forward_rad);
   }

@@ -15,6 +15,7 @@ namespace trophic::perception::newborn_tag {
 /// the released code's, whose founders all show +1.   Reads: the body's tag.   Random draws: 0.
 struct KeepsBodyTag {
   static constexpr std::string_view name = "keeps_body_tag";
+  static constexpr std::string_view source = "paper: silent; released code";
 
   struct Params {
     int founder_tag = 1;

@@ -13,6 +13,7 @@ namespace trophic::perception::newborn_tag {
 /// to KeepsBodyTag where the paper is silent.   Reads: nothing.   Random draws: 1.
 struct RandomTag {
   static constexpr std::string_view name = "random_tag";
+  static constexpr std::string_view source = "paper: silent";
   [[nodiscard]] int tag(std::optional<int>, std::span<const int> tags, Rng& rng) const { return tags[rng.index(tags.size())]; }
 };
 static_assert(NewbornTag<RandomTag>);

@@ -17,6 +17,7 @@ namespace trophic::perception::sensors {
 /// distance.   Random draws: 0.
 struct DistanceOverScale {
   static constexpr std::string_view name = "distance_over_scale";
+  static constexpr std::string_view source = "released code";
   static constexpr std::size_t size = 1;
 
   struct Params {

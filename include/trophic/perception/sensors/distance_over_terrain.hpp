@@ -16,6 +16,7 @@ namespace trophic::perception::sensors {
 /// an adversary 1, as far as can be; the paper is silent. Reads: distance, arena.   Random draws: 0.
 struct DistanceOverTerrain {
   static constexpr std::string_view name = "distance_over_terrain";
+  static constexpr std::string_view source = "paper, Sec. \"Inputs\"";
   static constexpr std::size_t size = 1;
   [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View& view, Rng&) const {
     return {sighting ? std::min(1.0, sighting->distance_m / view.arena.extent_m) : 1.0};

@@ -15,6 +15,7 @@ namespace trophic::perception::sensors {
 /// 0.
 struct SideAwayFromHunter {
   static constexpr std::string_view name = "side_away_from_hunter";
+  static constexpr std::string_view source = "released code";
   static constexpr std::size_t size = 1;
   [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>& sighting, const View& view,
                                                Rng&) const {

@@ -14,6 +14,7 @@ namespace trophic::perception::sensors {
 /// straight behind as left. Without an adversary 0, neither side; the paper is silent.   Reads: bearing.   Random draws: 0.
 struct SideOfAdversary {
   static constexpr std::string_view name = "side_of_adversary";
+  static constexpr std::string_view source = "paper, Sec. \"Inputs\"";
   static constexpr std::size_t size = 1;
   [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View&, Rng&) const {
     if (!sighting) return {0.0};

@@ -13,6 +13,7 @@ namespace trophic::perception::sensors {
 /// all tags and activities.   Random draws: 0.
 struct TagRatioOfActive {
   static constexpr std::string_view name = "tag_ratio_of_active";
+  static constexpr std::string_view source = "released code";
   static constexpr std::size_t size = 1;
   [[nodiscard]] std::array<double, size> sense(const View& view) const {
     double total = 0.0;

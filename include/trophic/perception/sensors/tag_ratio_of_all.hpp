@@ -14,6 +14,7 @@ namespace trophic::perception::sensors {
 /// tags.   Random draws: 0.
 struct TagRatioOfAll {
   static constexpr std::string_view name = "tag_ratio_of_all";
+  static constexpr std::string_view source = "paper, Sec. \"Inputs\", Eq. 2";
   static constexpr std::size_t size = 1;
   [[nodiscard]] std::array<double, size> sense(const View& view) const {
     const auto total = static_cast<double>(view.robots.size());

@@ -14,6 +14,7 @@ namespace trophic::perception::tag_switch {
 /// silent. Reads: own tag clock, time. TagSampling is the released code's.   Random draws: 0.
 struct TagCoolDown {
   static constexpr std::string_view name = "tag_cool_down";
+  static constexpr std::string_view source = "paper, Sec. \"Tagging System\"";
 
   struct Params {
     double cool_down_s = 50.0;

@@ -15,6 +15,7 @@ namespace trophic::perception::tag_switch {
 /// draws: 0.
 struct TagSampling {
   static constexpr std::string_view name = "tag_sampling";
+  static constexpr std::string_view source = "released code";
 
   struct Params {
     double period_s = 100.0;

@@ -11,6 +11,7 @@ namespace trophic::perception::visibility {
 /// other's activity.   Random draws: 0.
 struct Everybody {
   static constexpr std::string_view name = "everybody";
+  static constexpr std::string_view source = "control";
   [[nodiscard]] bool perceives(BodyIndex, BodyIndex other, const View& view, Rng&) const { return view.robots[other].active; }
 };
 static_assert(Visibility<Everybody>);

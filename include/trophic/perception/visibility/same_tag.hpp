@@ -11,6 +11,7 @@ namespace trophic::perception::visibility {
 /// invisible: Sec. "Prey Death").   Reads: both tags, other's activity.   Random draws: 0.
 struct SameTag {
   static constexpr std::string_view name = "same_tag";
+  static constexpr std::string_view source = "paper, Sec. \"Tagging System\"";
   [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng&) const {
     return view.robots[self].tag == view.robots[other].tag && view.robots[other].active;
   }
