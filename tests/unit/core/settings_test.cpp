@@ -25,7 +25,7 @@ const Setting& find(const Settings& settings, const std::string& path) {
 TEST_CASE("settings: numbers, switches, texts and names by their path, with help") {
   const Settings rules = settings_of(RuleParams<rules::Released>{});
   CHECK(value_text(find(rules, "tag_switch.period_s")) == "100");
-  CHECK(value_text(find(rules, "brain.zero_turns_right")) == "true");
+  CHECK(value_text(find(rules, "sensors.distance_over_scale.full_scale_m")) == "20");
   CHECK(value_text(find(rules, "genome_source.random_share")) == "0.34");
   CHECK(std::get<std::int64_t>(find(rules, "starvation_schedule.base_ticks").value) == 25);
   CHECK_FALSE(find(rules, "tag_switch.period_s").help.empty());

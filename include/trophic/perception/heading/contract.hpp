@@ -3,10 +3,13 @@
 #pragma once
 
 #include <concepts>
-#include <trophic/support/units.hpp>
 
 #define TROPHIC_SENTENCE_Heading \
   "double heading_rad(const Pose& root, double forward_rad) const; see trophic/perception/heading/contract.hpp"
+
+namespace trophic {
+struct Pose;  // trophic/habitat/pose.hpp
+}
 
 namespace trophic::perception {
 

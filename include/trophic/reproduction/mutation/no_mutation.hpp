@@ -12,7 +12,7 @@ namespace trophic::reproduction::mutation {
 struct NoMutation {
   static constexpr std::string_view name = "no_mutation";
   static constexpr std::string_view source = "control";
-  void mutate(std::span<double>, Rng&) const {}
+  void mutate(std::span<double>, const Individual&, Rng&) const {}
 };
 static_assert(Mutation<NoMutation>);
 
