@@ -18,6 +18,7 @@
 #include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace trophic::observe {
 
@@ -103,19 +104,18 @@ template <TableRow Row>
   return text;
 }
 
-/// A file of rows. Throws std::runtime_error naming the file when it exists or the system refuses to write.
-template <TableRow Row>
-class CsvFile {
+/// A new file that grows by lines. Throws std::runtime_error naming the file when it exists or the system refuses to write.
+class LineFile {
  public:
-  /// Writes the header at once; `like`: as header_of.
-  explicit CsvFile(const std::filesystem::path& path, const Row& like = {})
-      : path_{path}, file_{std::fopen(path.c_str(), "wx")}, buffer_{header_of(like)} {
+  /// Writes the first lines at once.
+  LineFile(const std::filesystem::path& path, std::string first)
+      : path_{path}, file_{std::fopen(path.c_str(), "wx")}, buffer_{std::move(first)} {
     if (!file_) fail("create");
     flush();
   }
 
-  void write(const Row& row, const FoodWeb& web) { append_row(buffer_, row, web); }
-  void write(const Row& row) { write(row, FoodWeb{{}, {}}); }
+  /// What the next flush writes.
+  [[nodiscard]] std::string& buffer() { return buffer_; }
 
   /// Hands everything written so far to the system.
   void flush() {
@@ -136,6 +136,21 @@ class CsvFile {
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
   std::string buffer_;
+};
+
+/// A file of rows. Errors as those of LineFile.
+template <TableRow Row>
+class CsvFile {
+ public:
+  /// Writes the header at once; `like`: as header_of.
+  explicit CsvFile(const std::filesystem::path& path, const Row& like = {}) : file_{path, header_of(like)} {}
+
+  void write(const Row& row, const FoodWeb& web) { append_row(file_.buffer(), row, web); }
+  void write(const Row& row) { write(row, FoodWeb{{}, {}}); }
+  void flush() { file_.flush(); }
+
+ private:
+  LineFile file_;
 };
 
 }  // namespace trophic::observe

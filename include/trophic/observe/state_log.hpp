@@ -24,12 +24,12 @@ class StateLog {
 
   void on_tick(const View& view) {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-      file_.cell(view.time_s);
-      file_.cell(view.tick);
-      file_.cell(body);
-      file_.cell(view.robots[body].id);
+      cell(view.time_s);
+      cell(view.tick);
+      cell(body);
+      cell(view.robots[body].id);
       for_each_state(states_, [&](std::string_view, const auto& states) { write(states[body]); });
-      file_.end_row();
+      file_.buffer().back() = '\n';
     }
     file_.flush();
   }
@@ -40,7 +40,7 @@ class StateLog {
     for_each_state(RuleStates<Rules>{}, [&]<class P>(std::string_view slot, const BodyStates<P>&) {
       append_names(StateOf<P>{}, std::string{slot}, text);
     });
-    return text;
+    return text + "\n";
   }
 
   template <class State>
@@ -55,6 +55,12 @@ class StateLog {
     });
   }
 
+  template <class Value>
+  void cell(const Value& value) {
+    detail::append_cell(file_.buffer(), value);
+    file_.buffer().push_back(',');
+  }
+
   template <class State>
   void write(const State& state) {
     for_each_field(state, [&](const auto&, const auto& value) {
@@ -62,21 +68,21 @@ class StateLog {
       if constexpr (HasFields<T>) {
         write(value);
       } else if constexpr (std::same_as<T, Ancestor>) {
-        file_.cell(value.id);
+        cell(value.id);
       } else if constexpr (std::same_as<T, std::optional<Ancestor>>) {
-        file_.cell(value ? std::optional{value->id} : std::nullopt);
+        cell(value ? std::optional{value->id} : std::nullopt);
       } else if constexpr (requires { value.begin(); }) {
         std::string text;
         for (const auto& one : value) text += (text.empty() ? "" : " ") + number_text(one);
-        file_.cell(text);
+        cell(text);
       } else {
-        file_.cell(value);
+        cell(value);
       }
     });
   }
 
   const RuleStates<Rules>& states_;
-  CsvFile file_;
+  LineFile file_;
 };
 
 }  // namespace trophic::observe

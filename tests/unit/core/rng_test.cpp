@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <Random123/philox.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
