@@ -225,6 +225,7 @@ void check_policy() {
       }
       value = before;
     } else if constexpr (std::signed_integral<T> && !std::same_as<T, bool>) {
+      if (!std::isfinite(f.bound.lower)) return;
       const T before = std::exchange(value, static_cast<T>(f.bound.lower - 1.0));
       CHECK_THROWS_AS(validate(params, name), std::invalid_argument);
       value = before;

@@ -74,8 +74,9 @@ struct Watch {
     }
     if (event.kind == observe::EventKind::capture) {
       ++mine.catches;
-      for (BodyIndex body = 0; body < view.robots.size(); ++body)
-        seen[body].caught += view.robots[body].id == event.other ? 1 : 0;
+      for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+        if (view.robots[body].id == event.other) ++seen[body].caught;
+      }
     }
   }
   void on_tick(const View& view) {
@@ -84,7 +85,7 @@ struct Watch {
       Diary::State& mine = seen[body];
       if (!before.empty() && view.robots[body].born_s < view.time_s) mine.walked_m += distance_m(before[body], view.poses[body]);
       ++mine.looked;
-      mine.sighted += view.robots[body].adversary ? 1 : 0;
+      if (view.robots[body].adversary) ++mine.sighted;
       CHECK(first_difference(own, mine) == "");
     }
     before.assign(view.poses.begin(), view.poses.end());
