@@ -8,6 +8,7 @@
 #include <support/toy_backend.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/gait.hpp>
+#include <trophic/load/gait.hpp>
 #include <trophic/load/habitat.hpp>
 #include <trophic/load/robot.hpp>
 #include <trophic/locomotion/steerable.hpp>

@@ -11,6 +11,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include <trophic/habitat/pose.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 
 using namespace trophic;

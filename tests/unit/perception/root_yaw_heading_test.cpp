@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <trophic/habitat/pose.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/support/rng.hpp>
 

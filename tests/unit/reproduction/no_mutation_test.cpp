@@ -10,7 +10,7 @@ TEST_CASE("no mutation: weights stay and nothing is drawn") {
   std::vector<double> weights{0.5, -1.0, 7.0};
   Rng rng{1, Stream::mutation};
   Rng reference = rng;
-  reproduction::mutation::NoMutation{}.mutate(weights, rng);
+  reproduction::mutation::NoMutation{}.mutate(weights, Individual{}, rng);
   CHECK(weights == std::vector<double>{0.5, -1.0, 7.0});
   CHECK(rng.bits() == reference.bits());
 }
