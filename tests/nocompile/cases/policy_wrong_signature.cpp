@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A function of the right name that takes other arguments than the ecology gives.
 // expect: the policy in Rules::Senescence needs bool dies(const Individual&, const View&, Rng&) const
-#include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Ageing {
@@ -20,6 +17,6 @@ struct Ageing {
 };
 
 int main() {
-  trophic::Ecology<trophic::with_senescence<trophic::rules::Paper, Ageing>, trophic::backend::Kinematic> ecology;
-  ecology.run_until(10.0);
+  using Rules = trophic::with_senescence<trophic::rules::Paper, Ageing>;
+  return trophic::RuleParams<Rules>{}.floor.floor == 7 ? 0 : 1;
 }
