@@ -2,8 +2,6 @@
 // One progress line for several runs at once.
 #pragma once
 
-#include <unistd.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -26,7 +24,7 @@ namespace trophic::observe {
 class JointProgress {
  public:
   /// `runs` are to be watched; `clock_s` is how long each of them is.
-  JointProgress(std::size_t runs, double clock_s, std::ostream& out, bool show = ::isatty(STDERR_FILENO) != 0)
+  JointProgress(std::size_t runs, double clock_s, std::ostream& out, bool show = stderr_is_terminal())
       : runs_{runs}, clock_s_{clock_s}, out_{out}, show_{show} {}
 
   /// Watches one call of run_until.

@@ -2,49 +2,29 @@
 // How wide the terminal is, and a line that fits it.
 #pragma once
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <cstddef>
-#include <cstdlib>
 #include <span>
 #include <string>
+#include <trophic/support/linkage.hpp>
 
 namespace trophic::observe {
 
-/// Columns of the terminal that a file descriptor is; where it is none, of $COLUMNS; where that says nothing, 80.
-[[nodiscard]] inline std::size_t terminal_columns(int descriptor = STDERR_FILENO) {
-  ::winsize size{};
-  if (::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-  const char* text = std::getenv("COLUMNS");
-  const long columns = text == nullptr ? 0 : std::strtol(text, nullptr, 10);
-  return columns > 0 && columns <= 10'000 ? static_cast<std::size_t>(columns) : 80;
-}
+[[nodiscard]] bool stderr_is_terminal();
+
+/// Columns of the terminal that a file descriptor is, or that stderr is; where it is none, of $COLUMNS; where that says
+/// nothing, 80.
+[[nodiscard]] std::size_t terminal_columns(int descriptor);
+[[nodiscard]] std::size_t terminal_columns();
 
 /// Columns that a text takes, one for each character of UTF-8.
-[[nodiscard]] inline std::size_t columns_of(const std::string& text) {
-  std::size_t columns = 0;
-  for (const char c : text) columns += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
-  return columns;
-}
+[[nodiscard]] std::size_t columns_of(const std::string& text);
 
 /// The parts, most important first, two blanks between them, as many whole ones as fit in fewer than `columns` columns: the last
 /// column stays free, so that no terminal wraps the line. A first part that does not fit is cut.
-[[nodiscard]] inline std::string fitting_line(std::span<const std::string> parts, std::size_t columns) {
-  std::string line;
-  for (const std::string& part : parts) {
-    if (part.empty()) continue;
-    const std::string longer = line.empty() ? part : line + "  " + part;
-    if (columns_of(longer) < columns) {
-      line = longer;
-      continue;
-    }
-    if (!line.empty()) return line;
-    line = longer;
-    while (!line.empty() && columns_of(line) >= columns) line.pop_back();
-    return line;
-  }
-  return line;
-}
+[[nodiscard]] std::string fitting_line(std::span<const std::string> parts, std::size_t columns);
 
 }  // namespace trophic::observe
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/observe/terminal.ipp>
+#endif

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
-#include <trophic/support/rule_error.hpp>
+#include <trophic/support/linkage.hpp>
 #include <type_traits>
 
 namespace trophic {
@@ -60,6 +60,13 @@ template <class Policy>
 
 }  // namespace detail
 
+namespace detail {
+
+/// Throws RuleError: the policy in this slot, if it is in one, holds another number under `path` than it was made from.
+[[noreturn]] void reject_policy(std::string_view policy, std::string_view slot, const std::string& path);
+
+}  // namespace detail
+
 /// A policy with these numbers. Throws RuleError if it has a public member `params` that holds other numbers afterwards: what
 /// runs would not be what the manifest claims.
 template <class Policy>
@@ -68,10 +75,7 @@ template <class Policy>
     Policy policy{params};
     if constexpr (requires { requires std::same_as<std::remove_cv_t<decltype(Policy::params)>, ParamsOf<Policy>>; }) {
       const std::string lost = first_difference(params, policy.params);
-      if (!lost.empty()) {
-        throw RuleError{"the policy " + std::string{detail::policy_name<Policy>()} + (slot.empty() ? "" : " in rules.") +
-                        std::string{slot} + " holds another " + lost + " than it was made from"};
-      }
+      if (!lost.empty()) detail::reject_policy(detail::policy_name<Policy>(), slot, lost);
     }
     return policy;
   } else {
@@ -80,3 +84,7 @@ template <class Policy>
 }
 
 }  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/params/policy.ipp>
+#endif

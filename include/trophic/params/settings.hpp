@@ -29,8 +29,10 @@ using Settings = std::vector<Setting>;
 
 namespace detail {
 
-void add_setting(Settings& settings, std::string_view path, std::string_view name, decltype(Setting::value) value,
-                 std::string_view help);
+void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, bool value);
+void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, std::int64_t value);
+void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, double value);
+void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, std::string_view value);
 
 template <class P>
 void append_settings(const P& params, std::string_view path, Settings& settings) {
@@ -40,7 +42,7 @@ void append_settings(const P& params, std::string_view path, Settings& settings)
   static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
   for_each_field(params, [&](const auto& f, const auto& value) {
     using T = std::remove_cvref_t<decltype(value)>;
-    const auto add = [&](decltype(Setting::value) plain) { add_setting(settings, path, f.name, std::move(plain), f.help); };
+    const auto add = [&](auto plain) { add_setting(settings, path, f.name, f.help, plain); };
     if constexpr (std::same_as<T, bool>) {
       add(value);
     } else if constexpr (std::integral<T>) {
@@ -48,9 +50,9 @@ void append_settings(const P& params, std::string_view path, Settings& settings)
     } else if constexpr (std::floating_point<T>) {
       add(static_cast<double>(value));
     } else if constexpr (NamedEnum<T>) {
-      add(std::string{enum_name(value)});
-    } else if constexpr (std::convertible_to<T, std::string>) {
-      add(std::string{value});
+      add(enum_name(value));
+    } else if constexpr (std::convertible_to<T, std::string_view>) {
+      add(std::string_view{value});
     } else {
       append_settings(value, join_path(path, f.name), settings);
     }

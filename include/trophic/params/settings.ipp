@@ -39,9 +39,21 @@ TROPHIC_INLINE std::string hash_text(std::string_view text) {
 
 namespace detail {
 
-TROPHIC_INLINE void add_setting(Settings& settings, std::string_view path, std::string_view name, decltype(Setting::value) value,
-                                std::string_view help) {
-  settings.push_back({join_path(path, name), std::move(value), std::string{help}});
+TROPHIC_INLINE void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help,
+                                bool value) {
+  settings.push_back({join_path(path, name), value, std::string{help}});
+}
+TROPHIC_INLINE void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help,
+                                std::int64_t value) {
+  settings.push_back({join_path(path, name), value, std::string{help}});
+}
+TROPHIC_INLINE void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help,
+                                double value) {
+  settings.push_back({join_path(path, name), value, std::string{help}});
+}
+TROPHIC_INLINE void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help,
+                                std::string_view value) {
+  settings.push_back({join_path(path, name), std::string{value}, std::string{help}});
 }
 
 }  // namespace detail
