@@ -25,6 +25,10 @@ struct CognitiveNetwork {
       zero == ZeroTurns::left
           ? (biases == Biases::none ? "cognitive_brain" : "cognitive_brain_with_biases")
           : (biases == Biases::none ? "cognitive_brain_zero_right" : "cognitive_brain_zero_right_with_biases");
+  static constexpr std::string_view source =
+      biases == Biases::none
+          ? (zero == ZeroTurns::left ? "paper, Sec. \"Cognitive Brain\", \"Outputs\"; silent on hidden neurons" : "released code")
+          : "not in the paper";
   using Network = TanhNetwork<3, Decision::outputs, biases>;
   using WithBiases = CognitiveNetwork<Biases::both_layers, zero>;  ///< the same brain with biases on both layers
 

@@ -20,6 +20,7 @@ namespace trophic::control::brain {
 /// offspring inherit the genome as it was.   Random draws: 0.
 struct HebbianBrain {
   static constexpr std::string_view name = "hebbian_brain";
+  static constexpr std::string_view source = "not in the paper";
   static constexpr std::size_t hidden = 3;
   using Network = TanhNetwork<hidden, Decision::outputs, Biases::none>;
 

@@ -18,6 +18,7 @@ namespace trophic::death::senescence {
 /// numbers are free. Reads: its own state, the distance walked, catches.   Random draws: 0.
 struct EnergyStore {
   static constexpr std::string_view name = "energy_store";
+  static constexpr std::string_view source = "not in the paper";
 
   struct Params {
     double start_J = 100.0;

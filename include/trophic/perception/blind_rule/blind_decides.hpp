@@ -11,6 +11,7 @@ namespace trophic::perception::blind_rule {
 /// nothing.   Random draws: 0.
 struct BlindDecides {
   static constexpr std::string_view name = "blind_decides";
+  static constexpr std::string_view source = "paper, Sec. \"Outputs\"";
   [[nodiscard]] bool decides() const { return true; }
 };
 static_assert(BlindRule<BlindDecides>);

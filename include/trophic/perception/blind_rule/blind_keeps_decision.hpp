@@ -11,6 +11,7 @@ namespace trophic::perception::blind_rule {
 /// can never choose to show itself.   Reads: nothing.   Random draws: 0.
 struct BlindKeepsDecision {
   static constexpr std::string_view name = "blind_keeps_decision";
+  static constexpr std::string_view source = "released code";
   [[nodiscard]] bool decides() const { return false; }
 };
 static_assert(BlindRule<BlindKeepsDecision>);

@@ -36,6 +36,12 @@ struct Names {
   static constexpr std::string_view separator = " + ";
 };
 
+template <class... Sensors>
+struct Sources {
+  static constexpr std::array<std::string_view, sizeof...(Sensors)> words{source_of<Sensors>()...};
+  static constexpr std::string_view separator = " + ";
+};
+
 /// 0 for what is no sensor, which List reports.
 template <class One>
 [[nodiscard]] consteval std::size_t size_of() {
@@ -60,6 +66,7 @@ class List {
   static constexpr std::size_t count = sizeof...(Sensors);
   static constexpr std::size_t size = (detail::size_of<Sensors>() + ... + 0);
   static constexpr std::string_view name = JoinedText<detail::Names<Sensors...>>::view;
+  static constexpr std::string_view source = JoinedText<detail::Sources<Sensors...>>::view;
 
   /// The sensor at a place of the list.
   template <std::size_t place>

@@ -14,6 +14,7 @@ namespace trophic::perception::visibility {
 /// draws: 0.
 struct WithinRange {
   static constexpr std::string_view name = "within_range";
+  static constexpr std::string_view source = "not in the paper";
 
   struct Params {
     double range_m = 5.0;
