@@ -62,12 +62,18 @@ class Ablations(InFolderWithSets):
                 names.add(name)
         return slots | names
 
+    def sensor_flips(self, towards):
+        """The flips that take one sensor of the other table."""
+        return {f"sensor_{name}" for name in manifest(self.sets / towards)["rules"]["sensors"].split(" + ")}
+
     def test_every_difference_is_listed(self):
         differing = self.differing()
         self.assertGreater(len(differing), 20)
         for table in ("paper", "released"):
             with self.subTest(table=table):
-                self.assertEqual(set(self.listed(table)), differing | GROUPS | {"base", "brain_with_biases"})
+                sensors = self.sensor_flips("released" if table == "paper" else "paper")
+                self.assertEqual(len(sensors), 3)
+                self.assertEqual(set(self.listed(table)), differing | sensors | GROUPS | {"base", "brain_with_biases"})
 
     def changes(self, a, b):
         """Slots and paths in which two manifests differ; the numbers of a slot whose policy differs are not named."""
@@ -92,8 +98,13 @@ class Ablations(InFolderWithSets):
                     changed = self.changes(base, flipped)
                     if flip == "brain_with_biases":
                         self.assertEqual(changed, {"brain"})
-                        self.assertEqual(flipped["rules"]["brain"], "cognitive_brain_with_biases")
+                        self.assertEqual(flipped["rules"]["brain"], base["rules"]["brain"] + "_with_biases")
                         self.assertEqual(flipped["numbers"]["rules"]["brain"], base["numbers"]["rules"]["brain"])
+                    elif flip.startswith("sensor_"):
+                        self.assertEqual(changed, {"sensors"})
+                        before, after = (one["rules"]["sensors"].split(" + ") for one in (base, flipped))
+                        self.assertEqual(set(after) - set(before), {flip.removeprefix("sensor_")})
+                        self.assertEqual(len(set(before) - set(after)), 1)
                     elif flip in GROUPS:
                         self.assertFalse(together & changed)
                         self.assertFalse(self.changes(flipped, there) & changed)

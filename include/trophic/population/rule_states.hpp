@@ -77,12 +77,12 @@ void for_each_state(const RuleStates<Rules>& states, [[maybe_unused]] Visitor&& 
 #undef TROPHIC_VISIT_STATE
 }
 
-/// Calls `visit(policy, states)` for each slot whose policy has a State.
+/// Calls `visit(policy, states)` for each slot whose policy has a State. One that lacks `born` has been reported above.
 template <class Rules, class Visitor>
 void for_each_state(const Policies<Rules>& rules, RuleStates<Rules>& states, [[maybe_unused]] Visitor&& visit) {
-#define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                \
-  if constexpr (Stateful<typename detail::slot_##member<Rules>::type>) { \
-    visit(rules.member, states.member);                                  \
+#define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                             \
+  if constexpr (detail::BornWithState<typename detail::slot_##member<Rules>::type>) { \
+    visit(rules.member, states.member);                                               \
   }
   TROPHIC_RULE_SLOTS(TROPHIC_VISIT_STATE)
 #undef TROPHIC_VISIT_STATE

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sensor that gives another number of values than its size.
-// expect: each sensor of perception::sensors::List needs a name, static constexpr std::size_t size and std::array<double, size>
-// sense(
+// expect: each sensor needs a name, static constexpr std::size_t size, and std::array<double, size> sense(
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>

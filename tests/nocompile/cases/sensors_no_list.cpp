@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sensor alone where a list of sensors is wanted.
-// expect: the policy in Rules::Sensors needs to be a perception::sensors::List<...> of sensors
+// expect: the policy in Rules::Sensors needs to be a perception::sensors::List<...>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>

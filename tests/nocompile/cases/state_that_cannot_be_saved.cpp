@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A State may hold only what can be written to a file.
-// expect: the State of the policy in Rules::Senescence may hold numbers, enumerations, Ancestors, each also optional, and vectors
-// of numbers
+// expect: the State of the policy in Rules::Senescence may hold numbers, enumerations, Ancestors
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>

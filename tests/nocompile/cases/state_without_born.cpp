@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A rule that keeps something and does not say what a newborn starts with.
-// expect: the policy in Rules::Senescence has a State, so it needs State born(const Individual& newborn, const State* parent,
-// const State& body) const
+// expect: the policy in Rules::Senescence has a State, so it needs State born(const Individual& newborn
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A question reads its state, only hooks and brains change it.
-// expect: the policy in Rules::Senescence needs bool dies(const Individual&, const View&, Rng&) const (with a State also const
-// State& own)
+// expect: needs bool dies(const Individual&, const View&, Rng&) const (with a State also const State& own)
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>

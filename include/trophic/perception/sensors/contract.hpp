@@ -12,8 +12,10 @@
 #include <trophic/support/rng.hpp>
 #include <type_traits>
 
-#define TROPHIC_SENTENCE_SensorList \
-  "to be a perception::sensors::List<...> of sensors; see trophic/perception/sensors/contract.hpp"
+#define TROPHIC_SENTENCE_SensorList                                                                                              \
+  "to be a perception::sensors::List<...>; each sensor needs a name, static constexpr std::size_t size, and std::array<double, " \
+  "size> sense(BodyIndex self, const std::optional<Sighting>&, const View&, Rng&) const or, about the whole population, "        \
+  "sense(const View&) const, and has no State; see trophic/perception/sensors/contract.hpp"
 
 namespace trophic::perception {
 

@@ -56,13 +56,7 @@ template <class One>
 template <class... Sensors>
 class List {
  public:
-  static_assert((Sensor<Sensors> && ...),
-                "each sensor of perception::sensors::List needs a name, static constexpr std::size_t size and std::array<double, "
-                "size> sense(BodyIndex self, const std::optional<Sighting>&, const View&, Rng&) const or, about the whole "
-                "population, sense(const View&) const; see trophic/perception/sensors/contract.hpp");
-  static_assert((!Stateful<Sensors> && ...), "a sensor cannot have a State; see trophic/population/state.hpp");
-
-  static constexpr bool is_sensor_list = true;
+  static constexpr bool is_sensor_list = ((Sensor<Sensors> && !Stateful<Sensors>)&&...);  ///< what the slot asks for
   static constexpr std::size_t count = sizeof...(Sensors);
   static constexpr std::size_t size = (detail::size_of<Sensors>() + ... + 0);
   static constexpr std::string_view name = JoinedText<detail::Names<Sensors...>>::view;
