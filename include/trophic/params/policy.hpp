@@ -67,6 +67,13 @@ namespace detail {
 
 }  // namespace detail
 
+/// Where a policy comes from: its `static constexpr std::string_view source`, which it may leave out.
+template <class Policy>
+[[nodiscard]] constexpr std::string_view source_of() {
+  if constexpr (requires { std::string_view{Policy::source}; }) return Policy::source;
+  return {};
+}
+
 /// A policy with these numbers. Throws RuleError if it has a public member `params` that holds other numbers afterwards: what
 /// runs would not be what the manifest claims.
 template <class Policy>

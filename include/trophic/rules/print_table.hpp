@@ -13,13 +13,6 @@
 
 namespace trophic::rules {
 
-/// Where a policy comes from: its `static constexpr std::string_view source`, which it may leave out.
-template <class Policy>
-[[nodiscard]] constexpr std::string_view source_of() {
-  if constexpr (requires { std::string_view{Policy::source}; }) return Policy::source;
-  return {};
-}
-
 /// A line of a printed table.
 struct PrintedRule {
   std::string kind;  ///< perception, control, reproduction, death, ...
