@@ -73,7 +73,7 @@ class EvolveGait(InFolder):
         (self.folder / "numbers.toml").write_text(printed.stdout)
         again = self.evolve("--config", "numbers.toml", "--print-config")
         self.assertEqual(again.stdout, printed.stdout)
-        self.assertIn('rule_table = "released"', printed.stdout)
+        self.assertIn("rule_table = 'released'", printed.stdout)
 
     def test_refusals(self):
         (self.folder / "taken").mkdir()
