@@ -34,7 +34,7 @@ class OwnTable(InFolder):
 
     def test_the_first_table_is_the_default_and_its_numbers_are_listed(self):
         printed = self.call_ok("--backend", "kinematic", "--print-config")
-        self.assertIn(f'rule_table = "{AGEING}"', printed)
+        self.assertIn(f"rule_table = '{AGEING}'", printed)
         self.assertIn("[rules.senescence]\nmax_age_s = ", printed)
         self.assertNotIn("[rules.senescence]", self.call_ok("--backend", "kinematic", "--rules", "paper", "--print-config"))
 
