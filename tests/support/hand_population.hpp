@@ -106,6 +106,13 @@ class HandPopulation {
   double time_s = 0.0;
 };
 
+/// The first `predators` of so many robots are predators, the others prey.
+[[nodiscard]] inline HandPopulation with_predators(std::size_t predators, std::size_t robots = 30) {
+  std::vector<Robot> list(robots);
+  for (std::size_t i = 0; i < predators; ++i) list[i].species = predator;
+  return HandPopulation{list};
+}
+
 /// Somebody who is dead by now. The genome is made as that of a HandPopulation's individuals.
 [[nodiscard]] inline Ancestor ancestor(IndividualId id, Species species) {
   return {

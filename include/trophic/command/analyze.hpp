@@ -20,6 +20,7 @@
 #include <trophic/analysis/report/summary_json.hpp>
 #include <trophic/analysis/report/text_table.hpp>
 #include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/version.hpp>
@@ -55,8 +56,8 @@ inline void finish(const std::filesystem::path& out, std::span<const analysis::S
                    const nlohmann::ordered_json& json) {
   analysis::write_metrics(out / "metrics.csv", sets);
   write_json(out / "summary.json", json);
-  std::cout << "files   " << out.string() << "/{metrics.csv,summary.json}" << std::endl;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  std::cout << "files   " << out.string() << "/{metrics.csv,summary.json}\n";
+  flush_output();
 }
 
 [[nodiscard]] inline nlohmann::ordered_json json_of(std::span<const analysis::ShadowedSet> sets) {

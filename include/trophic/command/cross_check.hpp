@@ -20,6 +20,7 @@
 #include <trophic/command/cross_check/report.hpp>
 #include <trophic/command/cross_check/walk.hpp>
 #include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/world.hpp>
 #include <trophic/load/habitat.hpp>
@@ -126,8 +127,8 @@ inline void compare_gaits(const Options& options, const Habitat& habitat, Csv& c
   if (options.seconds != 0) compare_gaits(options, habitat, csv);
 #endif
   if (sets) compare_ecologies(*sets, csv);
-  std::cout << "files   " << options.out << "\n" << std::flush;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  std::cout << "files   " << options.out << "\n";
+  flush_output();
   return 0;
 }
 

@@ -14,6 +14,7 @@
 #include <trophic/command/backends.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/gait_evolution/archive.hpp>
 #include <trophic/gait_evolution/pre_experiment.hpp>
@@ -78,9 +79,7 @@ int run(const Options& options, const Config& config) {
   if (options.generations) numbers.plan.generations = *options.generations;
   validate(numbers, "");
   if (options.print_config) {
-    std::cout << settings_text(numbers) << std::flush;
-    if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
-    return 0;
+    return print_text(settings_text(numbers));
   }
   gait_evolution::PreExperiment<Table, B> experiment{numbers, load_robot(numbers.robot)};
   std::filesystem::path folder = options.resume;
@@ -110,8 +109,8 @@ int run(const Options& options, const Config& config) {
   std::cout << experiment.robot().name << ": fitness " << experiment.lineage().individuals[champion].fitness << " (individual "
             << champion << "), " << evaluations << " evaluations in " << observe::duration_text(watch.elapsed_s()) << " on "
             << options.threads << " threads\nfiles   " << folder.string()
-            << "/{gait,settings,checkpoint}.toml, {generations,phylogeny}.csv" << std::endl;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+            << "/{gait,settings,checkpoint}.toml, {generations,phylogeny}.csv\n";
+  flush_output();
   return 0;
 }
 

@@ -13,6 +13,7 @@
 #include <trophic/command/config.hpp>
 #include <trophic/command/experiment_program.hpp>
 #include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>

@@ -56,9 +56,6 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, World& world);
 /// The numbers of a table on a backend as a configuration file.
 [[nodiscard]] int print_config(const std::string& table, const std::string& backend, const Settings& settings);
 
-/// Prints a text for people or papers.
-[[nodiscard]] int print_text(const std::string& text);
-
 /// What --replicates, --jobs and --resume say, with the master seed.
 [[nodiscard]] replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed);
 

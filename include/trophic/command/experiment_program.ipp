@@ -10,6 +10,7 @@
 #include <trophic/command/backends.hpp>
 #include <trophic/command/experiment_program.hpp>
 #include <trophic/command/facts.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/load/toml_writer.hpp>
@@ -35,12 +36,6 @@ TROPHIC_INLINE int print_config(const std::string& table, const std::string& bac
   return print_text(writer.text());
 }
 
-TROPHIC_INLINE int print_text(const std::string& text) {
-  std::cout << text << std::flush;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
-  return 0;
-}
-
 TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed) {
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
   return {.out = options.out,
@@ -51,7 +46,7 @@ TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::u
 }
 
 TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  flush_output();
   if (unfinished.empty()) return 0;
   for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
   std::cerr << "the same command with --resume runs these and no others\n";
@@ -63,8 +58,8 @@ TROPHIC_INLINE void report_run(observe::RunFolder& folder, const observe::Progre
   const int signal = observe::StopOnSignal::caught();
   if (signal != 0) std::cout << "stopped by signal " << signal << " after the tick at hand\n";
   progress.summary(std::cout, view);
-  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json\n" << std::flush;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json\n";
+  flush_output();
 }
 
 namespace detail {

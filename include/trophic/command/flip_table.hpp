@@ -21,6 +21,7 @@
 #include <trophic/analysis/report/flips.hpp>
 #include <trophic/command/flips.hpp>
 #include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>
@@ -143,8 +144,8 @@ inline void write(const Options& options) {
   }
   text.close();
   if (!text) throw std::runtime_error{"cannot write " + (out / "flips.md").string()};
-  std::cout << "files   " << out.string() << "/{flips.csv,flips.md}" << std::endl;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  std::cout << "files   " << out.string() << "/{flips.csv,flips.md}\n";
+  flush_output();
 }
 
 }  // namespace detail::flip_table

@@ -11,6 +11,7 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/gait_evolution/measure_walk.hpp>
 #include <trophic/gait_evolution/trial.hpp>
@@ -82,7 +83,7 @@ int measure(const Options& options) {
   const Gait gait = load_gait(options.gait.empty() ? robot.gait : options.gait);
   check_fit(gait, robot);
   options.walk ? print_walk<B>(robot, gait, options.duration_s) : print_table<B>(robot, gait, options.duration_s);
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  flush_output();
   return 0;
 }
 

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <system_error>
 #include <trophic/command/completion.hpp>
+#include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
 #include <type_traits>
@@ -129,12 +130,6 @@ TROPHIC_INLINE void use_installed_models() {
   if (!error && std::filesystem::is_directory(models, error)) ::setenv("TROPHIC_MODELS", models.c_str(), 0);
 }
 
-[[nodiscard]] TROPHIC_INLINE int print(const std::string& text) {
-  std::cout << text << std::flush;
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
-  return 0;
-}
-
 }  // namespace detail
 
 TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command& command) {
@@ -151,7 +146,7 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
   try {
     if (const std::string wanted = detail::completion_shell(argc, argv); !wanted.empty()) {
       if (wanted != "bash") throw std::invalid_argument{"--completion " + wanted + ": must be bash"};
-      return detail::print(bash_completion(command, name));
+      return print_text(bash_completion(command, name));
     }
     detail::add_options(app, command);
     if (!command.version.empty())

@@ -79,7 +79,7 @@ struct Released final {
     return TableParams<Released>{
         .community = {.predators = 14},
         .placement = {.half_extent_m = 9.0, .heading_rad = -0.75 * std::numbers::pi},
-        .sensors = {{}, {{.full_scale_m = 20.0}}, {}},
+        .sensors = Sensors::with<perception::sensors::DistanceOverScale>({.full_scale_m = 20.0}),
         .newborn_tag = {.founder_tag = 1},
         .tag_switch = {.period_s = 100.0},
         .brain = {.turn_angle_rad = 0.7},

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstddef>
 #include <support/hand_population.hpp>
 #include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
 using death::StarvationClock;
 using death::starvation_schedule::DirectCrowdingInterval;
-
-namespace {
-
-HandPopulation with_predators(std::size_t predators, std::size_t robots = 30) {
-  std::vector<Robot> list(robots);
-  for (std::size_t i = 0; i < predators; ++i) list[i].species = predator;
-  return HandPopulation{list};
-}
-
-}  // namespace
 
 TEST_CASE("direct crowding interval: the number of predators of this tick decides") {
   const DirectCrowdingInterval rule;

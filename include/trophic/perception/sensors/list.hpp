@@ -74,7 +74,7 @@ class List {
   using Params = GroupOf<detail::Names<Sensors...>, ParamsOf<Sensors>...>;
   Params params;
 
-  /// Numbers in which one sensor's are these: `static constexpr auto sensors = Sensors::with<DistanceOverScale>({...});`
+  /// Numbers in which one sensor's are these, for a table's params(): `.sensors = Sensors::with<DistanceOverScale>({...})`.
   template <class One>
   [[nodiscard]] static constexpr Params with(const ParamsOf<One>& numbers, Params others = {}) {
     static_assert(contains<One>, "the list has no such sensor");
