@@ -13,6 +13,7 @@
 #include <trophic/backend/ode/engine.hpp>
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/state.hpp>
+#include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/units.hpp>
 #include <utility>
