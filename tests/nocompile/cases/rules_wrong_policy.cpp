@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A policy of another kind in a slot.
-// expect: the policy in Rules::Reprieve needs bool spared(BodyIndex hunter, const View&) const
+// expect: the policy in Rules::Reprieve needs bool spared(BodyIndex hunter, const View&, const perception::Perceives&) const
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/load/habitat.hpp>
