@@ -20,28 +20,28 @@ function(trophic_add_experiment name)
   foreach(backend IN LISTS arg_BACKENDS)
     target_link_libraries(${name} PRIVATE trophic::${backend}${kind})
   endforeach()
-  trophic_link_facts(${name})
+  trophic_link_provenance(${name})
 endfunction()
 
-# trophic_link_facts(NAME): what trophic/command/facts.hpp tells of the program. The revision is looked up at every build; its file is
+# trophic_link_provenance(NAME): what trophic/command/provenance.hpp tells of the program. The revision is looked up at every build; its file is
 # compiled again, and the program is linked again, only when it changed.
-function(trophic_link_facts name)
-  string(MAKE_C_IDENTIFIER "trophic_facts_of_${PROJECT_NAME}" facts)
-  if(NOT TARGET ${facts})
-    set(revision ${PROJECT_BINARY_DIR}/trophic_facts/source_revision.cpp)
+function(trophic_link_provenance name)
+  string(MAKE_C_IDENTIFIER "trophic_provenance_of_${PROJECT_NAME}" provenance)
+  if(NOT TARGET ${provenance})
+    set(revision ${PROJECT_BINARY_DIR}/trophic_provenance/source_revision.cpp)
     add_custom_target(
-      ${facts}_look_up_revision
+      ${provenance}_look_up_revision
       BYPRODUCTS ${revision}
       COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} 
               -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
       COMMENT "Looking up the source revision" VERBATIM)
-    add_library(${facts} OBJECT ${revision})
-    add_dependencies(${facts} ${facts}_look_up_revision)
+    add_library(${provenance} OBJECT ${revision})
+    add_dependencies(${provenance} ${provenance}_look_up_revision)
     string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
     string(REGEX REPLACE " +" " " build "${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
     string(STRIP "${build}" build)
-    target_compile_definitions(${facts} PRIVATE "TROPHIC_BUILD=\"${build}\"")
+    target_compile_definitions(${provenance} PRIVATE "TROPHIC_BUILD=\"${build}\"")
   endif()
-  target_sources(${name} PRIVATE $<TARGET_OBJECTS:${facts}>)
-  add_dependencies(${name} ${facts})
+  target_sources(${name} PRIVATE $<TARGET_OBJECTS:${provenance}>)
+  add_dependencies(${name} ${provenance})
 endfunction()

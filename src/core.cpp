@@ -9,8 +9,8 @@
 #include <trophic/habitat/validate_robot.ipp>
 #include <trophic/locomotion/cpg.ipp>
 #include <trophic/locomotion/steerable.ipp>
+#include <trophic/params/named_params.ipp>
 #include <trophic/params/params.ipp>
 #include <trophic/params/policy.ipp>
-#include <trophic/params/settings.ipp>
 #include <trophic/support/rng.ipp>
 #include <trophic/support/rule_error.ipp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program trophic: everything that does not depend on a rule table. `trophic --help` lists its commands.
 #include <trophic/command/backends.hpp>
-#include <trophic/command/facts.hpp>
+#include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
 
 #include "commands.hpp"

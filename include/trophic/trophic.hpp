@@ -5,7 +5,7 @@
 #include <trophic/analysis/data/csv_reader.hpp>
 #include <trophic/analysis/data/pooled_runs.hpp>
 #include <trophic/analysis/data/read_run.hpp>
-#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/analysis/data/shadow.hpp>
 #include <trophic/analysis/data/table_reader.hpp>
 #include <trophic/analysis/data/tables.hpp>
@@ -39,8 +39,6 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/body/build.hpp>
 #include <trophic/body/module.hpp>
-#include <trophic/community/contract.hpp>
-#include <trophic/community/predator_prey.hpp>
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
@@ -83,9 +81,12 @@
 #include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
 #include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
 #include <trophic/death/starvation_schedule/never_due.hpp>
+#include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
+#include <trophic/ecology/shadow_of.hpp>
 #include <trophic/gait_evolution/activation.hpp>
 #include <trophic/gait_evolution/archive.hpp>
 #include <trophic/gait_evolution/checkpoint.hpp>
@@ -107,6 +108,7 @@
 #include <trophic/gait_evolution/variation.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/cpg_integration.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/habitat.hpp>
@@ -115,7 +117,11 @@
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/sides.hpp>
 #include <trophic/habitat/validate_robot.hpp>
-#include <trophic/habitat/world.hpp>
+#include <trophic/initialization/community/contract.hpp>
+#include <trophic/initialization/community/predator_prey.hpp>
+#include <trophic/initialization/placement/contract.hpp>
+#include <trophic/initialization/placement/scattered.hpp>
+#include <trophic/initialization/placement/uniform_square.hpp>
 #include <trophic/load/arena.hpp>
 #include <trophic/load/gait.hpp>
 #include <trophic/load/habitat.hpp>
@@ -139,7 +145,7 @@
 #include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/phylogeny.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
@@ -147,10 +153,10 @@
 #include <trophic/observe/tally.hpp>
 #include <trophic/observe/terminal.hpp>
 #include <trophic/params/group.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/params/settings.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/blind_rule/blind_decides.hpp>
@@ -178,13 +184,8 @@
 #include <trophic/perception/visibility/everybody.hpp>
 #include <trophic/perception/visibility/same_tag.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
-#include <trophic/placement/contract.hpp>
-#include <trophic/placement/scattered.hpp>
-#include <trophic/placement/uniform_square.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
-#include <trophic/population/population.hpp>
-#include <trophic/population/rule_states.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/spatial_grid.hpp>
 #include <trophic/population/state.hpp>
@@ -222,6 +223,7 @@
 #include <trophic/rules/params.hpp>
 #include <trophic/rules/print_table.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/rules/with.hpp>
@@ -234,4 +236,4 @@
 #include <trophic/support/rule_error.hpp>
 #include <trophic/support/thread_pool.hpp>
 #include <trophic/support/units.hpp>
-#include <trophic/version.hpp>
+#include <trophic/support/version.hpp>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <trophic/community/contract.hpp>
+#include <trophic/initialization/community/contract.hpp>
 
 TEST_CASE_TEMPLATE_DEFINE("community", Policy, trophic_community_suite) {
   using namespace trophic;
-  static_assert(community::Community<Policy>);
+  static_assert(initialization::Community<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   const FoodWeb web = policy.web();

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <trophic/placement/contract.hpp>
+#include <trophic/initialization/placement/contract.hpp>
 #include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("placement", Policy, trophic_placement_suite) {
   using namespace trophic;
-  static_assert(placement::Placement<Policy>);
+  static_assert(initialization::Placement<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   const Arena arena{};

@@ -17,7 +17,7 @@
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/nobody_starves.hpp>
 #include <trophic/death/starvation_schedule/never_due.hpp>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
@@ -33,17 +33,19 @@ using namespace trophic;
 
 TEST_CASE("rules: every number of a shipped rule has a line of help") {
   using Others = with_senescence<rules::Paper, death::senescence::OldAge>;
-  for (const Settings& settings :
-       {settings_of(RuleParams<rules::Paper>{}), settings_of(RuleParams<rules::Released>{}), settings_of(RuleParams<Others>{})}) {
-    for (const Setting& setting : settings) {
-      CAPTURE(setting.path);
-      CHECK_FALSE(setting.help.empty());
+  for (const NamedParams& named_params :
+       {named_params_of(RuleParams<rules::Paper>{}), named_params_of(RuleParams<rules::Released>{}),
+        named_params_of(RuleParams<Others>{})}) {
+    for (const NamedParam& param : named_params) {
+      CAPTURE(param.path);
+      CHECK_FALSE(param.help.empty());
     }
   }
 }
 
-TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, community::PredatorPrey);
-TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, placement::Scattered, placement::UniformSquare);
+TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, initialization::community::PredatorPrey);
+TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, initialization::placement::Scattered,
+                          initialization::placement::UniformSquare);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxisHeading, perception::heading::RootYawHeading);
 TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::Everybody,

@@ -18,13 +18,13 @@ namespace {
 constexpr double speed_tolerance = 0.03;
 constexpr double turn_tolerance = 0.08;
 
-/// Holds the walk of a world's robot file against one measured with the world's gait and physics.
-void check_walk(const trophic::World& world, const trophic::Physics& physics) {
-  const trophic::Habitat habitat = trophic::load_habitat(world);
+/// Holds the walk of a robot file against one measured with its ecology's gait and physics.
+void check_walk(const trophic::EcologyParams& ecology, const trophic::Physics& physics) {
+  const trophic::Habitat habitat = trophic::load_habitat(ecology);
   CHECK(habitat.gait.name == trophic::load_gait(habitat.robot.gait).name);
   const trophic::MeasuredWalk measured = gait_evolution::measure_walk<trophic::backend::Mujoco>(
       habitat.robot, habitat.gait, trophic::control::steering::TargetedSteering{},
-      {.control_hz = world.control_hz, .cpg_integration = world.cpg_integration}, physics, {}, 8);
+      {.control_hz = ecology.control_hz, .cpg_integration = ecology.cpg_integration}, physics, {}, 8);
   MESSAGE(habitat.robot.name << ": " << measured.speed_m_s << " m/s, " << measured.turn_rate_per_rad << " rad/s per rad");
   const trophic::MeasuredWalk& stated = habitat.robot.walk;
   CHECK(std::abs(stated.speed_m_s / measured.speed_m_s - 1.0) < speed_tolerance);
@@ -34,15 +34,15 @@ void check_walk(const trophic::World& world, const trophic::Physics& physics) {
 }  // namespace
 
 TEST_CASE("the paper's robot walks with its table's gait and physics as its file says") {
-  check_walk(trophic::rules::Paper::world(), trophic::rules::Paper::physics());
+  check_walk(trophic::rules::Paper::ecology(), trophic::rules::Paper::physics());
 }
 
 TEST_CASE("the released code's robot walks with its table's gait and physics as its file says") {
-  check_walk(trophic::rules::Released::world(), trophic::rules::Released::physics());
+  check_walk(trophic::rules::Released::ecology(), trophic::rules::Released::physics());
 }
 
 TEST_CASE("the gecko walks with its own gait as its file says") {
-  trophic::World world;
-  world.robot = "gecko";
-  check_walk(world, {});
+  trophic::EcologyParams ecology;
+  ecology.robot = "gecko";
+  check_walk(ecology, {});
 }

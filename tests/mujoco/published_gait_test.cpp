@@ -14,7 +14,7 @@ namespace gait_evolution = trophic::gait_evolution;
 
 namespace {
 
-using Numbers = gait_evolution::Numbers<gait_evolution::Released, trophic::backend::Mujoco>;
+using Numbers = gait_evolution::Params<gait_evolution::Released, trophic::backend::Mujoco>;
 
 /// Mean fitness, m, of starts up to 1 mm above the floor: the height at which the released code begins is not recorded, and
 /// contacts make walking chaotic (standard deviation 13 mm).

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check_case.py COMPILE_COMMANDS.json CASE.cpp: with -DVALID the case compiles; without, the build's compiler and, where it is
-installed, the other of g++ and clang++ give exactly one error, and say what the case expects."""
+"""check_case.py COMPILE_COMMANDS.json PRELUDE_FOLDER CASE.cpp: with -DVALID the case compiles; without, the build's compiler and,
+where it is installed, the other of g++ and clang++ give exactly one error, and say what the case expects. With
+--compile-prelude HEADER the header is compiled for each compiler into the folder instead, with the flags of the case; every case
+then starts from it."""
 
+import argparse
 import json
 import os
 import pathlib
@@ -20,7 +23,7 @@ def compile_command(database: str, source: str) -> tuple[list[str], str]:
     for entry in json.loads(pathlib.Path(database).read_text()):
         if os.path.samefile(os.path.join(entry["directory"], entry["file"]), source):
             words = shlex.split(entry["command"])
-            compiler = next(word for word in words if "ccache" not in pathlib.Path(word).name)
+            compiler = next(word for word in words if "++" in pathlib.Path(word).name)  # after a launcher
             flags = [
                 word
                 for before, word in zip(words, words[1:])
@@ -35,17 +38,46 @@ def family(compiler: str) -> str:
     return "clang++" if "clang" in version else "g++"
 
 
+def compilers(own: str) -> dict[str, str]:
+    """The build's compiler first, then the other family's where it is installed: family to command."""
+    found = {family(own): own}
+    for name in ("g++", "clang++"):
+        if name not in found and shutil.which(name):
+            found[name] = name
+    return found
+
+
+def with_prelude(kind: str, folder: pathlib.Path) -> list[str]:
+    return ["-include-pch", str(folder / "clang++.pch")] if kind == "clang++" else ["-include", str(folder / "g++.hpp")]
+
+
+def compile_prelude(header: str, folder: pathlib.Path, command: list[str], directory: str) -> int:
+    folder.mkdir(exist_ok=True)
+    flags = [flag for flag in command[1:] if flag != "-fsyntax-only"]
+    for kind, compiler in compilers(command[0]).items():
+        compiled = folder / ("clang++.pch" if kind == "clang++" else "g++.hpp.gch")
+        subprocess.run([compiler, *flags, "-x", "c++-header", header, "-o", str(compiled)], cwd=directory, check=True)
+    return 0
+
+
 def main() -> int:
-    database, source = sys.argv[1:]
-    lines = pathlib.Path(source).read_text().splitlines()
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("database")
+    parser.add_argument("prelude_folder", type=pathlib.Path)
+    parser.add_argument("case")
+    parser.add_argument("--compile-prelude", metavar="HEADER")
+    options = parser.parse_args()
+    command, directory = compile_command(options.database, options.case)
+    if options.compile_prelude:
+        return compile_prelude(options.compile_prelude, options.prelude_folder, command, directory)
+    lines = pathlib.Path(options.case).read_text().splitlines()
     expected = [line.split("// expect: ", 1)[1].strip() for line in lines if line.startswith("// expect: ")]
     if not expected:
-        sys.exit(f"{source} has no line '// expect: SENTENCE'")
-    command, directory = compile_command(database, source)
+        sys.exit(f"{options.case} has no line '// expect: SENTENCE'")
 
-    def compiled(compiler: str, *flags: str) -> subprocess.CompletedProcess:
+    def compiled(kind: str, compiler: str, *flags: str) -> subprocess.CompletedProcess:
         return subprocess.run(
-            [compiler, *command[1:], *flags, source],
+            [compiler, *command[1:], *with_prelude(kind, options.prelude_folder), *flags, options.case],
             cwd=directory,
             env=os.environ | {"LC_ALL": "C"},
             text=True,
@@ -53,14 +85,12 @@ def main() -> int:
             stderr=subprocess.STDOUT,
         )
 
-    valid = compiled(command[0], "-DVALID")
+    valid = compiled(family(command[0]), command[0], "-DVALID")
     if valid.returncode != 0:
         print("does not compile with -DVALID, so the mistake is not what stops it:", valid.stdout, sep="\n")
         return 1
-    own = family(command[0])
-    others = [name for name in ("g++", "clang++") if name != own and shutil.which(name)]
-    for compiler in [command[0], *others]:
-        invalid = compiled(compiler)
+    for kind, compiler in compilers(command[0]).items():
+        invalid = compiled(kind, compiler)
         if invalid.returncode == 0:
             print(f"{compiler} compiles it, although it must not")
             return 1

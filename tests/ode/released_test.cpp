@@ -60,7 +60,7 @@ TEST_CASE("the run's record says which integrator it had") {
   observe::Progress progress{false};
   ecology.run_until(2.0, files, progress);
   const auto manifest = nlohmann::json::parse(std::ifstream{folder.path() / "run" / "manifest.json"});
-  CHECK(manifest["numbers"]["physics"]["integrator"] == "rk4");
+  CHECK(manifest["params"]["physics"]["integrator"] == "rk4");
   CHECK(manifest["remarks"] == nlohmann::json::array({remark}));
   std::ostringstream summary;
   progress.summary(summary, ecology.view());

@@ -11,7 +11,7 @@ import unittest
 from in_folder import InFolderWithSets
 
 ABLATIONS, PREDATOR_PREY, TROPHIC = sys.argv[1:4]
-GROUPS = {"perception", "reproduction", "death", "world"}
+GROUPS = {"perception", "reproduction", "death", "ecology"}
 TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
 
 
@@ -54,11 +54,11 @@ class Ablations(InFolderWithSets):
         """Slots and numbers in which the manifests of both tables differ."""
         paper, released = (manifest(self.sets / table) for table in ("paper", "released"))
         slots = {slot for slot in paper["rules"] if paper["rules"][slot] != released["rules"][slot]}
-        a, b = numbers(paper["numbers"]), numbers(released["numbers"])
+        a, b = numbers(paper["params"]), numbers(released["params"])
         names = set()
         for path in (path for path in a if path in b and a[path] != b[path]):
             name = path.removeprefix("rules.")
-            if name.split(".")[0] not in slots and path != "world.duration_s":
+            if name.split(".")[0] not in slots and path != "ecology.duration_s":
                 names.add(name)
         return slots | names
 
@@ -78,14 +78,14 @@ class Ablations(InFolderWithSets):
     def changes(self, a, b):
         """Slots and paths in which two manifests differ; the numbers of a slot whose policy differs are not named."""
         slots = {slot for slot in a["rules"] if a["rules"][slot] != b["rules"][slot]}
-        x, y = numbers(a["numbers"]), numbers(b["numbers"])
+        x, y = numbers(a["params"]), numbers(b["params"])
         paths = {path.removeprefix("rules.") for path in x.keys() | y.keys() if x.get(path) != y.get(path)}
         return slots | {path for path in paths if path.split(".")[0] not in slots and path != "seed"}
 
     def test_each_flip_changes_what_it_says_and_nothing_else(self):
         out = self.folder / "out"
         self.run_ok("--duration", 10, "--replicates", 1, "--out", out)
-        skipped = {"world.robot", "world.cpg_integration", "physics.timestep_s", "physics.integrator"}
+        skipped = {"ecology.robot", "ecology.cpg_integration", "physics.timestep_s", "physics.integrator"}
         for table, other in (("paper", "released"), ("released", "paper")):
             base = manifest(out / f"from_{table}/base/replicate-00")
             there = manifest(self.sets / other)
@@ -99,7 +99,7 @@ class Ablations(InFolderWithSets):
                     if flip == "brain_with_biases":
                         self.assertEqual(changed, {"brain"})
                         self.assertEqual(flipped["rules"]["brain"], base["rules"]["brain"] + "_with_biases")
-                        self.assertEqual(flipped["numbers"]["rules"]["brain"], base["numbers"]["rules"]["brain"])
+                        self.assertEqual(flipped["params"]["rules"]["brain"], base["params"]["rules"]["brain"])
                     elif flip.startswith("sensor_"):
                         self.assertEqual(changed, {"sensors"})
                         before, after = (one["rules"]["sensors"].split(" + ") for one in (base, flipped))
@@ -148,7 +148,7 @@ class Ablations(InFolderWithSets):
                 result = call(ABLATIONS, *arguments)
                 self.assertEqual(result.returncode, 2, result.stderr)
                 self.assertIn(part, result.stderr)
-        self.assertIn("world.robot: skipped", self.run_ok("--only", "world.robot", "--out", out))
+        self.assertIn("ecology.robot: skipped", self.run_ok("--only", "ecology.robot", "--out", out))
         self.assertFalse(out.exists())
 
     def test_flip_table(self):

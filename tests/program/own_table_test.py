@@ -82,7 +82,7 @@ class OwnTable(InFolder):
     def test_version(self):
         lines = dict(line.split(None, 1) for line in self.call_ok("--version").splitlines())
         self.assertEqual(set(lines), {"trophic", "source", "compiler", "build", "backends"})
-        version = re.search(r'version = "([\d.]+)"', (ROOT / "include/trophic/version.hpp").read_text())[1]
+        version = re.search(r'version = "([\d.]+)"', (ROOT / "include/trophic/support/version.hpp").read_text())[1]
         self.assertEqual((lines["trophic"], lines["backends"]), (version, "kinematic 1"))
         self.assertRegex(lines["compiler"], r"^(g|clang)\+\+ \d+")
         self.call_ok("--backend", "kinematic", "--duration", 10, "--out", "run")

@@ -90,7 +90,7 @@ class Runs(PredatorPrey):
         self.run_ok("run", "--duration", 10, "--seed", 2**53)
         manifest = self.manifest("run")
         self.assertEqual(manifest["tags"], [-1, 1])
-        self.assertEqual((manifest["seed"], manifest["numbers"]["seed"]), (2**53, 2**53))
+        self.assertEqual((manifest["seed"], manifest["params"]["seed"]), (2**53, 2**53))
         self.assertRegex(manifest["compiler"], r"^(g|clang)\+\+ \d+\.\d+\.\d+$")
         self.assertIn("--duration 10", manifest["command_line"])
         self.assertTrue(manifest["host"])
@@ -157,7 +157,7 @@ class Runs(PredatorPrey):
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_only_mujoco_writes_mjcf(self):
-        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "world.xml", "--out", "run"), 2, "--save-mjcf",
+        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "ecology.xml", "--out", "run"), 2, "--save-mjcf",
                             "--backend mujoco")
         self.assertEqual(list(self.folder.iterdir()), [])
 
@@ -173,12 +173,12 @@ class Runs(PredatorPrey):
     def test_released_physics_runs(self):
         result = self.call("--rules", "released", "--duration", 10, "--out", "released")
         self.assertEqual(result.returncode, 0, result.stderr)
-        physics = self.manifest("released")["numbers"]["physics"]
+        physics = self.manifest("released")["params"]["physics"]
         self.assertEqual((physics["timestep_s"], physics["integrator"]), (0.012, "rk4"))
 
     def test_any_robot(self):
         self.run_ok("gecko", "--robot", "gecko", "--duration", 100)
-        self.assertTrue(self.manifest("gecko")["numbers"]["world"]["gait"].startswith("gecko"))
+        self.assertTrue(self.manifest("gecko")["params"]["ecology"]["gait"].startswith("gecko"))
 
     def test_neutral_shadow_beside_the_replicates(self):
         self.run_ok("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
@@ -187,7 +187,7 @@ class Runs(PredatorPrey):
         )
         for replicate in ("replicate-00", "replicate-01"):
             table, shadow = self.manifest(f"set/{replicate}"), self.manifest(f"set/shadow/{replicate}")
-            self.assertEqual(table["numbers"], shadow["numbers"])
+            self.assertEqual(table["params"], shadow["params"])
             self.assertEqual(table["rules"].pop("heredity"), "shared_copy")
             self.assertEqual(shadow["rules"].pop("heredity"), "nothing_inherited")
             self.assertEqual(table["rules"], shadow["rules"])
@@ -248,11 +248,11 @@ class Refusals(PredatorPrey):
             (["--rules", "relased"], ["paper or released", "did you mean released?"]),
             (["--backend", "kinematics"], ["--backend kinematics", "did you mean kinematic?"]),
             (["--backend", "nope"], ["--backend nope", "kinematic"]),
-            (["--robots", "0"], ["world.robots = 0", ">= 1"]),
+            (["--robots", "0"], ["ecology.robots = 0", ">= 1"]),
             (["--robots", "10"], ["rules.community.predators = 14", "<= 10"]),
-            (["--robots", "1000000"], ["world.robots = 1000000", "must be <="]),
-            (["--duration", "-5"], ["world.duration_s = -5", "> 0"]),
-            (["--duration", "nan"], ["world.duration_s = nan", "finite"]),
+            (["--robots", "1000000"], ["ecology.robots = 1000000", "must be <="]),
+            (["--duration", "-5"], ["ecology.duration_s = -5", "> 0"]),
+            (["--duration", "nan"], ["ecology.duration_s = nan", "finite"]),
             (["--threads", "0"], ["--threads 0", ">= 1"]),
             (["--seed", "-1"], ["--seed -1", ">= 0"]),
             (["--seed", str(2**53 + 2)], ["seed = 9007199254740994", "<= 9007199254740992"]),
@@ -261,17 +261,17 @@ class Refusals(PredatorPrey):
             (["--replicates", "-1"], ["--replicates -1", ">= 0"]),
             (["--replicates", "2", "--jobs", "-1"], ["--jobs -1", ">= 0"]),
             (["--set", "seed=-1"], ["seed = -1", ">= 0"]),
-            (["--set", "world.robots=-1"], ["world.robots = -1", ">= 0"]),
+            (["--set", "ecology.robots=-1"], ["ecology.robots = -1", ">= 0"]),
             (["--set", "seed=9007199254740994"], ["seed = 9007199254740994", "<= 9007199254740992"]),
             (["--set", "rules.mutation.sdd=1"], ["rules.mutation.sdd", "unknown key", "sd"]),
             (["--set", "rules.mutatoin.sd=1"], ["rules.mutatoin.sd: unknown key", "did you mean rules.mutation.sd?"]),
             (["--set", "mutation.sd=1"], ["mutation.sd: unknown key", "did you mean rules.mutation.sd?"]),
-            (["--set", "world.nothing_like_it=1"], ["world.nothing_like_it: unknown key; known here: robots"]),
+            (["--set", "ecology.nothing_like_it=1"], ["ecology.nothing_like_it: unknown key; known here: robots"]),
             (["--set", "rules.mutation.sd=-1"], ["rules.mutation.sd = -1", ">= 0"]),
             (["--set", "rules.mutation.sd=wide"], ["rules.mutation.sd", "a number"]),
             (["--set", "physics.timestep_s=0"], ["physics.timestep_s = 0", "> 0"]),
             (["--set", "physics.integrator=euler"], ["physics.integrator", "semi_implicit_euler or rk4"]),
-            (["--set", "world.tick_s=0.001"], ["world.tick_s", "whole number"]),
+            (["--set", "ecology.tick_s=0.001"], ["ecology.tick_s", "whole number"]),
             (["--set", "nonsense"], ["nonsense", "PATH=VALUE"]),
         ]:
             with self.subTest(arguments=arguments):
@@ -297,8 +297,8 @@ class Refusals(PredatorPrey):
             self.assert_refused(refused, 2, f'other.toml: was written for engine = "{engine}"', "[backend]", f"--backend {engine}")
         refused = self.call("--config", "kinematic.toml", "--rules", "released", "--out", "x")
         self.assert_refused(refused, 2, 'kinematic.toml: was written for rule_table = "paper"', "[rules]", "--rules paper")
-        (self.folder / "world.toml").write_text('engine = "mujoco"\nrule_table = "paper"\n[world]\nrobots = 20\n')
-        shared = self.call("--config", "world.toml", "--rules", "released", "--backend", "kinematic", "--print-config")
+        (self.folder / "ecology.toml").write_text('engine = "mujoco"\nrule_table = "paper"\n[ecology]\nrobots = 20\n')
+        shared = self.call("--config", "ecology.toml", "--rules", "released", "--backend", "kinematic", "--print-config")
         self.assertEqual(shared.returncode, 0, shared.stderr)
         self.assertIn("robots = 20", shared.stdout)
         self.assertFalse((self.folder / "x").exists())
@@ -322,7 +322,7 @@ class Refusals(PredatorPrey):
         self.assert_refused(self.call("--backend", "kinematic", "--out", "file/run"), 1, "file/run", "cannot be made")
 
     def test_broken_files(self):
-        (self.folder / "bad.toml").write_text("[world]\nrobots = = 3\n")
+        (self.folder / "bad.toml").write_text("[ecology]\nrobots = = 3\n")
         self.assert_refused(self.call("--config", "bad.toml", "--out", "x"), 2, "bad.toml:2")
         self.assert_refused(self.call("--config", "missing.toml", "--out", "x"), 1, "missing.toml")
         self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), 1, "nosuch", "searched")
@@ -330,8 +330,8 @@ class Refusals(PredatorPrey):
         self.assert_refused(self.call("--robot", "./robot.toml", "--out", "x"), 2, "robot.toml", "wheel")
         (self.folder / "numbers.toml").write_text("seed = -1\n")
         self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "seed = -1", ">= 0")
-        (self.folder / "numbers.toml").write_text("[world]\nrobot_count = 3\n")
-        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "numbers.toml: world.robot_count", "unknown key")
+        (self.folder / "numbers.toml").write_text("[ecology]\nrobot_count = 3\n")
+        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "numbers.toml: ecology.robot_count", "unknown key")
 
     def test_full_disk_keeps_what_was_written(self):
         limited = 'trap "" XFSZ; ulimit -f 200; exec "$@"'
@@ -349,7 +349,7 @@ class Refusals(PredatorPrey):
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_divergence_names_time_and_robot_and_keeps_the_run(self):
-        result = self.call("--out", "diverged", "--duration", 600, "--set", "physics.timestep_s=0.02", "--set", "world.control_hz=50")
+        result = self.call("--out", "diverged", "--duration", 600, "--set", "physics.timestep_s=0.02", "--set", "ecology.control_hz=50")
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertRegex(result.stderr, r"diverged at t = [\d.]+ s, robot \d+")
         self.assertEqual(self.manifest("diverged")["status"], "failed")

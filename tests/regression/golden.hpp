@@ -12,7 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <vector>
 
 namespace trophic::test {

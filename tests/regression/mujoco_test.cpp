@@ -37,7 +37,7 @@ TEST_CASE("a MuJoCo run's events are the golden ones until robots touch") {
   const std::filesystem::path written = test::written_folder("mujoco_paper");
   std::filesystem::create_directory(written);
   Mujoco::Params params{.seed = 46};
-  params.world.robots = 16;
+  params.ecology.robots = 16;
   params.rules.capture.reach_m = 2.0;  // who catches from afar need not touch
   Mujoco ecology{params};
   observe::EventLog events{written / "events.csv"};

@@ -26,7 +26,7 @@ namespace trophic::backend {
 /// each other. For testing rules and observers and for quick looks.
 ///
 /// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, which is how
-/// the cognitive brain steers. `world.gait` does not change them.
+/// the cognitive brain steers. `ecology.gait` does not change them.
 ///
 /// Ignores joints, Physics and the height and tilt of the start poses: reported poses stand upright at the robot's rest height.
 /// No random draws; the same bits with every compiler and optimisation level that keeps IEEE arithmetic.

@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/command/backends.hpp>
-#include <trophic/command/facts.hpp>
 #include <trophic/command/flips.hpp>
 #include <trophic/command/option.hpp>
+#include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/rules/table.hpp>
 #include <vector>
@@ -72,7 +72,7 @@ template <class Base, class Other>
 }
 
 template <class Base, class Other>
-[[nodiscard]] int run(const Options& options, const observe::Facts& facts) {
+[[nodiscard]] int run(const Options& options, const observe::Provenance& provenance) {
   const bool forth = options.from != table_name<Other>();
   const bool back = options.from != table_name<Base>();
   if (options.list) {
@@ -88,7 +88,7 @@ template <class Base, class Other>
                              .resume = options.resume},
                     .duration_s = options.duration_s,
                     .shadow = options.shadow,
-                    .facts = facts};
+                    .provenance = provenance};
   study.plan.check();
   std::function<bool()> run_all;
   LinkedBackends::for_each([&]<class B>() {
@@ -136,7 +136,7 @@ template <class Base, class Other>
                    {"--resume", &options.resume, "run only what OUT lacks"},
                    {"--list", &options.list, "list all sets, with what each changes, and stop"},
                    {"--out", &options.out, "folder for the sets' folders"}},
-       .work = [&] { return detail::ablations::run<Base, Other>(options, facts(argc, argv)); },
+       .work = [&] { return detail::ablations::run<Base, Other>(options, provenance(argc, argv)); },
        .subcommands = {},
        .version = version_text(backend_versions<LinkedBackends>())});
 }

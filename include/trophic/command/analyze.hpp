@@ -23,7 +23,7 @@
 #include <trophic/command/output.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/version.hpp>
+#include <trophic/support/version.hpp>
 #include <vector>
 
 namespace trophic::command {
@@ -91,7 +91,7 @@ inline void compare(const Options& options) {
     return analysis::read_shadowed_set(std::span{both}.subspan(i, 1), {}, options.until_s);
   };
   std::array sets{read(0), read(1)};
-  analysis::check_comparable(sets[0].ours.facts.front(), sets[1].ours.facts.front());
+  analysis::check_comparable(sets[0].ours.manifests.front(), sets[1].ours.manifests.front());
   if (sets[0].ours.label == sets[1].ours.label) {
     sets[0].ours.label += " (a)";
     sets[1].ours.label += " (b)";

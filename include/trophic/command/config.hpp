@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/command/words.hpp>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
 #include <utility>
 #include <vector>
@@ -49,12 +49,12 @@ inline void check_made_for(const Config& config, const std::string& rule_table, 
   check(config.rule_table, rule_table, "rule_table", "--rules", "rules");
 }
 
-/// The setting that a path which is none was meant to be: one that ends like it ("mutation.sd" for "rules.mutation.sd"), or the
+/// The number that a path which is none was meant to be: one that ends like it ("mutation.sd" for "rules.mutation.sd"), or the
 /// nearest among those that share as many of its first sections as any does.
-[[nodiscard]] inline std::optional<std::string> nearest_path(const std::string& path, const Settings& settings) {
+[[nodiscard]] inline std::optional<std::string> nearest_path(const std::string& path, const NamedParams& named_params) {
   std::vector<std::string> ending;
-  for (const Setting& setting : settings) {
-    if (setting.path.ends_with("." + path)) ending.push_back(setting.path);
+  for (const NamedParam& param : named_params) {
+    if (param.path.ends_with("." + path)) ending.push_back(param.path);
   }
   if (ending.size() == 1) return ending.front();
 
@@ -62,8 +62,8 @@ inline void check_made_for(const Config& config, const std::string& rule_table, 
   std::vector<std::string> rests;
   for (std::size_t dot = path.rfind('.'); rests.empty(); dot = dot == 0 ? std::string::npos : path.rfind('.', dot - 1)) {
     shared = dot == std::string::npos ? "" : path.substr(0, dot + 1);
-    for (const Setting& setting : settings) {
-      if (setting.path.starts_with(shared)) rests.push_back(setting.path.substr(shared.size()));
+    for (const NamedParam& param : named_params) {
+      if (param.path.starts_with(shared)) rests.push_back(param.path.substr(shared.size()));
     }
     if (shared.empty()) break;
   }
@@ -73,16 +73,17 @@ inline void check_made_for(const Config& config, const std::string& rule_table, 
 
 namespace detail {
 
-inline void check_keys(const toml::table& table, const std::string& prefix, const Settings& settings, const std::string& where) {
+inline void check_keys(const toml::table& table, const std::string& prefix, const NamedParams& named_params,
+                       const std::string& where) {
   for (const auto& [key, node] : table) {
     const std::string path = join_path(prefix, key.str());
-    const bool known = std::ranges::any_of(settings, [&](const Setting& s) { return s.path == path; });
+    const bool known = std::ranges::any_of(named_params, [&](const NamedParam& s) { return s.path == path; });
     if (known) continue;
     if (const toml::table* nested = node.as_table()) {
-      check_keys(*nested, path, settings, where);
+      check_keys(*nested, path, named_params, where);
       continue;
     }
-    const auto meant = nearest_path(path, settings);
+    const auto meant = nearest_path(path, named_params);
     if (meant) throw std::invalid_argument{where + path + ": unknown key" + did_you_mean(meant)};
   }
 }
@@ -90,18 +91,18 @@ inline void check_keys(const toml::table& table, const std::string& prefix, cons
 }  // namespace detail
 
 /// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first key of a table that is near to a
-/// setting but none; the others are left to read_numbers.
-inline void check_keys(const toml::table& table, const Settings& settings, const std::string& where) {
-  detail::check_keys(table, "", settings, where);
+/// of its numbers but none; the others are left to read_numbers.
+inline void check_keys(const toml::table& table, const NamedParams& named_params, const std::string& where) {
+  detail::check_keys(table, "", named_params, where);
 }
 
 /// Sets what the file says, then each assignment. Throws std::invalid_argument with the file's name for what it says wrong.
 template <class Numbers>
 void read_config_into(Numbers& numbers, const Config& config) {
-  const Settings settings = settings_of(numbers);
+  const NamedParams named_params = named_params_of(numbers);
   if (!config.file.empty()) {
     const std::string where = config.file + ": ";
-    check_keys(config.numbers, settings, where);
+    check_keys(config.numbers, named_params, where);
     try {
       read_numbers(numbers, config.numbers);
     } catch (const std::invalid_argument& error) {
@@ -110,7 +111,7 @@ void read_config_into(Numbers& numbers, const Config& config) {
   }
   for (const std::string& assignment : config.assignments) {
     const toml::table table = read_assignment(assignment);
-    check_keys(table, settings, "--set ");
+    check_keys(table, named_params, "--set ");
     read_numbers(numbers, table);
   }
 }

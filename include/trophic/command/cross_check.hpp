@@ -21,8 +21,8 @@
 #include <trophic/command/cross_check/walk.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/world.hpp>
 #include <trophic/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>
@@ -36,7 +36,7 @@ namespace cross_check {
 struct Options {
   std::string out;
   std::uint64_t seconds = 40;
-  World world;
+  EcologyParams ecology;
   std::vector<std::string> runs;
   std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -50,7 +50,7 @@ inline void check(const Options& options) {
   if (options.seconds == 0 && options.runs.empty()) {
     throw std::invalid_argument{"--seconds 0: needs --runs, nothing is left to compare"};
   }
-  validate(options.world, "world");
+  validate(options.ecology, "ecology");
 }
 
 #if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
@@ -112,7 +112,7 @@ inline void compare_gaits(const Options& options, const Habitat& habitat, Csv& c
 
 [[nodiscard]] inline int run(const Options& options) {
   check(options);
-  const Habitat habitat = load_habitat(options.world);
+  const Habitat habitat = load_habitat(options.ecology);
   std::optional<Ecologies> sets;
   if (!options.runs.empty()) sets = read_ecologies(options.runs[0], options.runs[1]);
 #if !defined(TROPHIC_WITH_MUJOCO) || !defined(TROPHIC_WITH_ODE)
@@ -143,8 +143,8 @@ inline void compare_gaits(const Options& options, const Habitat& habitat, Csv& c
               "metrics of two sets of runs, with two one-sided tests of equivalence each.",
           .options = {{"--out", &options->out, "new folder for cross_check.csv and trajectories.csv"},
                       {"--seconds", &options->seconds, "simulated time of each walk, an even number; 0: no walks (40)"},
-                      {"--robot", &options->world.robot, "name or path of a robot file (spider)"},
-                      {"--gait", &options->world.gait, "name or path of a gait file (the robot's)"},
+                      {"--robot", &options->ecology.robot, "name or path of a robot file (spider)"},
+                      {"--gait", &options->ecology.gait, "name or path of a gait file (the robot's)"},
                       {"--jobs", &options->jobs, "walks at a time (one per core); results do not depend on it"},
                       {"--runs",
                        &options->runs,

@@ -48,12 +48,12 @@ struct Options {
 };
 
 template <class Table, Backend B>
-std::string settings_text(const gait_evolution::Numbers<Table, B>& numbers) {
+std::string settings_text(const gait_evolution::Params<Table, B>& numbers) {
   TomlWriter writer;
   writer.put("rule_table", Table::name);
   writer.put("fitness_rule", Table::Fitness::name);
   writer.put("engine", B::name);
-  writer.put_all(settings_of(numbers));
+  writer.put_all(named_params_of(numbers));
   return writer.text();
 }
 
@@ -62,9 +62,9 @@ void report(const gait_evolution::PreExperiment<Table, B>& experiment, std::size
   const gait_evolution::Lineage& lineage = experiment.lineage();
   const std::vector<double> fitness = gait_evolution::fitness_after(lineage, lineage.generations - 1);
   const double a_generation_s =
-      elapsed_s / static_cast<double>(evaluations) * static_cast<double>(experiment.numbers().plan.children);
-  const auto to_go = static_cast<double>(experiment.numbers().plan.generations + 1 - lineage.generations);
-  std::cout << "generation " << lineage.generations - 1 << " of " << experiment.numbers().plan.generations << "  best "
+      elapsed_s / static_cast<double>(evaluations) * static_cast<double>(experiment.params().plan.children);
+  const auto to_go = static_cast<double>(experiment.params().plan.generations + 1 - lineage.generations);
+  std::cout << "generation " << lineage.generations - 1 << " of " << experiment.params().plan.generations << "  best "
             << fitness.front() << "  median " << gait_evolution::median(fitness) << "  "
             << observe::short_text(static_cast<double>(evaluations) / elapsed_s) << " evaluations/s  "
             << observe::duration_text(a_generation_s * to_go) << " left" << std::endl;
@@ -72,7 +72,7 @@ void report(const gait_evolution::PreExperiment<Table, B>& experiment, std::size
 
 template <class Table, Backend B>
 int run(const Options& options, const Config& config) {
-  gait_evolution::Numbers<Table, B> numbers;
+  gait_evolution::Params<Table, B> numbers;
   read_config_into(numbers, config);
   if (options.robot) numbers.robot = *options.robot;
   if (options.seed) numbers.seed = *options.seed;

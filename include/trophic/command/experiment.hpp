@@ -18,7 +18,7 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/rules/print_table.hpp>
 #include <trophic/rules/table.hpp>
@@ -36,7 +36,7 @@ template <class Rules, Backend B>
   };
   if constexpr (has_threads) numbers.backend.threads = std::max(1U, std::thread::hardware_concurrency());
   read_config_into(numbers, config);
-  apply(options, numbers.seed, numbers.world);
+  apply(options, numbers.seed, numbers.ecology);
   if constexpr (has_threads) {
     if (options.replicates) numbers.backend.threads = 1;
     if (options.threads) numbers.backend.threads = *options.threads;
@@ -57,10 +57,10 @@ template <class Rules, Backend B>
     if (options.out.empty()) return 0;
   }
   const observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out, options.facts};
+  observe::RunFolder folder{options.out, options.provenance};
   observe::Progress progress;
   try {
-    ecology.run_until(numbers.world.duration_s, folder, progress, stop);
+    ecology.run_until(numbers.ecology.duration_s, folder, progress, stop);
   } catch (const std::exception& error) {
     std::cerr << options.program << ": " << error.what() << "\nwhat was written before is in " << folder.path().string() << "\n";
     return run_error;
@@ -72,20 +72,21 @@ template <class Rules, Backend B>
 template <class Rules, Backend B>
 [[nodiscard]] int run_table(const ExperimentOptions& options, const Config& config) {
   const Experiment<Rules, B> numbers = numbers_of<Rules, B>(options, config);
-  if (options.print_config) return print_config(table_name<Rules>(), std::string{B::name}, settings_of(numbers));
+  if (options.print_config) return print_config(table_name<Rules>(), std::string{B::name}, named_params_of(numbers));
   if (options.print_table == "markdown") return print_text(rules::markdown_table<Rules>(numbers.rules));
   if (options.print_table == "latex") return print_text(rules::latex_table<Rules>(numbers.rules));
   if (!options.replicates) return run_once<Rules, B>(options, numbers);
   const auto plan = plan_of(options, numbers.seed);
   return report_unfinished(options,
-                           replicates::run_with_shadow<Rules, B>(numbers, plan, options.shadow, options.facts, std::cout));
+                           replicates::run_with_shadow<Rules, B>(numbers, plan, options.shadow, options.provenance, std::cout));
 }
 
 template <class Rules, class Backends>
 void add_pairings(std::vector<Pairing>& pairings) {
   const std::string table = table_name<Rules>();
   Backends::for_each([&]<class B>() {
-    pairings.push_back({table, std::string{B::name}, [] { return settings_of(Experiment<Rules, B>{}); }, &run_table<Rules, B>});
+    pairings.push_back(
+        {table, std::string{B::name}, [] { return named_params_of(Experiment<Rules, B>{}); }, &run_table<Rules, B>});
   });
 }
 

@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 #include <trophic/command/config.hpp>
-#include <trophic/habitat/world.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/support/linkage.hpp>
@@ -39,22 +39,22 @@ struct ExperimentOptions {
   bool print_config = false;
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
-  observe::Facts facts;
+  observe::Provenance provenance;
 };
 
 /// One rule table on one backend. A program has one for each that it was built with.
 struct Pairing {
   std::string table;
   std::string backend;
-  Settings (*settings)();  ///< all numbers as the table has them
+  NamedParams (*named_params)();  ///< all numbers as the table has them
   int (*run)(const ExperimentOptions& options, const Config& config);
 };
 
 /// What --seed, --duration, --robots and --robot say.
-void apply(const ExperimentOptions& options, std::uint64_t& seed, World& world);
+void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams& ecology);
 
 /// The numbers of a table on a backend as a configuration file.
-[[nodiscard]] int print_config(const std::string& table, const std::string& backend, const Settings& settings);
+[[nodiscard]] int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params);
 
 /// What --replicates, --jobs and --resume say, with the master seed.
 [[nodiscard]] replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed);

@@ -9,8 +9,8 @@
 #include <thread>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/experiment_program.hpp>
-#include <trophic/command/facts.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/load/toml_writer.hpp>
@@ -21,18 +21,18 @@
 
 namespace trophic::command {
 
-TROPHIC_INLINE void apply(const ExperimentOptions& options, std::uint64_t& seed, World& world) {
+TROPHIC_INLINE void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams& ecology) {
   if (options.seed) seed = *options.seed;
-  if (options.duration_s) world.duration_s = *options.duration_s;
-  if (options.robots) world.robots = *options.robots;
-  if (options.robot) world.robot = *options.robot;
+  if (options.duration_s) ecology.duration_s = *options.duration_s;
+  if (options.robots) ecology.robots = *options.robots;
+  if (options.robot) ecology.robot = *options.robot;
 }
 
-TROPHIC_INLINE int print_config(const std::string& table, const std::string& backend, const Settings& settings) {
+TROPHIC_INLINE int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
   TomlWriter writer;
   writer.put("rule_table", table);
   writer.put("engine", backend);
-  writer.put_all(settings);
+  writer.put_all(named_params);
   return print_text(writer.text());
 }
 
@@ -77,8 +77,8 @@ namespace detail {
 [[nodiscard]] TROPHIC_INLINE std::vector<std::string> paths_of(const std::vector<Pairing>& pairings) {
   std::vector<std::string> paths;
   for (const Pairing& pairing : pairings) {
-    for (const Setting& setting : pairing.settings()) {
-      if (std::ranges::find(paths, setting.path) == paths.end()) paths.push_back(setting.path);
+    for (const NamedParam& param : pairing.named_params()) {
+      if (std::ranges::find(paths, param.path) == paths.end()) paths.push_back(param.path);
     }
   }
   return paths;
@@ -158,7 +158,7 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const s
                                       const std::string& backend_versions) {
   ExperimentOptions options;
   options.program = program_name(argv[0]);
-  options.facts = facts(argc, argv);
+  options.provenance = provenance(argc, argv);
   const auto tables = detail::names_of(pairings, &Pairing::table);
   return run_command(argc, argv,
                      {.name = {},

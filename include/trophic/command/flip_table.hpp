@@ -74,9 +74,9 @@ struct Direction {
 
 inline void check_complete(const analysis::ShadowedSet& set) {
   const auto check = [](const analysis::RunSet& runs) {
-    for (const analysis::RunFacts& facts : runs.facts) {
-      if (facts.status != "complete") {
-        throw std::invalid_argument{facts.folder.string() + ": status \"" + facts.status + "\": must be complete"};
+    for (const analysis::RunManifest& manifest : runs.manifests) {
+      if (manifest.status != "complete") {
+        throw std::invalid_argument{manifest.folder.string() + ": status \"" + manifest.status + "\": must be complete"};
       }
     }
     if (!runs.remarks.empty()) throw std::invalid_argument{runs.remarks.front()};
@@ -93,7 +93,7 @@ inline void check_complete(const analysis::ShadowedSet& set) {
   const auto compare = [&](std::size_t i) {
     const analysis::ShadowedSet flipped = read(folder / names[i]);
     check_complete(flipped);
-    analysis::check_comparable(direction.base->ours.facts.front(), flipped.ours.facts.front());
+    analysis::check_comparable(direction.base->ours.manifests.front(), flipped.ours.manifests.front());
     if (direction.base->shadow.has_value() != flipped.shadow.has_value()) {
       throw std::invalid_argument{(folder / names[i]).string() + ": one of it and its base has a shadow, the other has none"};
     }
@@ -131,7 +131,7 @@ inline void write(const Options& options) {
   if (directions.size() == 2) {
     const auto& [first, second] = std::pair{&directions[0], &directions[1]};
     const auto table_of = [](const Direction& direction) { return direction.name.substr(direction_prefix.size()); };
-    analysis::check_comparable(first->base->ours.facts.front(), second->base->ours.facts.front());
+    analysis::check_comparable(first->base->ours.manifests.front(), second->base->ours.manifests.front());
     auto whole = analysis::effects_of(table_of(*second), analysis::compare_sets(*first->base, *second->base));
     analysis::adjust_together(whole);
     write_rows(table_of(*first) + "_to_" + table_of(*second), whole);

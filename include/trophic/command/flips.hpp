@@ -17,7 +17,7 @@
 
 namespace trophic::command {
 
-/// Slots that are flipped together. The last group takes all numbers of World and Physics, too.
+/// Slots that are flipped together. The last group takes all numbers of EcologyParams and Physics, too.
 struct SlotGroup {
   std::string_view name;
   rules::SlotSet slots;
@@ -30,8 +30,8 @@ inline constexpr std::array slot_groups{
                                             "rescue_parent", "heredity", "mutation", "senescence_parent"})},
     SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation_schedule", "reprieve", "starvation", "rescue",
                                      "senescence"})},
-    SlotGroup{"world", rules::slots({"community", "placement"})}};
-inline constexpr std::size_t world_group = slot_groups.size() - 1;
+    SlotGroup{"ecology", rules::slots({"community", "placement"})}};
+inline constexpr std::size_t ecology_group = slot_groups.size() - 1;
 
 /// Whether every slot is in exactly one group.
 [[nodiscard]] constexpr bool groups_are_a_partition() {
@@ -89,7 +89,7 @@ template <class Base, class Other>
 /// Why a flip changes nothing on an engine that moves no joints; empty where it does.
 [[nodiscard]] inline std::string needs_joints(std::string_view name) {
   const bool of_engine =
-      name.starts_with("physics.") || name == "world.robot" || name == "world.gait" || name == "world.cpg_integration";
+      name.starts_with("physics.") || name == "ecology.robot" || name == "ecology.gait" || name == "ecology.cpg_integration";
   return of_engine ? std::string{name} + ": skipped, it acts through joints and this backend has none" : "";
 }
 
@@ -98,7 +98,7 @@ struct Study {
   replicates::Plan plan;
   double duration_s = 6000.0;
   bool shadow = false;
-  observe::Facts facts;
+  observe::Provenance provenance;
 };
 
 /// Runs one flip of Base towards Other into a folder of its name. A sentence for each replicate that is not complete. Defined in

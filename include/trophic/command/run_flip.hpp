@@ -23,10 +23,10 @@ namespace detail {
 template <class Table, Backend B>
 std::vector<std::string> run_table(const std::string& name, Experiment<Table, B> experiment, const Study& study) {
   std::cout << name << ": " << table_name<Table>() << std::endl;
-  experiment.world.duration_s = study.duration_s;
+  experiment.ecology.duration_s = study.duration_s;
   replicates::Plan plan = study.plan;
   plan.out /= name;
-  auto unfinished = replicates::run_with_shadow<Table, B>(experiment, plan, study.shadow, study.facts, std::cout);
+  auto unfinished = replicates::run_with_shadow<Table, B>(experiment, plan, study.shadow, study.provenance, std::cout);
   for (std::string& sentence : unfinished) sentence.insert(0, name + "/");
   return unfinished;
 }
@@ -36,7 +36,7 @@ template <class Base, class Other, Backend B>
 Experiment<Base, B> with_number_of(const std::string& name) {
   for (const rules::RuleDifference& difference : rules::differences<Base, Other>()) {
     if (difference.name != name || !difference.is_number()) continue;
-    const bool of_rule = !name.starts_with("world.") && !name.starts_with("physics.");
+    const bool of_rule = !name.starts_with("ecology.") && !name.starts_with("physics.");
     Experiment<Base, B> experiment;
     read_numbers(experiment, read_assignment((of_rule ? "rules." : "") + name + "=" + difference.there));
     return experiment;
@@ -47,8 +47,8 @@ Experiment<Base, B> with_number_of(const std::string& name) {
 template <class Base, class Other, Backend B, std::size_t group>
 std::vector<std::string> run_group(const std::string& name, const Study& study) {
   Experiment<rules::with_rules_of<Base, Other, slot_groups[group].slots>, B> experiment;
-  if (group == world_group) {
-    experiment.world = Other::world();
+  if (group == ecology_group) {
+    experiment.ecology = Other::ecology();
     experiment.physics = Other::physics();
   }
   return run_table(name, std::move(experiment), study);

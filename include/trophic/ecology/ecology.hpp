@@ -11,19 +11,19 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/locomotion/locomotion.hpp>
 #include <trophic/locomotion/steerable.hpp>
 #include <trophic/observe/hooks.hpp>
-#include <trophic/params/settings.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/population.hpp>
-#include <trophic/population/rule_states.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
@@ -35,19 +35,20 @@ namespace trophic {
 
 /// A population of robots that live, perceive, catch, starve and reproduce by the rules of one table in one physics backend.
 ///
-/// A tick is `World::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn, catches,
-/// senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run, whatever the
-/// number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is a RuleError.
+/// A tick is `EcologyParams::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn,
+/// catches, senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run,
+/// whatever the number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is
+/// a RuleError.
 template <class Rules, Backend B, bool is_table>
 class Ecology {
  public:
   using Params = Experiment<Rules, B>;
 
-  /// Loads the models that `params.world` names, by trophic/load/habitat.hpp. Throws std::invalid_argument naming field, value
+  /// Loads the models that `params.ecology` names, by trophic/load/habitat.hpp. Throws std::invalid_argument naming field, value
   /// and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
   explicit Ecology(Params params = {}) : Ecology{load(std::move(params))} {}
 
-  /// In a habitat made by the program; the names in `params.world` are then only labels.
+  /// In a habitat made by the program; the names in `params.ecology` are then only labels.
   Ecology(Params params, Habitat habitat) : Ecology{check(std::move(params), std::move(habitat))} {}
 
   Ecology(const Ecology&) = delete;
@@ -77,7 +78,7 @@ class Ecology {
     }
   }
 
-  [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * params_.world.tick_s; }
+  [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * params_.ecology.tick_s; }
   [[nodiscard]] std::int64_t tick() const { return tick_; }
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }
@@ -88,7 +89,7 @@ class Ecology {
   [[nodiscard]] View view() const {
     return {.time_s = time_s(),
             .tick = tick_,
-            .tick_s = params_.world.tick_s,
+            .tick_s = params_.ecology.tick_s,
             .web = web_,
             .arena = habitat_.arena,
             .robots = population_.individuals(),
@@ -97,21 +98,8 @@ class Ecology {
   }
 
   /// What determines this run, for observers.
-  [[nodiscard]] observe::Run describe(double until_s) const {
-    observe::Run run{.rules = table_name<Rules>(),
-                     .slots = {},
-                     .settings = settings_of(params_),
-                     .tags = population_.tags(),
-                     .backend = std::string{B::name} + " " + B::version(),
-                     .remarks = B::remarks(params_.physics),
-                     .seed = params_.seed,
-                     .tick_s = params_.world.tick_s,
-                     .clock_scale = params_.world.clock_scale,
-                     .until_s = until_s,
-                     .fingerprint = {}};
-    for_each_rule<Rules>([&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); });
-    run.fingerprint = observe::fingerprint(run, numbers_text(habitat_));
-    return run;
+  [[nodiscard]] observe::RunDescription describe(double until_s) const {
+    return trophic::describe(params_, habitat_, population_.tags(), until_s);
   }
 
  private:
@@ -124,9 +112,9 @@ class Ecology {
 
   static Checked load(Params params) {
     validate(params, "");
-    if constexpr (requires { load_habitat(params.world); }) {
-      Habitat habitat = load_habitat(params.world);
-      params.world.gait = habitat.gait.name;
+    if constexpr (requires { load_habitat(params.ecology); }) {
+      Habitat habitat = load_habitat(params.ecology);
+      params.ecology.gait = habitat.gait.name;
       return check(std::move(params), std::move(habitat));
     } else {
       static_assert(std::same_as<Rules, void>,
@@ -145,19 +133,22 @@ class Ecology {
   explicit Ecology(Checked from)
       : params_{std::move(from.params)},
         habitat_{std::move(from.habitat)},
-        steps_per_tick_{control_steps_per_tick<B>(params_.world, params_.physics)},
+        steps_per_tick_{control_steps_per_tick<B>(params_.ecology, params_.physics)},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
-        population_{rules_, web_, params_.seed, rules_.community.founders(params_.world.robots)},
+        population_{rules_, web_, params_.seed, rules_.community.founders(params_.ecology.robots)},
         poses_{place()},
         backend_{habitat_.robot, habitat_.arena, root_poses(), params_.physics, params_.backend},
-        locomotion_{habitat_.robot,           habitat_.gait,
-                    rules_.steering,          params_.world.robots,
-                    params_.world.control_hz, params_.world.cpg_integration} {}
+        locomotion_{habitat_.robot,
+                    habitat_.gait,
+                    rules_.steering,
+                    params_.ecology.robots,
+                    params_.ecology.control_hz,
+                    params_.ecology.cpg_integration} {}
 
   [[nodiscard]] std::vector<GroundPose> place() const {
     Rng rng{params_.seed, Stream::placement};
-    return rules_.placement.place(params_.world.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
+    return rules_.placement.place(params_.ecology.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
   }
 
   /// Root frames for the placed robots: upright, feet on the floor.
@@ -196,7 +187,7 @@ class Ecology {
 
   template <class Audience>
   void tick(Audience& audience) {
-    if (time_s() >= params_.world.first_tick_s) {
+    if (time_s() >= params_.ecology.first_tick_s) {
       activate(audience);
       capture(audience);
       age(audience);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/contract.hpp>
-#include <trophic/habitat/world.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 #include <tuple>
@@ -18,14 +18,14 @@ namespace trophic {
 template <class Rules, Backend B>
 struct Experiment {
   std::uint64_t seed = 1;
-  World world = Rules::world();
+  EcologyParams ecology = Rules::ecology();
   Physics physics = Rules::physics();
   RuleParams<Rules> rules{};
   typename B::Params backend{};
 
   static constexpr auto fields() {
     return std::tuple{field("seed", &Experiment::seed, any_seed(), "every random number follows from it"),
-                      field("world", &Experiment::world), field("physics", &Experiment::physics),
+                      field("ecology", &Experiment::ecology), field("physics", &Experiment::physics),
                       field("rules", &Experiment::rules), field("backend", &Experiment::backend)};
   }
 };
@@ -33,16 +33,16 @@ struct Experiment {
 /// Control steps in one tick. Throws std::invalid_argument unless they are a whole number >= 1 and, for an engine that steps, no
 /// physics step is longer than a control step.
 template <Backend B>
-[[nodiscard]] std::int64_t control_steps_per_tick(const World& world, const Physics& physics) {
-  const double steps = world.tick_s * world.clock_scale * world.control_hz;
+[[nodiscard]] std::int64_t control_steps_per_tick(const EcologyParams& ecology, const Physics& physics) {
+  const double steps = ecology.tick_s * ecology.clock_scale * ecology.control_hz;
   const double whole = std::round(steps);
   if (whole < 1.0 || std::abs(steps - whole) > 1e-6) {
-    throw std::invalid_argument{"world.tick_s = " + number_text(world.tick_s) + ": tick_s * clock_scale * control_hz = " +
+    throw std::invalid_argument{"ecology.tick_s = " + number_text(ecology.tick_s) + ": tick_s * clock_scale * control_hz = " +
                                 number_text(steps) + " control steps, must be a whole number >= 1"};
   }
-  if (JointDriven<B> && physics.timestep_s * world.control_hz > 1.0) {
+  if (JointDriven<B> && physics.timestep_s * ecology.control_hz > 1.0) {
     throw std::invalid_argument{"physics.timestep_s = " + number_text(physics.timestep_s) +
-                                ": must be <= " + number_text(1.0 / world.control_hz) + ", the control period"};
+                                ": must be <= " + number_text(1.0 / ecology.control_hz) + ", the control period"};
   }
   return static_cast<std::int64_t>(whole);
 }

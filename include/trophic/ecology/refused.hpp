@@ -6,7 +6,7 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/params.hpp>
@@ -33,7 +33,7 @@ class Ecology<Rules, B, false> {
   [[nodiscard]] const Habitat& habitat() const;
   [[nodiscard]] const B& backend() const;
   [[nodiscard]] View view() const;
-  [[nodiscard]] observe::Run describe(double until_s) const;
+  [[nodiscard]] observe::RunDescription describe(double until_s) const;
 };
 
 }  // namespace trophic

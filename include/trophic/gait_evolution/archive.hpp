@@ -14,38 +14,39 @@
 #include <trophic/gait_evolution/tables.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/load/toml_table.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/numbers_text.hpp>
-#include <trophic/params/settings.hpp>
 #include <trophic/support/replace_file.hpp>
-#include <trophic/version.hpp>
+#include <trophic/support/version.hpp>
 #include <vector>
 
 namespace trophic::gait_evolution {
 
 /// What a pre-experiment is made of but its numbers: table, policies, seed, engine, versions.
 template <class Table, JointDriven B>
-[[nodiscard]] Settings facts(const PreExperiment<Table, B>& experiment) {
+[[nodiscard]] NamedParams provenance(const PreExperiment<Table, B>& experiment) {
   const auto text = [](std::string_view value) { return std::string{value}; };
-  Settings facts{{"trophic", text(version), {}},
-                 {"engine", text(B::name) + " " + B::version(), {}},
-                 {"rule_table", text(Table::name), {}},
-                 {"parent_selection", text(Table::ParentSelection::name), {}},
-                 {"survivor_selection", text(Table::SurvivorSelection::name), {}},
-                 {"fitness_rule", text(Table::Fitness::name), {}},
-                 {"steering_rule", text(Table::Steering::name), {}},
-                 {"robot_fingerprint", hash_text(numbers_text(experiment.robot())), {}}};
-  const std::vector<std::string> remarks = B::remarks(experiment.numbers().physics);
-  for (std::size_t i = 0; i < remarks.size(); ++i) facts.push_back({"engine_remark_" + std::to_string(i + 1), remarks[i], {}});
-  return facts;
+  NamedParams provenance{{"trophic", text(version), {}},
+                         {"engine", text(B::name) + " " + B::version(), {}},
+                         {"rule_table", text(Table::name), {}},
+                         {"parent_selection", text(Table::ParentSelection::name), {}},
+                         {"survivor_selection", text(Table::SurvivorSelection::name), {}},
+                         {"fitness_rule", text(Table::Fitness::name), {}},
+                         {"steering_rule", text(Table::Steering::name), {}},
+                         {"robot_fingerprint", hash_text(numbers_text(experiment.robot())), {}}};
+  const std::vector<std::string> remarks = B::remarks(experiment.params().physics);
+  for (std::size_t i = 0; i < remarks.size(); ++i)
+    provenance.push_back({"engine_remark_" + std::to_string(i + 1), remarks[i], {}});
+  return provenance;
 }
 
-/// 16 hexadecimal digits of everything that determines a pre-experiment's results: facts, robot and numbers but the engine's
+/// 16 hexadecimal digits of everything that determines a pre-experiment's results: provenance, robot and numbers but the engine's
 /// threads.
 template <class Table, JointDriven B>
 [[nodiscard]] std::string fingerprint(const PreExperiment<Table, B>& experiment) {
   std::string text;
-  for (const Setting& fact : facts(experiment)) text += fact.path + "=" + value_text(fact) + "\n";
-  for (const Setting& number : settings_of(experiment.numbers())) {
+  for (const NamedParam& fact : provenance(experiment)) text += fact.path + "=" + value_text(fact) + "\n";
+  for (const NamedParam& number : named_params_of(experiment.params())) {
     if (number.path != "backend.threads") text += number.path + "=" + value_text(number) + "\n";
   }
   return hash_text(text);
@@ -59,13 +60,13 @@ template <class Table, JointDriven B>
   Gait gait = cppn_gait(champion.genome, experiment.robot());
   gait.name = experiment.robot().name;
   gait.provenance = "evolved for this robot by evolve_gait; settings and CPPN below";
-  Settings about = facts(experiment);
+  NamedParams about = provenance(experiment);
   about.push_back({"fitness", champion.fitness, "m"});
   about.push_back({"individual", static_cast<std::int64_t>(id), {}});
   about.push_back({"born_in_generation", static_cast<std::int64_t>(champion.born), {}});
   about.push_back({"generations_done", static_cast<std::int64_t>(experiment.lineage().generations) - 1, "after the founders"});
   about.push_back({"fingerprint", fingerprint(experiment), {}});
-  return gait_file(gait, champion.genome, about, settings_of(experiment.numbers()));
+  return gait_file(gait, champion.genome, about, named_params_of(experiment.params()));
 }
 
 /// Writes checkpoint.toml and, once there is somebody, generations.csv, phylogeny.csv and gait.toml (the champion so far); each

@@ -10,22 +10,22 @@
 #include <trophic/load/models.hpp>
 #include <trophic/load/toml_table.hpp>
 #include <trophic/load/toml_writer.hpp>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 
 namespace trophic::gait_evolution {
 
-/// The text of a gait file (format: models/README.md) with the tables [cppn], the genome, and [evolution], the facts with all
-/// numbers below it. `load_gait` reads the gait, `load_cppn` the genome.
-[[nodiscard]] inline std::string gait_file(const Gait& gait, const Genome& genome, const Settings& facts,
-                                           const Settings& numbers) {
+/// The text of a gait file (format: models/README.md) with the tables [cppn], the genome, and [evolution], the provenance with
+/// all numbers below it. `load_gait` reads the gait, `load_cppn` the genome.
+[[nodiscard]] inline std::string gait_file(const Gait& gait, const Genome& genome, const NamedParams& provenance,
+                                           const NamedParams& numbers) {
   TomlWriter writer;
   put_gait(writer, gait);
   writer.table("cppn");
   put_genome(writer, genome);
-  writer.put_all(facts, "evolution");
-  Settings plain = numbers;
-  for (Setting& setting : plain) setting.help.clear();
-  writer.put_all(plain, "evolution.numbers");
+  writer.put_all(provenance, "evolution");
+  NamedParams plain = numbers;
+  for (NamedParam& param : plain) param.help.clear();
+  writer.put_all(plain, "evolution.params");
   return writer.text();
 }
 

@@ -37,27 +37,27 @@ template <class Table, JointDriven B>
 class PreExperiment {
  public:
   /// Throws std::invalid_argument naming field, value and bound.
-  PreExperiment(Numbers<Table, B> numbers, RobotModel robot) : numbers_{std::move(numbers)}, robot_{std::move(robot)} {
-    trophic::validate(numbers_, "");
+  PreExperiment(Params<Table, B> numbers, RobotModel robot) : params_{std::move(numbers)}, robot_{std::move(robot)} {
+    trophic::validate(params_, "");
     trophic::validate(robot_);
     if (robot_.hinges.empty()) throw std::invalid_argument{"robot " + robot_.name + " has no hinges: no gait can move it"};
-    const Plan& plan = numbers_.plan;
-    if (numbers_.trial.control_hz * numbers_.physics.timestep_s > 1.0) {
-      throw std::invalid_argument{"physics.timestep_s = " + number_text(numbers_.physics.timestep_s) +
-                                  ": must be <= " + number_text(1.0 / numbers_.trial.control_hz) + ", the control period"};
+    const Plan& plan = params_.plan;
+    if (params_.trial.control_hz * params_.physics.timestep_s > 1.0) {
+      throw std::invalid_argument{"physics.timestep_s = " + number_text(params_.physics.timestep_s) +
+                                  ": must be <= " + number_text(1.0 / params_.trial.control_hz) + ", the control period"};
     }
-    Rng rng{numbers_.seed, Stream::gait_selection};
-    const auto parents = make_policy<typename Table::ParentSelection>(numbers_.parent_selection);
+    Rng rng{params_.seed, Stream::gait_selection};
+    const auto parents = make_policy<typename Table::ParentSelection>(params_.parent_selection);
     static_cast<void>(parents.select(std::vector<double>(plan.population), plan.parents, rng));
   }
 
   /// Goes on from a stored state of the same pre-experiment.
   void restore(Lineage lineage) { lineage_ = std::move(lineage); }
 
-  [[nodiscard]] const Numbers<Table, B>& numbers() const { return numbers_; }
+  [[nodiscard]] const Params<Table, B>& params() const { return params_; }
   [[nodiscard]] const RobotModel& robot() const { return robot_; }
   [[nodiscard]] const Lineage& lineage() const { return lineage_; }
-  [[nodiscard]] bool done() const { return lineage_.generations > numbers_.plan.generations; }
+  [[nodiscard]] bool done() const { return lineage_.generations > params_.plan.generations; }
 
   /// Makes, tries out and selects one generation, the founders if there are none yet. `keep_running`, called from several threads
   /// at once, may end it early: false then, and nothing has changed. Throws what a backend throws, but for Diverged, which gives
@@ -87,12 +87,12 @@ class PreExperiment {
   /// The fitness of a genome; -infinity where a trial diverges. May be called from several threads at once.
   [[nodiscard]] double evaluate(const Genome& genome) const {
     const Gait gait = cppn_gait(genome, robot_);
-    const auto steering = make_policy<typename Table::Steering>(numbers_.steering);
+    const auto steering = make_policy<typename Table::Steering>(params_.steering);
     const TryOut try_gait = [&](const Pilot& pilot, double start_turn_rad) {
-      return try_out<B>(robot_, gait, steering, numbers_.trial, numbers_.physics, numbers_.backend, pilot, start_turn_rad);
+      return try_out<B>(robot_, gait, steering, params_.trial, params_.physics, params_.backend, pilot, start_turn_rad);
     };
     try {
-      return make_policy<typename Table::Fitness>(numbers_.fitness).fitness(try_gait);
+      return make_policy<typename Table::Fitness>(params_.fitness).fitness(try_gait);
     } catch (const Diverged&) {
       return -std::numeric_limits<double>::infinity();
     }
@@ -100,19 +100,19 @@ class PreExperiment {
 
  private:
   void found(Lineage& lineage) const {
-    for (std::size_t id = 0; id < numbers_.plan.population; ++id) {
-      Rng rng{numbers_.seed, Stream::gait_founder, id};
-      lineage.individuals.push_back({.genome = random_genome(numbers_.variation, lineage.innovations, rng)});
+    for (std::size_t id = 0; id < params_.plan.population; ++id) {
+      Rng rng{params_.seed, Stream::gait_founder, id};
+      lineage.individuals.push_back({.genome = random_genome(params_.variation, lineage.innovations, rng)});
     }
   }
 
   void breed(Lineage& lineage) const {
     const std::vector<std::size_t> living = lineage.living();
-    Rng rng{numbers_.seed, Stream::gait_selection, 0, lineage.generations};
-    std::vector<std::size_t> parents = make_policy<typename Table::ParentSelection>(numbers_.parent_selection)
-                                           .select(fitness_of(lineage, living), numbers_.plan.parents, rng);
+    Rng rng{params_.seed, Stream::gait_selection, 0, lineage.generations};
+    std::vector<std::size_t> parents = make_policy<typename Table::ParentSelection>(params_.parent_selection)
+                                           .select(fitness_of(lineage, living), params_.plan.parents, rng);
     if constexpr (!Couples<typename Table::ParentSelection>) rng.shuffle(std::span{parents});
-    for (std::size_t child = 0; child < numbers_.plan.children; ++child) {
+    for (std::size_t child = 0; child < params_.plan.children; ++child) {
       const std::size_t first = living[parents[(2 * child) % parents.size()]];
       const std::size_t second = living[parents[(2 * child + 1) % parents.size()]];
       lineage.individuals.push_back(offspring(lineage, first, second));
@@ -120,8 +120,8 @@ class PreExperiment {
   }
 
   [[nodiscard]] Individual offspring(Lineage& lineage, std::size_t first, std::size_t second) const {
-    const Variation& variation = numbers_.variation;
-    Rng rng{numbers_.seed, Stream::gait_variation, lineage.individuals.size()};
+    const Variation& variation = params_.variation;
+    Rng rng{params_.seed, Stream::gait_variation, lineage.individuals.size()};
     const Individual& one = lineage.individuals[first];
     const Individual& two = lineage.individuals[second];
     Individual child{.parents = {first}, .born = lineage.generations, .genome = one.genome};
@@ -136,9 +136,9 @@ class PreExperiment {
 
   void survive(Lineage& lineage) const {
     const std::vector<std::size_t> living = lineage.living();
-    Rng rng{numbers_.seed, Stream::gait_selection, 1, lineage.generations};
-    const auto survivors = make_policy<typename Table::SurvivorSelection>(numbers_.survivor_selection)
-                               .select(fitness_of(lineage, living), std::min(numbers_.plan.population, living.size()), rng);
+    Rng rng{params_.seed, Stream::gait_selection, 1, lineage.generations};
+    const auto survivors = make_policy<typename Table::SurvivorSelection>(params_.survivor_selection)
+                               .select(fitness_of(lineage, living), std::min(params_.plan.population, living.size()), rng);
     std::vector<bool> lives(living.size());
     for (const std::size_t survivor : survivors) lives[survivor] = true;
     for (std::size_t i = 0; i < living.size(); ++i) {
@@ -152,7 +152,7 @@ class PreExperiment {
     return fitness;
   }
 
-  Numbers<Table, B> numbers_;
+  Params<Table, B> params_;
   RobotModel robot_;
   Lineage lineage_;
 };

@@ -74,7 +74,7 @@ struct with_fitness : Table {
 
 /// All numbers of a pre-experiment. Starts at the numbers of its table, at a policy's own where the table states none.
 template <class Table, Backend B>
-struct Numbers {
+struct Params {
   static_assert(Selection<typename Table::ParentSelection> && Selection<typename Table::SurvivorSelection>,
                 "ParentSelection and SurvivorSelection need std::vector<std::size_t> select(std::span<const double> fitness, "
                 "std::size_t count, Rng&) const; see trophic/gait_evolution/selection.hpp");
@@ -106,17 +106,17 @@ struct Numbers {
   typename B::Params backend{};
 
   static constexpr auto fields() {
-    return std::tuple{field("seed", &Numbers::seed, any_seed(), "every random number follows from it"),
-                      field("robot", &Numbers::robot, "name or path of a robot file"),
-                      field("plan", &Numbers::plan),
-                      field("parent_selection", &Numbers::parent_selection),
-                      field("survivor_selection", &Numbers::survivor_selection),
-                      field("fitness", &Numbers::fitness),
-                      field("steering", &Numbers::steering),
-                      field("variation", &Numbers::variation),
-                      field("trial", &Numbers::trial),
-                      field("physics", &Numbers::physics),
-                      field("backend", &Numbers::backend)};
+    return std::tuple{field("seed", &Params::seed, any_seed(), "every random number follows from it"),
+                      field("robot", &Params::robot, "name or path of a robot file"),
+                      field("plan", &Params::plan),
+                      field("parent_selection", &Params::parent_selection),
+                      field("survivor_selection", &Params::survivor_selection),
+                      field("fitness", &Params::fitness),
+                      field("steering", &Params::steering),
+                      field("variation", &Params::variation),
+                      field("trial", &Params::trial),
+                      field("physics", &Params::physics),
+                      field("backend", &Params::backend)};
   }
 };
 

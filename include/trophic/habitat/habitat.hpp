@@ -12,7 +12,7 @@
 
 namespace trophic {
 
-/// The models that `World` names, loaded; or any others, made by a program.
+/// The models that `EcologyParams` names, loaded; or any others, made by a program.
 struct Habitat {
   RobotModel robot;
   Arena arena;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <string_view>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/world.hpp>
 #include <trophic/load/installed_models.hpp>
 #include <trophic/support/linkage.hpp>
 
@@ -12,7 +12,7 @@ namespace trophic {
 
 /// Loads and checks the three models. Throws std::runtime_error for a file that is missing or broken and std::invalid_argument
 /// for content that does not fit, each naming file and key.
-[[nodiscard]] Habitat load_habitat(const World& world, std::string_view installed = TROPHIC_MODEL_DIR);
+[[nodiscard]] Habitat load_habitat(const EcologyParams& ecology, std::string_view installed = TROPHIC_MODEL_DIR);
 
 }  // namespace trophic
 

@@ -12,10 +12,10 @@
 
 namespace trophic {
 
-TROPHIC_INLINE Habitat load_habitat(const World& world, std::string_view installed) {
-  Habitat habitat{.robot = load_robot(world.robot, installed), .arena = load_arena(world.arena, installed), .gait = {}};
-  const std::string& gait = world.gait.empty() ? habitat.robot.gait : world.gait;
-  if (gait.empty()) throw std::invalid_argument{"world.gait: must be given, as robot \"" + world.robot + "\" names none"};
+TROPHIC_INLINE Habitat load_habitat(const EcologyParams& ecology, std::string_view installed) {
+  Habitat habitat{.robot = load_robot(ecology.robot, installed), .arena = load_arena(ecology.arena, installed), .gait = {}};
+  const std::string& gait = ecology.gait.empty() ? habitat.robot.gait : ecology.gait;
+  if (gait.empty()) throw std::invalid_argument{"ecology.gait: must be given, as robot \"" + ecology.robot + "\" names none"};
   habitat.gait = load_gait(gait, installed);
   check_fit(habitat.gait, habitat.robot);
   return habitat;

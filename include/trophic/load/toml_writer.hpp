@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/params/settings.hpp>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -30,7 +30,7 @@ namespace trophic {
 /// as inline tables, one a line.
 class TomlWriter {
  public:
-  /// Begins the table of a path: "evolution.numbers".
+  /// Begins the table of a path: "evolution.params".
   void table(std::string_view path) { heading("[" + std::string{path} + "]"); }
   /// Begins the next element of an array of tables.
   void element(std::string_view path) { heading("[[" + std::string{path} + "]]"); }
@@ -42,17 +42,17 @@ class TomlWriter {
     text_ += '\n';
   }
 
-  /// Every setting in the table that its path names, with its help as a comment; `root` goes before the paths.
-  void put_all(const Settings& settings, std::string_view root = {}) {
+  /// Every number in the table that its path names, with its help as a comment; `root` goes before the paths.
+  void put_all(const NamedParams& named_params, std::string_view root = {}) {
     std::string open{root};
     if (!root.empty()) table(root);
-    for (const Setting& setting : settings) {
-      const std::string path = join_path(root, setting.path);
+    for (const NamedParam& param : named_params) {
+      const std::string path = join_path(root, param.path);
       const auto dot = path.rfind('.');
       const std::string in = dot == std::string::npos ? "" : path.substr(0, dot);
       if (in != open) table(open = in);
       const std::string_view key = std::string_view{path}.substr(dot == std::string::npos ? 0 : dot + 1);
-      std::visit([&](const auto& value) { put(key, value, setting.help); }, setting.value);
+      std::visit([&](const auto& value) { put(key, value, param.help); }, param.value);
     }
   }
 
@@ -98,10 +98,10 @@ class TomlWriter {
   std::string text_;
 };
 
-/// Settings as a TOML text that reads back as the same numbers, with each field's help as a comment.
-[[nodiscard]] inline std::string toml_text(const Settings& settings) {
+/// NamedParams as a TOML text that reads back as the same numbers, with each field's help as a comment.
+[[nodiscard]] inline std::string toml_text(const NamedParams& named_params) {
   TomlWriter writer;
-  writer.put_all(settings);
+  writer.put_all(named_params);
   return writer.text();
 }
 

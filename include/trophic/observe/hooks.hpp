@@ -4,14 +4,15 @@
 
 #include <string_view>
 #include <trophic/observe/event.hpp>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <tuple>
 #include <utility>
 
 /// Every hook: (name, what it needs to look like, the arguments it is called with).
 #define TROPHIC_OBSERVER_HOOKS(HOOK)                                                                                             \
-  HOOK(on_start, "void on_start(const observe::Run&, const View&)", std::declval<const Run&>(), std::declval<const View&>())     \
+  HOOK(on_start, "void on_start(const observe::RunDescription&, const View&)", std::declval<const RunDescription&>(),            \
+       std::declval<const View&>())                                                                                              \
   HOOK(on_event, "void on_event(const observe::Event&, const View&)", std::declval<const Event&>(), std::declval<const View&>()) \
   HOOK(on_tick, "void on_tick(const View&)", std::declval<const View&>())                                                        \
   HOOK(on_end, "void on_end(const View&)", std::declval<const View&>())                                                          \
@@ -59,7 +60,7 @@ struct CheckObserver {
 }  // namespace detail
 
 /// An object that watches a run through any subset of the hooks:
-///   void on_start(const Run&, const View&)   before the first event of a call of run_until
+///   void on_start(const RunDescription&, const View&)   before the first event of a call of run_until
 ///   void on_event(const Event&, const View&) births, activations, tag switches, catches, deaths, in order
 ///   void on_tick(const View&)                after the rules of each tick
 ///   void on_end(const View&)                 after the last tick
@@ -75,7 +76,7 @@ class Audience {
   static_assert((Observer<Observers> && ...));
   explicit Audience(Observers&... observers) : observers_{observers...} {}
 
-  void start(const Run& run, const View& view) {
+  void start(const RunDescription& run, const View& view) {
     each([&](auto& o) {
       if constexpr (requires { o.on_start(run, view); }) o.on_start(run, view);
     });

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/observe/terminal.hpp>
 #include <trophic/population/view.hpp>
@@ -32,7 +32,7 @@ class JointProgress {
    public:
     Part(JointProgress& joint, std::string name) : joint_{&joint}, name_{std::move(name)} {}
 
-    void on_start(const Run& run, const View& view) {
+    void on_start(const RunDescription& run, const View& view) {
       clock_scale_ = run.clock_scale;
       from_s_ = view.time_s;
       watch_ = {};

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/linkage.hpp>
@@ -16,8 +16,8 @@
 namespace trophic::observe {
 
 /// Facts that only the program knows: command line, host, revision of its own source. trophic's programs give them
-/// (trophic/command/facts.hpp); a program of your own gives what it knows.
-using Facts = std::vector<std::pair<std::string, std::string>>;
+/// (trophic/command/provenance.hpp); a program of your own gives what it knows.
+using Provenance = std::vector<std::pair<std::string, std::string>>;
 
 /// The compiler that made trophic (where a program links it compiled: the library), with its version: "g++ 12.2.0".
 [[nodiscard]] std::string compiler();
@@ -26,19 +26,19 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 /// early) or "failed" with the error. Each time the file is replaced as a whole.
 class Manifest {
  public:
-  Manifest(std::filesystem::path path, Facts facts);
+  Manifest(std::filesystem::path path, Provenance provenance);
   Manifest(Manifest&&) noexcept;
   Manifest& operator=(Manifest&&) noexcept;
   ~Manifest();
 
-  void on_start(const Run& run, const View& view);
+  void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
   void on_tick(const View& view) { reached_s_ = view.time_s; }
   void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
   void on_failure(std::string_view what);
 
-  /// Adds facts that are known only now, such as the wall time, and writes again.
-  void add(const Facts& facts);
+  /// Adds provenance that are known only now, such as the wall time, and writes again.
+  void add(const Provenance& provenance);
 
  private:
   struct Content;
@@ -47,7 +47,7 @@ class Manifest {
   void write() const;
 
   std::filesystem::path path_;
-  Facts facts_;
+  Provenance provenance_;
   std::unique_ptr<Content> content_;
   Tally tally_;
   double until_s_ = 0.0;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/support/replace_file.hpp>
-#include <trophic/version.hpp>
+#include <trophic/support/version.hpp>
 #include <utility>
 #include <variant>
 
@@ -43,13 +43,13 @@ struct Manifest::Content {
   nlohmann::ordered_json json;
 };
 
-TROPHIC_INLINE Manifest::Manifest(std::filesystem::path path, Facts facts)
-    : path_{std::move(path)}, facts_{std::move(facts)}, content_{std::make_unique<Content>()} {}
+TROPHIC_INLINE Manifest::Manifest(std::filesystem::path path, Provenance provenance)
+    : path_{std::move(path)}, provenance_{std::move(provenance)}, content_{std::make_unique<Content>()} {}
 TROPHIC_INLINE Manifest::Manifest(Manifest&&) noexcept = default;
 TROPHIC_INLINE Manifest& Manifest::operator=(Manifest&&) noexcept = default;
 TROPHIC_INLINE Manifest::~Manifest() = default;
 
-TROPHIC_INLINE void Manifest::on_start(const Run& run, const View& view) {
+TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& view) {
   until_s_ = run.until_s;
   content_->json["trophic"] = version;
   content_->json["status"] = "running";
@@ -59,7 +59,7 @@ TROPHIC_INLINE void Manifest::on_start(const Run& run, const View& view) {
   content_->json["backend"] = run.backend;
   content_->json["remarks"] = run.remarks;
   content_->json["compiler"] = compiler();
-  for (const auto& [name, text] : facts_) content_->json[name] = text;
+  for (const auto& [name, text] : provenance_) content_->json[name] = text;
   content_->json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
   for (Species species = 0; species < view.web.size(); ++species) content_->json["species"].push_back(view.web.name(species));
   content_->json["food_web"] = nlohmann::ordered_json::array();
@@ -69,8 +69,8 @@ TROPHIC_INLINE void Manifest::on_start(const Run& run, const View& view) {
   content_->json["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
   content_->json["tags"] = run.tags;
   for (const auto& [slot, policy] : run.slots) content_->json["rules"][slot] = policy;
-  for (const Setting& setting : run.settings) {
-    std::visit([&](const auto& value) { content_->json["numbers"][detail::json_place(setting.path)] = value; }, setting.value);
+  for (const NamedParam& param : run.named_params) {
+    std::visit([&](const auto& value) { content_->json["params"][detail::json_place(param.path)] = value; }, param.value);
   }
   write();
 }
@@ -80,8 +80,8 @@ TROPHIC_INLINE void Manifest::on_failure(std::string_view what) {
   finish("failed");
 }
 
-TROPHIC_INLINE void Manifest::add(const Facts& facts) {
-  for (const auto& [name, text] : facts) content_->json[name] = text;
+TROPHIC_INLINE void Manifest::add(const Provenance& provenance) {
+  for (const auto& [name, text] : provenance) content_->json[name] = text;
   write();
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/observe/event.hpp>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/observe/terminal.hpp>
 #include <trophic/population/view.hpp>
@@ -38,7 +38,7 @@ class Progress {
  public:
   explicit Progress(bool show = stderr_is_terminal()) : show_{show} {}
 
-  void on_start(const Run& run, const View& view);
+  void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
   void on_tick(const View& view);
   void on_end(const View&) { clear(); }
@@ -55,7 +55,7 @@ class Progress {
   void clear() const;
 
   bool show_;
-  Run run_;
+  RunDescription run_;
   double from_s_ = 0.0;
   Stopwatch watch_;
   double drawn_s_ = 0.0;

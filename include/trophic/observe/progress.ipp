@@ -26,7 +26,7 @@ TROPHIC_INLINE std::string short_text(double number) {
   return text;
 }
 
-TROPHIC_INLINE void Progress::on_start(const Run& run, const View& view) {
+TROPHIC_INLINE void Progress::on_start(const RunDescription& run, const View& view) {
   run_ = run;
   from_s_ = view.time_s;
   watch_ = {};

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/manifest.hpp>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/linkage.hpp>
 
@@ -21,12 +21,12 @@ namespace trophic::observe {
 class RunFolder {
  public:
   /// Makes the folder at once: see make_new_folder.
-  explicit RunFolder(const std::filesystem::path& path, Facts facts = {});
+  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {});
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
 
-  void on_start(const Run& run, const View& view);
+  void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view);
   void on_tick(const View& view);
   void on_end(const View& view);

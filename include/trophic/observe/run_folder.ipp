@@ -33,18 +33,18 @@ struct RunFolder::Tables {
   GenomeLog genomes;
 };
 
-TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Facts facts)
+TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance)
     : path_{make_new_folder(path)},
       tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv"},
                                               .agents = AgentLog{path_ / "agents.csv"},
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv"},
                                               .genomes = GenomeLog{path_ / "genomes.csv"}})},
-      manifest_{path_ / "manifest.json", std::move(facts)} {}
+      manifest_{path_ / "manifest.json", std::move(provenance)} {}
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder& RunFolder::operator=(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder::~RunFolder() = default;
 
-TROPHIC_INLINE void RunFolder::on_start(const Run& run, const View& view) {
+TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& view) {
   manifest_.on_start(run, view);
 }
 

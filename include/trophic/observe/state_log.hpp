@@ -8,8 +8,8 @@
 #include <string_view>
 #include <trophic/observe/csv.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/population/rule_states.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/rules/rule_states.hpp>
 #include <type_traits>
 
 namespace trophic::observe {

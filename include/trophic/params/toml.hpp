@@ -125,7 +125,7 @@ void read_numbers(P& params, const toml::table& table) {
   return name;
 }
 
-/// The table that "rules.mutation.sd=0.1" means. A value that is no TOML value is taken as a text: "world.robot=gecko".
+/// The table that "rules.mutation.sd=0.1" means. A value that is no TOML value is taken as a text: "ecology.robot=gecko".
 /// Throws std::invalid_argument for what is no assignment.
 [[nodiscard]] inline toml::table read_assignment(std::string_view assignment) {
   const auto equals = assignment.find('=');

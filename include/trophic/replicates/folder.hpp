@@ -14,7 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <trophic/observe/run.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/support/replace_file.hpp>
@@ -59,7 +59,7 @@ class Folder {
   /// "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan, seed aside. Throws std::invalid_argument
   /// if the folder exists and the plan does not resume, or if what is there has other rules, numbers, seeds or duration;
   /// std::runtime_error if another program works in it or the system refuses.
-  Folder(const Plan& plan, const observe::Run& run, const observe::Facts& facts) {
+  Folder(const Plan& plan, const observe::RunDescription& run, const observe::Provenance& provenance) {
     plan.check();
     if (!plan.resume || !std::filesystem::exists(plan.out)) {
       static_cast<void>(observe::make_new_folder(plan.out));
@@ -80,7 +80,7 @@ class Folder {
       pending_.push_back(std::move(replicate));
     }
     for (const Replicate& replicate : incomplete) set_aside(replicate);
-    write(plan, run, facts);
+    write(plan, run, provenance);
   }
   /// To be run, each into a new folder.
   [[nodiscard]] const std::vector<Replicate>& pending() const { return pending_; }
@@ -106,7 +106,7 @@ class Folder {
     return json;
   }
 
-  static void check_same(const Plan& plan, const observe::Run& run) {
+  static void check_same(const Plan& plan, const observe::RunDescription& run) {
     const std::filesystem::path path = plan.out / "replicates.json";
     const nlohmann::json there = read(path);
     try {
@@ -123,7 +123,7 @@ class Folder {
     }
   }
 
-  static void check_complete(const Replicate& replicate, const observe::Run& run) {
+  static void check_complete(const Replicate& replicate, const observe::RunDescription& run) {
     const std::filesystem::path path = replicate.folder / "manifest.json";
     const nlohmann::json there = read(path);
     try {
@@ -147,7 +147,7 @@ class Folder {
                        aside.filename().string() + ", run anew");
   }
 
-  static void write(const Plan& plan, const observe::Run& run, const observe::Facts& facts) {
+  static void write(const Plan& plan, const observe::RunDescription& run, const observe::Provenance& provenance) {
     nlohmann::ordered_json content;
     content["rule_table"] = run.rules;
     content["backend"] = run.backend;
@@ -158,7 +158,7 @@ class Folder {
     for (const Replicate& replicate : plan.all()) {
       content["replicates"].push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
     }
-    for (const auto& [name, text] : facts) content[name] = text;
+    for (const auto& [name, text] : provenance) content[name] = text;
     replace_file(plan.out / "replicates.json", content.dump(2) + '\n');
   }
 

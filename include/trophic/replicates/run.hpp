@@ -26,18 +26,18 @@ struct Outcome {
   [[nodiscard]] bool all_complete() const { return unfinished.empty(); }
 };
 
-/// Runs `plan.count` replicates of the experiment for its `world.duration_s`, `plan.jobs` at a time, each with its own seed into
-/// its own folder; tells `out` of each that ends. Replicates share nothing: one that fails or is killed leaves the others as they
-/// are, and results do not depend on `jobs`. SIGINT and SIGTERM end those at hand after their tick and start no more. Throws as
-/// Folder does, and as the ecology does for a bad number, before anything is simulated. `extra...` observe every replicate, from
-/// several threads.
+/// Runs `plan.count` replicates of the experiment for its `ecology.duration_s`, `plan.jobs` at a time, each with its own seed
+/// into its own folder; tells `out` of each that ends. Replicates share nothing: one that fails or is killed leaves the others as
+/// they are, and results do not depend on `jobs`. SIGINT and SIGTERM end those at hand after their tick and start no more. Throws
+/// as Folder does, and as the ecology does for a bad number, before anything is simulated. `extra...` observe every replicate,
+/// from several threads.
 template <class Rules, Backend B, class... Observers>
-Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const observe::Facts& facts, std::ostream& out,
+Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const observe::Provenance& provenance, std::ostream& out,
             Observers&... extra) {
   plan.check();
-  const double until_s = experiment.world.duration_s;
-  const observe::Run description = Ecology<Rules, B>{experiment}.describe(until_s);
-  const Folder folder{plan, description, facts};
+  const double until_s = experiment.ecology.duration_s;
+  const observe::RunDescription description = Ecology<Rules, B>{experiment}.describe(until_s);
+  const Folder folder{plan, description, provenance};
   for (const std::string& remark : description.remarks) out << remark << "\n";
   for (const std::string& remark : folder.remarks()) out << remark << "\n";
   if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " were complete and are kept" << std::endl;
@@ -50,10 +50,10 @@ Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const obse
     Experiment<Rules, B> own = experiment;
     own.seed = replicate.seed;
     Ecology<Rules, B> ecology{own};
-    observe::Facts own_facts = facts;
-    own_facts.emplace_back("master_seed", std::to_string(plan.master_seed));
-    own_facts.emplace_back("replicate", std::to_string(replicate.index));
-    observe::RunFolder files{replicate.folder, std::move(own_facts)};
+    observe::Provenance own_provenance = provenance;
+    own_provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
+    own_provenance.emplace_back("replicate", std::to_string(replicate.index));
+    observe::RunFolder files{replicate.folder, std::move(own_provenance)};
     auto part = progress.watch(name_of(replicate.index));
     ecology.run_until(until_s, files, part, stop, extra...);
     files.manifest().add({{"wall_s", observe::short_text(part.elapsed_s())}});

@@ -7,10 +7,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <trophic/community/contract.hpp>
 #include <trophic/death/floor/contract.hpp>
 #include <trophic/death/reprieve/contract.hpp>
 #include <trophic/death/senescence/contract.hpp>
+#include <trophic/initialization/community/contract.hpp>
 #include <trophic/params/group.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/perception/visibility/contract.hpp>

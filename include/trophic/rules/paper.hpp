@@ -4,7 +4,6 @@
 
 #include <string_view>
 #include <trophic/backend/contract.hpp>
-#include <trophic/community/predator_prey.hpp>
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/decision_order/decide_together.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
@@ -16,7 +15,9 @@
 #include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/starvation/hungriest_unspared.hpp>
 #include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
-#include <trophic/habitat/world.hpp>
+#include <trophic/habitat/ecology_params.hpp>
+#include <trophic/initialization/community/predator_prey.hpp>
+#include <trophic/initialization/placement/scattered.hpp>
 #include <trophic/perception/blind_rule/blind_decides.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
@@ -26,7 +27,6 @@
 #include <trophic/perception/sensors/tag_ratio_of_all.hpp>
 #include <trophic/perception/tag_switch/tag_cool_down.hpp>
 #include <trophic/perception/visibility/same_tag.hpp>
-#include <trophic/placement/scattered.hpp>
 #include <trophic/reproduction/genome_source/random_or_inherited.hpp>
 #include <trophic/reproduction/heredity/own_copy.hpp>
 #include <trophic/reproduction/initial_genome/uniform_weights.hpp>
@@ -48,8 +48,8 @@ struct Paper final {
   static constexpr std::string_view name = "paper";
 
   // Sec. "Initialization"
-  using Community = community::PredatorPrey;
-  using Placement = placement::Scattered;
+  using Community = initialization::community::PredatorPrey;
+  using Placement = initialization::placement::Scattered;
 
   // Sec. "Tagging System"
   using Visibility = perception::visibility::SameTag;
@@ -112,7 +112,7 @@ struct Paper final {
   }
 
   // Sec. "Robot Body and Environment", "Cognitive Brain", "Birth"
-  static World world() {
+  static EcologyParams ecology() {
     return {.robots = 30,
             .duration_s = 6000.0,
             .tick_s = 2.0,

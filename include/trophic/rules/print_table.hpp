@@ -6,7 +6,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/rules/table.hpp>
 #include <variant>
 #include <vector>
@@ -24,9 +24,9 @@ struct PrintedRule {
 
 namespace detail {
 
-[[nodiscard]] inline std::string short_value(const Setting& setting) {
-  const double* number = std::get_if<double>(&setting.value);
-  if (number == nullptr) return value_text(setting);
+[[nodiscard]] inline std::string short_value(const NamedParam& param) {
+  const double* number = std::get_if<double>(&param.value);
+  if (number == nullptr) return value_text(param);
   std::array<char, 64> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number, std::chars_format::general, 6).ptr;
   return {buffer.data(), end};
@@ -35,10 +35,10 @@ namespace detail {
 template <class Params>
 [[nodiscard]] std::string numbers_text(const Params& params) {
   std::string text;
-  for (const Setting& setting : settings_of(params)) {
-    const std::string value = short_value(setting);
+  for (const NamedParam& param : named_params_of(params)) {
+    const std::string value = short_value(param);
     if (value.empty()) continue;
-    text.append(text.empty() ? "" : ", ").append(setting.path).append(" = ").append(value);
+    text.append(text.empty() ? "" : ", ").append(param.path).append(" = ").append(value);
   }
   return text;
 }
@@ -98,7 +98,7 @@ template <class Text>
 
 }  // namespace detail
 
-/// One line for each slot of a table, with the numbers given or its own, then its world and its physics.
+/// One line for each slot of a table, with the numbers given or its own, then its ecology and its physics.
 template <class Rules>
 [[nodiscard]] std::vector<PrintedRule> printed_rules(const RuleParams<Rules>& params = {}) {
   std::vector<PrintedRule> lines;
@@ -107,7 +107,7 @@ template <class Rules>
                    std::string{source_of<typename Rules::Slot>()}});
   TROPHIC_RULE_SLOTS(TROPHIC_PRINT)
 #undef TROPHIC_PRINT
-  lines.push_back({"world", "", "", detail::numbers_text(Rules::world()), ""});
+  lines.push_back({"ecology", "", "", detail::numbers_text(Rules::ecology()), ""});
   lines.push_back({"physics", "", "", detail::numbers_text(Rules::physics()), ""});
   return lines;
 }

@@ -11,13 +11,13 @@
 #include <trophic/death/reprieve/near_remembered_adversary.hpp>
 #include <trophic/death/starvation/hungriest_unspared_else_hungriest.hpp>
 #include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
+#include <trophic/initialization/placement/uniform_square.hpp>
 #include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/side_away_from_hunter.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_active.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
-#include <trophic/placement/uniform_square.hpp>
 #include <trophic/reproduction/genome_source/random_or_inherited_in_name.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
 #include <trophic/reproduction/mutation/uniform_mutation.hpp>
@@ -39,8 +39,8 @@ namespace trophic::rules {
 struct Released final {
   static constexpr std::string_view name = "released";
 
-  using Community = community::PredatorPrey;
-  using Placement = placement::UniformSquare;
+  using Community = initialization::community::PredatorPrey;
+  using Placement = initialization::placement::UniformSquare;
 
   using Visibility = perception::visibility::SameTag;
   using TagSwitch = perception::tag_switch::TagSampling;
@@ -98,7 +98,7 @@ struct Released final {
 
   /// All timers of the released code ran on the wall clock, about 1.2 simulated seconds per second. The gait is the published
   /// one, the robot's own, as in `Paper`.
-  static World world() {
+  static EcologyParams ecology() {
     return {.robots = 30,
             .duration_s = 6500.0,
             .tick_s = 2.0,

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
-#include <trophic/community/contract.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/decision_order/contract.hpp>
 #include <trophic/control/steering/contract.hpp>
@@ -17,13 +16,14 @@
 #include <trophic/death/senescence/contract.hpp>
 #include <trophic/death/starvation/contract.hpp>
 #include <trophic/death/starvation_schedule/contract.hpp>
+#include <trophic/initialization/community/contract.hpp>
+#include <trophic/initialization/placement/contract.hpp>
 #include <trophic/perception/blind_rule/contract.hpp>
 #include <trophic/perception/heading/contract.hpp>
 #include <trophic/perception/newborn_tag/contract.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/placement/contract.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
@@ -33,8 +33,8 @@
 /// Every slot of a rule table: (Slot, member, kind, contract). The one list that tables, numbers, with_<slot>, checks and
 /// manifests are made from; a contract's concept and sentence are in trophic/KIND/SLOT/contract.hpp.
 #define TROPHIC_RULE_SLOTS(SLOT)                                           \
-  SLOT(Community, community, community, Community)                         \
-  SLOT(Placement, placement, placement, Placement)                         \
+  SLOT(Community, community, initialization, Community)                    \
+  SLOT(Placement, placement, initialization, Placement)                    \
   SLOT(Heading, heading, perception, Heading)                              \
   SLOT(Visibility, visibility, perception, Visibility)                     \
   SLOT(Sensors, sensors, perception, SensorList)                           \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table made of another one: with one rule swapped, with other numbers, in another world, under a name of its own.
+// A table made of another one: with one rule swapped, with other numbers, in another ecology, under a name of its own.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct OfTable {
 #define TROPHIC_KEEP(Slot, member, kind, Contract) using Slot = typename slot_##member<Rules>::type;
   TROPHIC_RULE_SLOTS(TROPHIC_KEEP)
 #undef TROPHIC_KEEP
-  static auto world() {
-    return Rules::world();
+  static auto ecology() {
+    return Rules::ecology();
   }
   static auto physics() {
     return Rules::physics();
@@ -68,8 +68,8 @@ struct with_rule final {
 #undef TROPHIC_SWAP
     return own;
   }
-  static auto world() {
-    return Rules::world();
+  static auto ecology() {
+    return Rules::ecology();
   }
   static auto physics() {
     return Rules::physics();
@@ -95,13 +95,13 @@ struct with_params final : detail::OfTable<Rules> {
   }
 };
 
-/// A table in another world: `with_world<Paper, [](auto& world) { world.robots = 60; }>`. It keeps its name, too.
+/// A table in another ecology: `with_ecology<Paper, [](auto& ecology) { ecology.robots = 60; }>`. It keeps its name, too.
 template <class Rules, auto change>
-struct with_world final : detail::OfTable<Rules> {
+struct with_ecology final : detail::OfTable<Rules> {
   static constexpr std::string_view name = detail::policy_name<Rules>();
-  static TableParams<with_world> params() { return detail::same_params<with_world>(detail::stated_params<Rules>()); }
-  static auto world() {
-    auto changed = Rules::world();
+  static TableParams<with_ecology> params() { return detail::same_params<with_ecology>(detail::stated_params<Rules>()); }
+  static auto ecology() {
+    auto changed = Rules::ecology();
     change(changed);
     return changed;
   }

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/params/settings.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/joined_text.hpp>
 #include <type_traits>
@@ -45,7 +45,7 @@ static_assert(slot_names.size() <= 64);
   return set;
 }
 
-/// Base with the policies and numbers that Other has in the slots of a set; world and physics are those of Base.
+/// Base with the policies and numbers that Other has in the slots of a set; ecology and physics are those of Base.
 template <class Base, class Other, SlotSet set>
 struct with_rules_of final {
 #define TROPHIC_SLOT_OF(Slot, member, kind, Contract) \
@@ -89,8 +89,8 @@ struct with_rules_of final {
 #undef TROPHIC_PARAMS_OF
     return own;
   }
-  static auto world() {
-    return Base::world();
+  static auto ecology() {
+    return Base::ecology();
   }
   static auto physics() {
     return Base::physics();
@@ -99,7 +99,7 @@ struct with_rules_of final {
 
 /// One rule or number in which two tables differ.
 struct RuleDifference {
-  std::string name;  ///< a slot whose policies differ, or the path of a number: "floor.floor", "world.arena"
+  std::string name;  ///< a slot whose policies differ, or the path of a number: "floor.floor", "ecology.arena"
   std::string here;
   std::string there;
   [[nodiscard]] bool is_number() const { return name.find('.') != std::string::npos; }
@@ -109,8 +109,8 @@ namespace detail {
 
 template <class P>
 void append_differences(std::string_view path, const P& here, const P& there, std::vector<RuleDifference>& differences) {
-  const Settings a = settings_of(here);
-  const Settings b = settings_of(there);
+  const NamedParams a = named_params_of(here);
+  const NamedParams b = named_params_of(there);
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].value != b[i].value) differences.push_back({join_path(path, a[i].path), value_text(a[i]), value_text(b[i])});
   }
@@ -133,9 +133,9 @@ template <class Base, class Other>
   }
   TROPHIC_RULE_SLOTS(TROPHIC_DIFFERENCE)
 #undef TROPHIC_DIFFERENCE
-  auto world = Other::world();
-  world.duration_s = Base::world().duration_s;
-  detail::append_differences("world", Base::world(), world, all);
+  auto ecology = Other::ecology();
+  ecology.duration_s = Base::ecology().duration_s;
+  detail::append_differences("ecology", Base::ecology(), ecology, all);
   detail::append_differences("physics", Base::physics(), Other::physics(), all);
   return all;
 }

@@ -9,8 +9,8 @@ namespace trophic {
 
 /// Units: SI and radians. Frames: right-handed, z up. Quaternions: w, x, y, z when written as four numbers.
 /// A name ends in its unit (`range_m`, `age_s`, `target_angle_rad`); a name without one has no dimension.
-/// Time is simulated time. `time_s` in rules and logs is the ecology's clock, which runs `World::clock_scale` times slower than
-/// the physics (1 in the paper's rules).
+/// Time is simulated time. `time_s` in rules and logs is the ecology's clock, which runs `EcologyParams::clock_scale` times
+/// slower than the physics (1 in the paper's rules).
 
 /// Where a robot stands on the floor and which way it faces; all that perception, birth and death rules read of a body.
 struct GroundPose {

@@ -2,7 +2,7 @@
 // Numbers that are written to a manifest, of whatever kind, are all of them.
 // expect: Params must list every number in fields()
 #include <string>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <tuple>
 
 struct Numbers {
@@ -19,5 +19,5 @@ struct Numbers {
 };
 
 int main() {
-  return static_cast<int>(trophic::settings_of(Numbers{}).size());
+  return static_cast<int>(trophic::named_params_of(Numbers{}).size());
 }

@@ -14,7 +14,7 @@ struct Table {
   static trophic::TableParams<Table> params() {
     return trophic::TableParams<Table>{.floor = {.floor = 5}};
   }
-  static trophic::World world() {
+  static trophic::EcologyParams ecology() {
     return {};
   }
   static trophic::Physics physics() {

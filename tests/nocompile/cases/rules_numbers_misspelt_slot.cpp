@@ -14,7 +14,7 @@ struct Table final {
     return trophic::TableParams<Table>{.floo = {.floor = 5}};
 #endif
   }
-  static trophic::World world() {
+  static trophic::EcologyParams ecology() {
     return {};
   }
   static trophic::Physics physics() {

@@ -12,7 +12,7 @@ struct Table final {
     return trophic::TableParams<Table>{.floor = {.floor = 5}};
   }
 #endif
-  static trophic::World world() {
+  static trophic::EcologyParams ecology() {
     return {};
   }
   static trophic::Physics physics() {

@@ -85,9 +85,9 @@ class Tables {
   }
   [[nodiscard]] RunMetrics measured(const FoodWeb& web, double half_side_m, double until_s) && {
     RunData run;
-    run.facts.web = web;
-    run.facts.half_side_m = half_side_m;
-    run.facts.until_s = until_s;
+    run.manifest.web = web;
+    run.manifest.half_side_m = half_side_m;
+    run.manifest.until_s = until_s;
     run.events = std::move(events_);
     run.agents = std::move(agents_);
     return measure_run(run);

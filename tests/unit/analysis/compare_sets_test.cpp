@@ -69,10 +69,10 @@ TEST_CASE("a metric that one set lacks is left out, five runs have no interval")
 }
 
 TEST_CASE("sets of different duration are not compared") {
-  RunFacts a;
+  RunManifest a;
   a.folder = "a";
   a.until_s = 6000.0;
-  RunFacts b = a;
+  RunManifest b = a;
   CHECK_NOTHROW(check_comparable(a, b));
   b.folder = "b";
   b.until_s = 6500.0;

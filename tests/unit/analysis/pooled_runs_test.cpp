@@ -28,7 +28,7 @@ TEST_CASE("a folder of replicates stands for those that its list names, what is 
   write_run(folder.path() / "replicate-02", manifest("aa", 2));
   write_run(folder.path() / "replicate-02.incomplete-1", manifest("bb", 2));
   const auto set = pooled_runs(Paths{folder.path()}, false);
-  CHECK(set.facts.size() == 2);
+  CHECK(set.manifests.size() == 2);
   REQUIRE(set.remarks.size() == 1);
   CHECK(set.remarks[0] == (folder.path() / "replicate-01").string() + ": missing, the replicate was not run");
 }

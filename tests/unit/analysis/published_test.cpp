@@ -23,9 +23,9 @@ TEST_CASE("the paper's numbers, in SI units, positive towards the adversary, non
 
 TEST_CASE("every claim is about a metric that a run of the paper's food web has, with a margin") {
   analysis::RunData run;
-  run.facts.web = test::prey_and_predators;
-  run.facts.half_side_m = 10.0;
-  run.facts.until_s = 6000.0;
+  run.manifest.web = test::prey_and_predators;
+  run.manifest.half_side_m = 10.0;
+  run.manifest.until_s = 6000.0;
   const auto measured = analysis::measure_run(run).measurements;
   for (const analysis::Claim& claim : analysis::claims) {
     CAPTURE(claim.metric);

@@ -106,9 +106,9 @@ TEST_CASE("a missing table is missing, a missing or foreign manifest is an error
   CHECK(message_of<std::runtime_error>(read).find("'rule_table' not found") != std::string::npos);
   static_cast<void>(folder.file("manifest.json", manifest));
   const auto run = analysis::read_run(folder.path());
-  CHECK(run.facts.seed == 12);
-  CHECK(run.facts.web.eats(1, 0));
-  CHECK(run.facts.half_side_m == 10.0);
+  CHECK(run.manifest.seed == 12);
+  CHECK(run.manifest.web.eats(1, 0));
+  CHECK(run.manifest.half_side_m == 10.0);
   CHECK_FALSE(run.events);
   CHECK_FALSE(run.agents);
   CHECK(run.remarks.size() == 2);
@@ -118,11 +118,11 @@ TEST_CASE("a run is cut to its first seconds, one that did not last so long is r
   const TemporaryFolder folder;
   auto run = analysis::read_run(test::write_run(folder.path() / "run", manifest));
   analysis::cut_to(run, 1.0);
-  CHECK(run.facts.until_s == 1.0);
+  CHECK(run.manifest.until_s == 1.0);
   CHECK(run.events->size() == 2);
   CHECK(run.agents->size() == 2);
   CHECK(message_of<std::invalid_argument>([&] { analysis::cut_to(run, 3000.0); }) ==
         (folder.path() / "run").string() + ": reached 0 s (status complete): must be >= 3000 s, as --until asks");
-  run.facts.reached_s = 6500.0;
+  run.manifest.reached_s = 6500.0;
   CHECK_NOTHROW(analysis::cut_to(run, 6500.0));
 }

@@ -44,7 +44,7 @@ inline std::filesystem::path run_of(const std::filesystem::path& folder, const s
   std::string text = manifest(heredity, seed);
   text.replace(text.find("complete"), 8, status);
   return write_run(folder, text.substr(0, text.size() - 1) + R"(, "rules": {"heredity": ")" + heredity +
-                               R"(", "floor": "victim_floor"}, "numbers": {"seed": )" + std::to_string(seed) +
+                               R"(", "floor": "victim_floor"}, "params": {"seed": )" + std::to_string(seed) +
                                R"(, "rules": {"floor": {"floor": )" + std::to_string(floor) + "}}}}");
 }
 

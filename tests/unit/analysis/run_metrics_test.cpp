@@ -12,9 +12,9 @@ using namespace trophic::analysis;
 
 RunData empty_run() {
   RunData run;
-  run.facts.web = test::prey_and_predators;
-  run.facts.half_side_m = 10.0;
-  run.facts.until_s = 6000.0;
+  run.manifest.web = test::prey_and_predators;
+  run.manifest.half_side_m = 10.0;
+  run.manifest.until_s = 6000.0;
   return run;
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("only dealt tags are a null of the run itself, and what the paper comp
 
 TEST_CASE("three species: each link of the food web is measured") {
   RunData run = empty_run();
-  run.facts.web = FoodWeb{{"grass", "sheep", "wolf"}, {{1, 0}, {2, 1}}};
+  run.manifest.web = FoodWeb{{"grass", "sheep", "wolf"}, {{1, 0}, {2, 1}}};
   run.agents = {
       {test::robot(0, 0, 0, 9.5, 0), test::robot(0, 1, 1, 0, 0), test::robot(0, 2, 2, 0, 0, {}, Origin::inherited, -1)}};
   const auto metrics = measure_run(run);

@@ -44,7 +44,7 @@ TEST_CASE("runs of different status or duration are not pooled, unless all are c
           static_cast<void>(read_set(Paths{b, c}));
         }).find("at 200 of 6000 s, but ") != std::string::npos);
   CHECK(read_set(Paths{a, b, c}, 100.0).runs.size() == 3);
-  CHECK(read_set(Paths{a, b, c}, 100.0).facts[1].until_s == 100.0);
+  CHECK(read_set(Paths{a, b, c}, 100.0).manifests[1].until_s == 100.0);
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b, c}, 150.0)); }).starts_with(b.string()));
 }
 
@@ -78,9 +78,9 @@ TEST_CASE("the shadow in the runs' folder is found, another one can be named") {
   const auto set = read_shadowed_set(Paths{run});
   REQUIRE(set.shadow);
   CHECK(set.shadow_runs().size() == 1);
-  CHECK(set.ours.facts.front().folder == run);
+  CHECK(set.ours.manifests.front().folder == run);
   const auto other = run_of(folder.path() / "other", "nothing_inherited", 7, 9);
-  CHECK(read_shadowed_set(Paths{run}, other).shadow->facts.front().seed == 9);
+  CHECK(read_shadowed_set(Paths{run}, other).shadow->manifests.front().seed == 9);
 }
 
 TEST_CASE("both are cut alike") {
@@ -88,6 +88,6 @@ TEST_CASE("both are cut alike") {
   const auto run = run_of(folder.path() / "run", "copy");
   run_of(run / "shadow", "nothing_inherited");
   const auto set = read_shadowed_set(Paths{run}, {}, 1.0);
-  CHECK(set.ours.facts.front().until_s == 1.0);
-  CHECK(set.shadow->facts.front().until_s == 1.0);
+  CHECK(set.ours.manifests.front().until_s == 1.0);
+  CHECK(set.shadow->manifests.front().until_s == 1.0);
 }

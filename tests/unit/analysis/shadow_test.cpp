@@ -20,7 +20,7 @@ TEST_CASE("the shadow of a run is looked for in its folder") {
   CHECK(analysis::shadow_folders(std::vector{run}).empty());
   const auto shadow = run_of(run / "shadow", "nothing_inherited");
   CHECK(analysis::shadow_folders(std::vector{run}) == std::vector{shadow});
-  CHECK_NOTHROW(analysis::check_shadow(analysis::read_facts(run), analysis::read_facts(shadow)));
+  CHECK_NOTHROW(analysis::check_shadow(analysis::read_manifest(run), analysis::read_manifest(shadow)));
 }
 
 TEST_CASE("what is no shadow is refused with what differs") {
@@ -28,7 +28,7 @@ TEST_CASE("what is no shadow is refused with what differs") {
   const auto run = run_of(folder.path() / "run", "copy");
   const auto refusal = [&](const std::filesystem::path& shadow) {
     return message_of<std::invalid_argument>(
-        [&] { analysis::check_shadow(analysis::read_facts(run), analysis::read_facts(shadow)); });
+        [&] { analysis::check_shadow(analysis::read_manifest(run), analysis::read_manifest(shadow)); });
   };
   const std::string from = ": is no neutral shadow of " + run.string() + ": ";
   const auto same = run_of(folder.path() / "same", "copy", 7, 2);

@@ -34,10 +34,10 @@ std::string message(const Config& config) {
 
 TEST_CASE("the file comes first, then each assignment in turn") {
   Numbers numbers;
-  read_config_into(numbers,
-                   config_of("engine = 'kinematic'\nseed = 3\n[world]\nrobots = 20\n", {"world.robots=22", "world.robots=24"}));
+  read_config_into(
+      numbers, config_of("engine = 'kinematic'\nseed = 3\n[ecology]\nrobots = 20\n", {"ecology.robots=22", "ecology.robots=24"}));
   CHECK(numbers.seed == 3);
-  CHECK(numbers.world.robots == 24);
+  CHECK(numbers.ecology.robots == 24);
 }
 
 TEST_CASE("an unknown key names its file and what was meant") {
@@ -52,15 +52,15 @@ TEST_CASE("a key that is near to nothing lists what there is") {
   CHECK(message(config_of("", {"rules.mutation.colour=1"})) == "rules.mutation.colour: unknown key; known here: sd");
 }
 
-TEST_CASE("a path without its beginning is known where it is the end of one setting alone") {
-  const Settings settings{{"a.x.sd", 1.0, ""}, {"b.x.sd", 1.0, ""}, {"b.y.range_m", 1.0, ""}};
-  CHECK(nearest_path("y.range_m", settings) == "b.y.range_m");
-  CHECK(nearest_path("range_m", settings) == "b.y.range_m");
-  CHECK(nearest_path("sd", settings) == std::nullopt);
-  CHECK(nearest_path("", settings) == std::nullopt);
-  CHECK(nearest_path(".", settings) == std::nullopt);
-  CHECK(nearest_path("b.y.rang_m", settings) == "b.y.range_m");
-  CHECK(nearest_path("b.y.colour", settings) == std::nullopt);
+TEST_CASE("a path without its beginning is known where it is the end of one number alone") {
+  const NamedParams named_params{{"a.x.sd", 1.0, ""}, {"b.x.sd", 1.0, ""}, {"b.y.range_m", 1.0, ""}};
+  CHECK(nearest_path("y.range_m", named_params) == "b.y.range_m");
+  CHECK(nearest_path("range_m", named_params) == "b.y.range_m");
+  CHECK(nearest_path("sd", named_params) == std::nullopt);
+  CHECK(nearest_path("", named_params) == std::nullopt);
+  CHECK(nearest_path(".", named_params) == std::nullopt);
+  CHECK(nearest_path("b.y.rang_m", named_params) == "b.y.range_m");
+  CHECK(nearest_path("b.y.colour", named_params) == std::nullopt);
 }
 
 TEST_CASE("a file of another backend or table is refused only for the numbers that it has of it") {
@@ -72,7 +72,7 @@ TEST_CASE("a file of another backend or table is refused only for the numbers th
   CHECK(test::message_of<std::invalid_argument>([&] {
           check_made_for(full, "released", "mujoco");
         }).find("rule_table = \"paper\"") != std::string::npos);
-  const Config world = config_of("engine = 'mujoco'\nrule_table = 'paper'\n[world]\nrobots = 20\n");
+  const Config world = config_of("engine = 'mujoco'\nrule_table = 'paper'\n[ecology]\nrobots = 20\n");
   CHECK_NOTHROW(check_made_for(world, "released", "kinematic"));
   CHECK_NOTHROW(check_made_for(config_of("[backend]\nthreads = 2\n"), "paper", "kinematic"));
 }

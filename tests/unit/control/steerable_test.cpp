@@ -57,7 +57,7 @@ std::string refusal(Act&& act) {
 
 template <class Rules>
 std::string ecology_refusal(RobotModel robot, Experiment<Rules, test::ToyBackend> params = {}) {
-  params.world.robots = 1;
+  params.ecology.robots = 1;
   params.rules.community.predators = 1;
   Habitat habitat{.robot = std::move(robot), .arena = {}, .gait = load_gait("gecko_steered")};
   return refusal([&] { Ecology<Rules, test::ToyBackend>{params, habitat}; });
@@ -72,9 +72,10 @@ TEST_CASE("steerable: the shipped robots are") {
 }
 
 TEST_CASE("steerable: a robot whose hinges are all in the middle is not, unless the steering needs no sides") {
-  CHECK(refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
-        "world.robot = snake with rules.steering = targeted_steering: cannot be steered, a turn to the right and one to the left "
-        "move the hinges alike (0 left, 0 right, 6 middle)");
+  CHECK(
+      refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
+      "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered, a turn to the right and one to the left "
+      "move the hinges alike (0 left, 0 right, 6 middle)");
   CHECK(refusal([] { check_steerable(snake(), Leans{}); }) == "");
 }
 
@@ -93,7 +94,7 @@ TEST_CASE("steerable: a steering that changes nothing, or the same for both turn
 
 TEST_CASE("steerable: an ecology of jointed robots refuses before the run") {
   CHECK(ecology_refusal<rules::Paper>(load_robot("gecko")) == "");
-  CHECK(ecology_refusal<rules::Paper>(snake()).starts_with("world.robot = snake with rules.steering = targeted_steering"));
+  CHECK(ecology_refusal<rules::Paper>(snake()).starts_with("ecology.robot = snake with rules.steering = targeted_steering"));
   CHECK(ecology_refusal<with_steering<rules::Paper, Leans>>(snake()) == "");
   CHECK(ecology_refusal<with_steering<rules::Paper, SlowsAll>>(load_robot("gecko")).find("slows_all") != std::string::npos);
   Experiment<rules::Paper, test::ToyBackend> params;

@@ -15,7 +15,7 @@
 #include <vector>
 
 using namespace trophic;
-using community::PredatorPrey;
+using initialization::community::PredatorPrey;
 using rules::by_species;
 
 TEST_CASE("by species: each species has its own numbers, set and shown under its name") {
@@ -26,7 +26,7 @@ TEST_CASE("by species: each species has its own numbers, set and shown under its
   read_numbers(params, read_assignment("rules.mutation.prey.sd=0.5"));
   read_numbers(params, read_assignment("rules.mutation.predator.sd=0"));
   std::vector<std::string> paths;
-  for (const Setting& setting : settings_of(params.rules.mutation)) paths.push_back(setting.path);
+  for (const NamedParam& param : named_params_of(params.rules.mutation)) paths.push_back(param.path);
   CHECK(paths == std::vector<std::string>{"prey.sd", "predator.sd"});
 
   struct Births {

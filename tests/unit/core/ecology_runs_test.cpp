@@ -254,7 +254,7 @@ TEST_CASE("runs: observers and pauses do not change the run") {
   struct Counter {
     int starts = 0;
     int ends = 0;
-    void on_start(const observe::Run&, const View&) { ++starts; }
+    void on_start(const observe::RunDescription&, const View&) { ++starts; }
     void on_end(const View&) { ++ends; }
   } counter;
   ecology.run_until(0.0, recorder, audit, counter);

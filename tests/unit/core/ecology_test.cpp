@@ -82,7 +82,7 @@ template <class Rules>
 typename Kinematics<Rules>::Params scene(std::vector<GroundPose> poses) {
   Places::poses = std::move(poses);
   typename Kinematics<Rules>::Params params;
-  params.world.robots = Places::poses.size();
+  params.ecology.robots = Places::poses.size();
   params.backend.speed_scale = 0.0;
   params.backend.turn_scale = 0.0;
   params.rules.activation.distance_m = 0.1;
@@ -392,7 +392,7 @@ TEST_CASE("ecology: a sampled tag's clock starts again without a switch, a cool-
 TEST_CASE("ecology: nothing happens before the first tick of the rules") {
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
-  params.world.first_tick_s = 2.0;
+  params.ecology.first_tick_s = 2.0;
   const Lines lines = events<Scene>(params, 4.0);
   CHECK(at_tick(0, lines) == Lines{"birth body 0 id 0 species 0", "birth body 1 id 1 species 1"});
   REQUIRE(at_tick(1, lines).size() == 4);
@@ -536,7 +536,7 @@ TEST_CASE("ecology: runs whole ticks, goes on where it was, and does nothing for
 TEST_CASE("ecology: the physics runs clock_scale times faster than the clock") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
-  params.world.clock_scale = 1.5;
+  params.ecology.clock_scale = 1.5;
   Kinematics<Scene> ecology{params};
   ecology.run_until(10.0);
   CHECK(ecology.tick() == 5);
@@ -558,11 +558,11 @@ TEST_CASE("ecology: bad numbers are named before anything runs") {
   CHECK(message([](auto&) {}) == "");
   CHECK(message([](auto& p) { p.rules.community.predators = 3; }) ==
         "rules.community.predators = 3: must be <= 2, the number of robots");
-  CHECK(message([](auto& p) { p.world.robots = 0; }) == "world.robots = 0: must be >= 1 and <= 1e+07");
+  CHECK(message([](auto& p) { p.ecology.robots = 0; }) == "ecology.robots = 0: must be >= 1 and <= 1e+07");
   CHECK(message([](auto& p) { p.rules.tag_switch.cool_down_s = -1.0; }) == "rules.tag_switch.cool_down_s = -1: must be >= 0");
   CHECK(message([](auto& p) { p.rules.capture.reach_m = std::numeric_limits<double>::quiet_NaN(); }) ==
         "rules.capture.reach_m = nan: must be finite");
-  CHECK(message([](auto& p) { p.world.tick_s = 0.001; }) ==
-        "world.tick_s = 0.001: tick_s * clock_scale * control_hz = 0.06 control steps, must be a whole number >= 1");
+  CHECK(message([](auto& p) { p.ecology.tick_s = 0.001; }) ==
+        "ecology.tick_s = 0.001: tick_s * clock_scale * control_hz = 0.06 control steps, must be a whole number >= 1");
   CHECK(message([](auto& p) { p.backend.timestep_s = 0.0; }).starts_with("backend.timestep_s = 0: must be > 0"));
 }

@@ -10,7 +10,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/gait_evolution/tables.hpp>
-#include <trophic/habitat/world.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/detail/member_count.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -123,11 +123,11 @@ TEST_CASE("member count: a number that fields() forgets or lists twice is found"
 }
 
 TEST_CASE("member count: everything that a manifest echoes lists all its numbers") {
-  CHECK(lists_all<World>());
+  CHECK(lists_all<EcologyParams>());
   CHECK(lists_all<Physics>());
   CHECK(lists_all<backend::Kinematic::Params>());
   CHECK(lists_all<RuleParams<rules::Paper>>());
   CHECK(lists_all<RuleParams<rules::Released>>());
   CHECK(lists_all<Experiment<rules::Paper, backend::Kinematic>>());
-  CHECK(lists_all<gait_evolution::Numbers<gait_evolution::Paper, backend::Kinematic>>());
+  CHECK(lists_all<gait_evolution::Params<gait_evolution::Paper, backend::Kinematic>>());
 }

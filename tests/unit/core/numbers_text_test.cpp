@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/world.hpp>
 #include <trophic/load/habitat.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <vector>
@@ -35,9 +35,9 @@ std::optional<Habitat> with_other_number(const Habitat& habitat, std::size_t pla
 }  // namespace
 
 TEST_CASE("fingerprints: every number of every model changes the text, names do not") {
-  World world;
-  world.arena = "height_field";
-  const Habitat habitat = load_habitat(world);
+  EcologyParams ecology;
+  ecology.arena = "height_field";
+  const Habitat habitat = load_habitat(ecology);
   REQUIRE(habitat.arena.height_field);
   const std::string text = numbers_text(habitat);
   std::size_t place = 0;

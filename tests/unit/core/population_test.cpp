@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 #include <support/hand_population.hpp>
-#include <trophic/population/population.hpp>
+#include <trophic/ecology/population.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/neutral_shadow.hpp>

@@ -52,7 +52,7 @@ TEST_CASE("print table: a line for each slot in order, then world and physics") 
   CHECK(lines[0].policy == "predator_prey");
   CHECK(lines[0].numbers == "predators = 14");
   CHECK(lines[0].source == "paper, Sec. \"Initialization\"");
-  CHECK(lines[lines.size() - 2].kind == "world");
+  CHECK(lines[lines.size() - 2].kind == "ecology");
   CHECK(lines[lines.size() - 2].numbers ==
         "robots = 30, duration_s = 6000, tick_s = 2, first_tick_s = 0, control_hz = 60, clock_scale = 1, robot = spider, arena = "
         "walled_square, cpg_integration = exact");

@@ -22,7 +22,7 @@ void draw_three(Rng& rng) {
 }
 
 /// The policy, which then draws three numbers more than it needs.
-struct WastefulPlacement : placement::UniformSquare {
+struct WastefulPlacement : initialization::placement::UniformSquare {
   [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m, Rng& rng) const {
     auto placed = UniformSquare::place(robots, arena, radius_m, rng);
     draw_three(rng);
@@ -101,7 +101,7 @@ struct WastefulHaze : Haze {
 /// Paper with every rule that draws random numbers doing so at each chance.
 using Frugal = with_visibility<
     with_placement<with_newborn_tag<with_capture<rules::Paper, death::capture::CatchClosest>, perception::newborn_tag::RandomTag>,
-                   placement::UniformSquare>,
+                   initialization::placement::UniformSquare>,
     Haze>;
 
 using WastefulLife = with_visibility<
@@ -172,7 +172,7 @@ TEST_CASE("random streams: whom a hazy robot sees depends on the two and the tic
     std::size_t seen = 0;
   } check;
   Ecology<Rules, backend::Kinematic>::Params params{.seed = 12};
-  params.world.robots = 80;  // so many are searched on a grid
+  params.ecology.robots = 80;  // so many are searched on a grid
   params.rules.tag_switch.cool_down_s = 1e6;
   Ecology<Rules, backend::Kinematic> ecology{params};
   ecology.run_until(60.0, check);

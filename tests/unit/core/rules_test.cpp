@@ -76,13 +76,13 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(numbers.starvation_schedule.only_above == 0);
   CHECK(numbers.reprieve.range_m == 5.0);
   CHECK(numbers.rescue.below == 7);
-  const World world = rules::Paper::world();
-  CHECK(world.robots == 30);
-  CHECK(world.duration_s == 6000.0);
-  CHECK(world.tick_s == 2.0);
-  CHECK(world.first_tick_s == 0.0);
-  CHECK(world.control_hz == 60.0);
-  CHECK(world.clock_scale == 1.0);
+  const EcologyParams ecology = rules::Paper::ecology();
+  CHECK(ecology.robots == 30);
+  CHECK(ecology.duration_s == 6000.0);
+  CHECK(ecology.tick_s == 2.0);
+  CHECK(ecology.first_tick_s == 0.0);
+  CHECK(ecology.control_hz == 60.0);
+  CHECK(ecology.clock_scale == 1.0);
   CHECK(rules::Paper::physics().timestep_s == 0.0012);
 }
 
@@ -101,9 +101,9 @@ TEST_CASE("rules: the released code's numbers") {
   CHECK(numbers.starvation_schedule.only_above == 7);
   CHECK(numbers.reprieve.range_m == 5.0);
   CHECK(numbers.rescue.below == 8);
-  CHECK(rules::Released::world().duration_s == 6500.0);
-  CHECK(rules::Released::world().first_tick_s == 2.0);
-  CHECK(rules::Released::world().clock_scale == 1.2);
+  CHECK(rules::Released::ecology().duration_s == 6500.0);
+  CHECK(rules::Released::ecology().first_tick_s == 2.0);
+  CHECK(rules::Released::ecology().clock_scale == 1.2);
   CHECK(rules::Released::physics().timestep_s == 0.012);
   CHECK(rules::Released::physics().integrator == Integrator::rk4);
 }
@@ -116,7 +116,7 @@ TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their num
   CHECK(numbers.mutation.sd == 0.05);
   CHECK(numbers.tag_switch.period_s == 100.0);
   CHECK(numbers.capture.min_age_s == 20.0);
-  CHECK(Swapped::world().clock_scale == 1.2);
+  CHECK(Swapped::ecology().clock_scale == 1.2);
 }
 
 TEST_CASE("rules: a swapped rule starts at the policy's own numbers, not at those of the table it came from") {
@@ -142,7 +142,7 @@ TEST_CASE("rules: a table of other numbers has the rules and the name of the one
   const RuleParams<Lower> numbers;
   CHECK(numbers.floor.floor == 3);
   CHECK(numbers.rescue.below == 8);
-  CHECK(Lower::world().clock_scale == 1.2);
+  CHECK(Lower::ecology().clock_scale == 1.2);
   CHECK(Lower::physics().timestep_s == 0.012);
   CHECK(table_name<Lower>() == "released");
   using Swapped = with_rescue<with_params<Lower, [](auto& params) { params.capture.reach_m = 2.0; }>, death::rescue::NoRescue>;
@@ -156,7 +156,7 @@ TEST_CASE("rules: a table under its own name keeps rules and numbers, and tells 
   static_assert(std::same_as<Ageing::Senescence, death::senescence::OldAge>);
   CHECK(table_name<Ageing>() == "ageing");
   CHECK(RuleParams<Ageing>{}.floor.floor == 6);
-  CHECK(Ageing::world().first_tick_s == 2.0);
+  CHECK(Ageing::ecology().first_tick_s == 2.0);
   CHECK(table_name<with_rescue<Ageing, death::rescue::NoRescue>>() == "ageing with rescue = no_rescue");
 }
 

@@ -35,7 +35,7 @@ std::pair<std::string, std::string> run(typename Ecology<Rules, backend::Kinemat
   CHECK(ecology.tick() == 150);
   CHECK(balance.deaths > 0);
   CHECK(balance.births == balance.deaths + 30);
-  const observe::Run described = ecology.describe(300.0);
+  const observe::RunDescription described = ecology.describe(300.0);
   const auto found = std::ranges::find(described.slots, slot, &std::pair<std::string, std::string>::first);
   REQUIRE(found != described.slots.end());
   return {found->second, described.fingerprint};
@@ -66,7 +66,7 @@ TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, dura
   const std::string paper = fingerprint(Paper::Params{});
   CHECK(fingerprint(Paper::Params{.seed = 77}) == paper);
   Paper::Params longer;
-  longer.world.duration_s = 1.0;
+  longer.ecology.duration_s = 1.0;
   CHECK(fingerprint(longer) == paper);
   Paper::Params wider;
   wider.rules.capture.reach_m = 1.25;
@@ -75,9 +75,9 @@ TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, dura
   CHECK(Ecology<Same, backend::Kinematic>{}.describe(1.0).fingerprint == paper);
   using Other = with_mutation<rules::Paper, reproduction::mutation::UniformMutation>;
   CHECK(Ecology<Other, backend::Kinematic>{}.describe(1.0).fingerprint != paper);
-  Habitat quicker = load_habitat(Paper::Params{}.world);
+  Habitat quicker = load_habitat(Paper::Params{}.ecology);
   Paper::Params own_gait;
-  own_gait.world.gait = quicker.gait.name;
+  own_gait.ecology.gait = quicker.gait.name;
   CHECK(Paper(own_gait, quicker).describe(1.0).fingerprint == paper);
   quicker.robot.walk.turn_rate_per_rad *= 1.1;
   CHECK(Paper(own_gait, quicker).describe(1.0).fingerprint != paper);

@@ -81,10 +81,10 @@ TEST_CASE("toml: keys keep their order, tables their headings, help is a comment
   CHECK(table.tables("genes")[1].truth("enabled"));
 }
 
-TEST_CASE("toml: settings in the tables of their paths, below a root where one is given") {
-  const Settings settings{{"seed", std::int64_t{3}, {}}, {"world.tick_s", 2.0, "seconds"}, {"rules.a.b", true, {}}};
-  CHECK(toml_text(settings) == "seed = 3\n\n[world]\ntick_s = 2.0  # seconds\n\n[rules.a]\nb = true\n");
+TEST_CASE("toml: named_params in the tables of their paths, below a root where one is given") {
+  const NamedParams named_params{{"seed", std::int64_t{3}, {}}, {"ecology.tick_s", 2.0, "seconds"}, {"rules.a.b", true, {}}};
+  CHECK(toml_text(named_params) == "seed = 3\n\n[ecology]\ntick_s = 2.0  # seconds\n\n[rules.a]\nb = true\n");
   TomlWriter writer;
-  writer.put_all(settings, "made.by");
-  CHECK(writer.text() == "[made.by]\nseed = 3\n\n[made.by.world]\ntick_s = 2.0  # seconds\n\n[made.by.rules.a]\nb = true\n");
+  writer.put_all(named_params, "made.by");
+  CHECK(writer.text() == "[made.by]\nseed = 3\n\n[made.by.ecology]\ntick_s = 2.0  # seconds\n\n[made.by.rules.a]\nb = true\n");
 }

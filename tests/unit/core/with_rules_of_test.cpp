@@ -23,10 +23,10 @@ using Older = with_params<with_senescence<Paper, death::senescence::OldAge>, [](
   params.senescence.max_age_s = 77.0;
   params.floor.floor = 5;
 }>;
-/// Paper with one policy, one number and one number of World changed.
-using Aged = with_world<Older, [](World& world) {
-  world.duration_s = 1.0;
-  world.tick_s = 3.0;
+/// Paper with one policy, one number and one number of EcologyParams changed.
+using Aged = with_ecology<Older, [](EcologyParams& ecology) {
+  ecology.duration_s = 1.0;
+  ecology.tick_s = 3.0;
 }>;
 
 }  // namespace
@@ -38,7 +38,7 @@ TEST_CASE("slots of another table bring its policies and numbers, the others sta
   const RuleParams<Both> numbers;
   CHECK(numbers.senescence.max_age_s == 77.0);
   CHECK(numbers.floor.floor == 5);
-  CHECK(Both::world().tick_s == 2.0);
+  CHECK(Both::ecology().tick_s == 2.0);
   CHECK(table_name<Both>() == "paper with senescence = old_age");
   CHECK(RuleParams<with_rules_of<Aged, Paper, slots({"floor"})>>{}.floor.floor == RuleParams<Paper>{}.floor.floor);
   CHECK(RuleParams<with_rules_of<Aged, Paper, slots({"floor"})>>{}.senescence.max_age_s == 77.0);
@@ -53,7 +53,7 @@ TEST_CASE("several swaps are named in one list, numbers alone are not") {
 TEST_CASE("all slots of the other table make its rules") {
   using All = with_rules_of<Paper, Released, rules::SlotSet{~std::uint64_t{0}}>;
   for (const RuleDifference& difference : rules::differences<All, Released>()) {
-    CHECK_MESSAGE((difference.name.starts_with("world.") || difference.name.starts_with("physics.")), difference.name);
+    CHECK_MESSAGE((difference.name.starts_with("ecology.") || difference.name.starts_with("physics.")), difference.name);
   }
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("differences are policies and numbers, each once, and duration does no
   CHECK(all[1].name == "senescence");
   CHECK(all[1].there == "old_age");
   CHECK_FALSE(all[1].is_number());
-  CHECK(all[2].name == "world.tick_s");
+  CHECK(all[2].name == "ecology.tick_s");
   CHECK(rules::differences<Paper, Paper>().empty());
 }
 

@@ -22,7 +22,7 @@ using trophic::test::ToyBackend;
 namespace {
 
 template <class Table>
-using Numbers = gait_evolution::Numbers<Table, ToyBackend>;
+using Numbers = gait_evolution::Params<Table, ToyBackend>;
 template <class Table>
 using PreExperiment = gait_evolution::PreExperiment<Table, ToyBackend>;
 
@@ -228,7 +228,7 @@ TEST_CASE("a gait file reads back as the champion's gait and CPPN, and tells how
   const toml::table table = toml::parse_file(file);
   CHECK(table["evolution"]["engine"].value<std::string>() == "toy 1");
   CHECK(table["evolution"]["engine_remark_1"].value<std::string>() == "physics has no effect: a toy");
-  CHECK(table["evolution"]["numbers"]["plan"]["children"].value<int>() == 8);
+  CHECK(table["evolution"]["params"]["plan"]["children"].value<int>() == 8);
   CHECK(table["evolution"]["fitness"].value<double>() == running.lineage().individuals[running.lineage().champion()].fitness);
 }
 

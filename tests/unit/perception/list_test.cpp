@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 #include <support/hand_population.hpp>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
@@ -83,7 +83,7 @@ TEST_CASE("list: it is named by its sensors") {
 TEST_CASE("list: each sensor's numbers are set under its name") {
   Sensors::Params params;
   read_numbers(params, read_assignment("distance_over_scale.full_scale_m=10"));
-  const Settings settings = settings_of(params);
+  const NamedParams settings = named_params_of(params);
   REQUIRE(settings.size() == 1);
   CHECK(settings[0].path == "distance_over_scale.full_scale_m");
   CHECK(value_text(settings[0]) == "10");

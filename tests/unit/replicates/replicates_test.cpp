@@ -27,7 +27,7 @@ using PaperRun = trophic::Experiment<rules::Paper, backend::Kinematic>;
 
 PaperRun brief(double duration_s = 200.0) {
   PaperRun experiment;
-  experiment.world.duration_s = duration_s;
+  experiment.ecology.duration_s = duration_s;
   return experiment;
 }
 
@@ -58,7 +58,7 @@ struct Saboteur {
   std::uint64_t seed = 0;
   double at_s = 100.0;
   thread_local inline static std::uint64_t now = 0;
-  void on_start(const observe::Run& run, const View&) { now = run.seed; }
+  void on_start(const observe::RunDescription& run, const View&) { now = run.seed; }
   void on_tick(const View& view) {
     if (now == seed && view.time_s >= at_s) throw std::runtime_error{"sabotage"};
   }
@@ -176,7 +176,7 @@ TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
 TEST_CASE("two programs cannot work in one folder") {
   const TemporaryFolder folder;
   const replicates::Plan plan{.out = folder.path() / "set", .count = 1, .resume = true};
-  const observe::Run any = Ecology<rules::Paper, backend::Kinematic>{brief()}.describe(200.0);
+  const observe::RunDescription any = Ecology<rules::Paper, backend::Kinematic>{brief()}.describe(200.0);
   const replicates::Folder held{plan, any, {}};
   CHECK(message_of<std::runtime_error>([&] {
           const replicates::Folder second{plan, any, {}};

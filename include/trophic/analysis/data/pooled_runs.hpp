@@ -9,7 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>
@@ -18,7 +18,7 @@ namespace trophic::analysis {
 
 /// Runs of one fingerprint.
 struct PooledRuns {
-  std::vector<RunFacts> facts;  ///< at least one
+  std::vector<RunManifest> manifests;  ///< at least one
   std::vector<std::string> remarks;
 };
 
@@ -48,24 +48,24 @@ struct PooledRuns {
 }
 
 /// Why two runs are not pooled: a sentence that names both; empty where they may be.
-[[nodiscard]] inline std::string why_not_pooled(const RunFacts& facts, const RunFacts& other, bool is_cut) {
-  const std::string here = facts.folder.string() + ": ";
+[[nodiscard]] inline std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut) {
+  const std::string here = manifest.folder.string() + ": ";
   const std::string there = other.folder.string();
-  if (facts.fingerprint != other.fingerprint) {
-    return here + "fingerprint " + facts.fingerprint + " (" + facts.rules + " on " + facts.backend + "), but " + there + " has " +
-           other.fingerprint + " (" + other.rules + " on " + other.backend +
+  if (manifest.fingerprint != other.fingerprint) {
+    return here + "fingerprint " + manifest.fingerprint + " (" + manifest.rules + " on " + manifest.backend + "), but " + there +
+           " has " + other.fingerprint + " (" + other.rules + " on " + other.backend +
            "); runs of different rules or numbers are not pooled: use --compare";
   }
-  if (other.seed == facts.seed) {
-    return here + "seed " + std::to_string(facts.seed) + " as in " + there + "; the same run twice is no second replicate";
+  if (other.seed == manifest.seed) {
+    return here + "seed " + std::to_string(manifest.seed) + " as in " + there + "; the same run twice is no second replicate";
   }
   if (is_cut) return "";
-  const auto lasted = [](const RunFacts& run) {
+  const auto lasted = [](const RunManifest& run) {
     return "status \"" + run.status + "\" at " + (run.reached_s ? number_text(*run.reached_s) : "an unknown time") + " of " +
            number_text(run.until_s) + " s";
   };
-  if (facts.status != other.status || facts.until_s != other.until_s || facts.reached_s != other.reached_s) {
-    return here + lasted(facts) + ", but " + there + " has " + lasted(other) +
+  if (manifest.status != other.status || manifest.until_s != other.until_s || manifest.reached_s != other.reached_s) {
+    return here + lasted(manifest) + ", but " + there + " has " + lasted(other) +
            "; runs of different length are not pooled: leave some out, or cut all with --until";
   }
   return "";
@@ -81,19 +81,19 @@ struct PooledRuns {
     for (auto& folder : run_folders(path, pooled.remarks)) folders.push_back(std::move(folder));
   }
   for (const std::filesystem::path& folder : folders) {
-    RunFacts facts;
+    RunManifest manifest;
     try {
-      facts = read_facts(folder);
+      manifest = read_manifest(folder);
     } catch (const std::runtime_error& error) {
       pooled.remarks.push_back(std::string{error.what()} + "; left out");
       continue;
     }
-    for (const RunFacts& other : pooled.facts) {
-      if (const std::string why = why_not_pooled(facts, other, is_cut); !why.empty()) throw std::invalid_argument{why};
+    for (const RunManifest& other : pooled.manifests) {
+      if (const std::string why = why_not_pooled(manifest, other, is_cut); !why.empty()) throw std::invalid_argument{why};
     }
-    pooled.facts.push_back(std::move(facts));
+    pooled.manifests.push_back(std::move(manifest));
   }
-  if (pooled.facts.empty()) {
+  if (pooled.manifests.empty()) {
     throw std::runtime_error{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
   }
   return pooled;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/analysis/data/csv_reader.hpp>
-#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/analysis/data/table_reader.hpp>
 #include <trophic/analysis/data/tables.hpp>
 #include <trophic/params/params.hpp>
@@ -17,9 +17,9 @@
 
 namespace trophic::analysis {
 
-/// A run's facts and tables. A table that could not be read is missing; `remarks` say what was wrong, and where.
+/// A run's manifest and tables. A table that could not be read is missing; `remarks` say what was wrong, and where.
 struct RunData {
-  RunFacts facts;
+  RunManifest manifest;
   std::optional<std::vector<EventRow>> events;
   std::optional<std::vector<AgentRow>> agents;
   std::vector<std::string> remarks;
@@ -66,23 +66,23 @@ inline void remark_truncated(const CsvReader& csv, const std::filesystem::path& 
 /// Leaves of a run its first `until_s` seconds. Throws std::invalid_argument if it did not last that long.
 inline void cut_to(RunData& run, double until_s) {
   const double last_s = run.agents && !run.agents->empty() ? run.agents->back().time_s : 0.0;
-  const double reached_s = run.facts.reached_s.value_or(last_s);
+  const double reached_s = run.manifest.reached_s.value_or(last_s);
   if (reached_s < until_s) {
-    throw std::invalid_argument{run.facts.folder.string() + ": reached " + number_text(reached_s) + " s (status " +
-                                run.facts.status + "): must be >= " + number_text(until_s) + " s, as --until asks"};
+    throw std::invalid_argument{run.manifest.folder.string() + ": reached " + number_text(reached_s) + " s (status " +
+                                run.manifest.status + "): must be >= " + number_text(until_s) + " s, as --until asks"};
   }
   const auto is_later = [&](const auto& row) { return row.time_s > until_s; };
   if (run.events) std::erase_if(*run.events, is_later);
   if (run.agents) std::erase_if(*run.agents, is_later);
-  run.facts.until_s = until_s;
+  run.manifest.until_s = until_s;
 }
 
 /// Reads a run's folder. Throws std::runtime_error only for the manifest: without it nothing can be understood. What else is
 /// missing or broken is left out and remarked on.
 [[nodiscard]] inline RunData read_run(const std::filesystem::path& folder) {
-  RunData run{.facts = read_facts(folder), .events = {}, .agents = {}, .remarks = {}};
-  if (run.facts.status != "complete") {
-    run.remarks.push_back((folder / "manifest.json").string() + ": status \"" + run.facts.status +
+  RunData run{.manifest = read_manifest(folder), .events = {}, .agents = {}, .remarks = {}};
+  if (run.manifest.status != "complete") {
+    run.remarks.push_back((folder / "manifest.json").string() + ": status \"" + run.manifest.status +
                           "\": the run did not reach its end");
   }
   const auto attempt = [&](auto&& read) {
@@ -92,8 +92,8 @@ inline void cut_to(RunData& run, double until_s) {
       run.remarks.push_back(error.what());
     }
   };
-  attempt([&] { run.events = read_events(folder / "events.csv", run.facts.web, run.remarks); });
-  attempt([&] { run.agents = read_agents(folder / "agents.csv", run.facts.web, run.remarks); });
+  attempt([&] { run.events = read_events(folder / "events.csv", run.manifest.web, run.remarks); });
+  attempt([&] { run.agents = read_agents(folder / "agents.csv", run.manifest.web, run.remarks); });
   return run;
 }
 

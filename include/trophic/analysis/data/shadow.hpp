@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/params/params.hpp>
 #include <vector>
 
@@ -29,7 +29,7 @@ inline constexpr std::string_view shadow_policy = "nothing_inherited";
 
 /// Throws std::invalid_argument, naming both runs and what differs, unless `shadow` is a run of the same rules, numbers, engine
 /// and duration as `ours` with nothing inherited. Seeds may differ.
-inline void check_shadow(const RunFacts& ours, const RunFacts& shadow) {
+inline void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
   const auto refuse = [&](const std::string& why) {
     throw std::invalid_argument{shadow.folder.string() + ": is no neutral shadow of " + ours.folder.string() + ": " + why};
   };
@@ -38,11 +38,11 @@ inline void check_shadow(const RunFacts& ours, const RunFacts& shadow) {
   if (policy != shadow_policy) {
     refuse("its rule in slot " + slot + " is " + policy + ": must be " + std::string{shadow_policy});
   }
-  const auto rest_of = [&](const RunFacts& facts) {
-    nlohmann::json rest{{"rules", facts.policies}, {"numbers", facts.numbers}, {"backend", facts.backend}};
+  const auto rest_of = [&](const RunManifest& manifest) {
+    nlohmann::json rest{{"rules", manifest.policies}, {"params", manifest.params}, {"backend", manifest.backend}};
     rest["rules"].erase(slot);
-    rest["numbers"].erase("seed");
-    if (rest["numbers"].contains("rules")) rest["numbers"]["rules"].erase(slot);
+    rest["params"].erase("seed");
+    if (rest["params"].contains("rules")) rest["params"]["rules"].erase(slot);
     return rest.flatten();
   };
   const nlohmann::json a = rest_of(ours);

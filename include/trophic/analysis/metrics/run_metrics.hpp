@@ -145,12 +145,12 @@ inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result)
   RunMetrics result;
   const Events events = run.events ? Events{*run.events} : Events{};
   const Agents agents = run.agents ? Agents{*run.agents} : Agents{};
-  const FoodWeb& web = run.facts.web;
+  const FoodWeb& web = run.manifest.web;
   detail::measure_attribution(events, web, result);
-  detail::measure_deaths(events, web, run.facts.until_s, result);
+  detail::measure_deaths(events, web, run.manifest.until_s, result);
   detail::measure_velocity("velocity", velocity_samples(agents), web, result);
   detail::measure_velocity("velocity_stored", stored_velocity_samples(agents), web, result);
-  detail::measure_walls(agents, web, run.facts.half_side_m, result);
+  detail::measure_walls(agents, web, run.manifest.half_side_m, result);
   detail::measure_tags(agents, web, result);
   detail::measure_populations(agents, web, result);
   detail::measure_stuck(agents, web, result);

@@ -18,9 +18,9 @@ namespace trophic::analysis {
 
 /// Runs of one fingerprint with what was measured in each.
 struct RunSet {
-  std::string label;             ///< name of the rule table
-  std::vector<RunFacts> facts;   ///< one per run
-  std::vector<RunMetrics> runs;  ///< in the order of `facts`
+  std::string label;                   ///< name of the rule table
+  std::vector<RunManifest> manifests;  ///< one per run
+  std::vector<RunMetrics> runs;        ///< in the order of `manifest`
   std::vector<std::string> remarks;
 };
 
@@ -28,11 +28,11 @@ struct RunSet {
 /// std::invalid_argument for a run that is shorter than `until_s`.
 [[nodiscard]] inline RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s = {}) {
   PooledRuns pooled = pooled_runs(paths, until_s.has_value());
-  RunSet set{pooled.facts.front().rules, std::move(pooled.facts), {}, std::move(pooled.remarks)};
-  for (RunFacts& facts : set.facts) {
-    RunData run = read_run(facts.folder);
+  RunSet set{pooled.manifests.front().rules, std::move(pooled.manifests), {}, std::move(pooled.remarks)};
+  for (RunManifest& manifest : set.manifests) {
+    RunData run = read_run(manifest.folder);
     if (until_s) cut_to(run, *until_s);
-    facts.until_s = run.facts.until_s;
+    manifest.until_s = run.manifest.until_s;
     set.remarks.insert(set.remarks.end(), run.remarks.begin(), run.remarks.end());
     set.runs.push_back(measure_run(run));
   }
@@ -57,7 +57,7 @@ struct ShadowedSet {
   const auto folders = elsewhere ? std::vector{*elsewhere} : shadow_folders(paths);
   if (folders.empty()) return set;
   set.shadow = read_set(folders, until_s);
-  check_shadow(set.ours.facts.front(), set.shadow->facts.front());
+  check_shadow(set.ours.manifests.front(), set.shadow->manifests.front());
   return set;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
-#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/analysis/metrics/measurement.hpp>
 #include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/statistics/difference.hpp>
@@ -27,7 +27,7 @@ struct SetDifference {
 };
 
 /// Throws std::invalid_argument, naming both, if runs of two sets did not last equally long.
-inline void check_comparable(const RunFacts& a, const RunFacts& b) {
+inline void check_comparable(const RunManifest& a, const RunManifest& b) {
   if (a.until_s == b.until_s) return;
   throw std::invalid_argument{b.folder.string() + ": " + number_text(b.until_s) + " s, but " + a.folder.string() + " has " +
                               number_text(a.until_s) + " s; runs of different length are not compared: use --until"};

@@ -52,14 +52,14 @@ inline void write_metrics(const std::filesystem::path& path, std::span<const Sha
   observe::CsvFile<MetricRow> file{path};
   const auto write = [&](const std::string& label, const RunSet& set, bool is_shadow) {
     for (std::size_t i = 0; i < set.runs.size(); ++i) {
-      std::string run = set.facts[i].folder.lexically_normal().filename().string();
+      std::string run = set.manifests[i].folder.lexically_normal().filename().string();
       std::ranges::replace(run, ',', '_');
       const auto row = [&](const MetricName& name, const std::string& baseline, std::optional<double> time_s,
                            std::optional<double> value) {
         if (is_shadow && !baseline.empty()) return;  // its own baselines say nothing about the set
         file.write({.set = label,
                     .run = run,
-                    .seed = set.facts[i].seed,
+                    .seed = set.manifests[i].seed,
                     .metric = name.metric,
                     .species = name.species,
                     .group = name.group,

@@ -49,12 +49,12 @@ inline void put(nlohmann::ordered_json& object, const Difference& difference) {
 
 [[nodiscard]] inline nlohmann::ordered_json runs_json(const RunSet& set) {
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
-  for (const RunFacts& facts : set.facts) {
-    runs.push_back({{"folder", std::filesystem::absolute(facts.folder).lexically_normal().string()},
-                    {"seed", facts.seed},
-                    {"status", facts.status},
-                    {"half_side_m", facts.half_side_m},
-                    {"until_s", facts.until_s}});
+  for (const RunManifest& manifest : set.manifests) {
+    runs.push_back({{"folder", std::filesystem::absolute(manifest.folder).lexically_normal().string()},
+                    {"seed", manifest.seed},
+                    {"status", manifest.status},
+                    {"half_side_m", manifest.half_side_m},
+                    {"until_s", manifest.until_s}});
   }
   return runs;
 }
@@ -84,8 +84,8 @@ inline void put(nlohmann::ordered_json& object, const Difference& difference) {
 [[nodiscard]] inline nlohmann::ordered_json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows) {
   nlohmann::ordered_json json;
   json["set"] = set.ours.label;
-  json["backend"] = set.ours.facts.front().backend;
-  json["fingerprint"] = set.ours.facts.front().fingerprint;
+  json["backend"] = set.ours.manifests.front().backend;
+  json["fingerprint"] = set.ours.manifests.front().fingerprint;
   json["runs_for_verdict"] = runs_for_verdict;
   json["runs"] = detail::runs_json(set.ours);
   json["shadow_runs"] = set.shadow ? detail::runs_json(*set.shadow) : nlohmann::ordered_json::array();

@@ -38,9 +38,9 @@ inline void print_too_few(std::ostream& out, const RunSet& set) {
 namespace detail {
 
 [[nodiscard]] inline std::string described(const RunSet& set) {
-  const RunFacts& facts = set.facts.front();
-  return set.label + " on " + facts.backend + ", " + std::to_string(set.runs.size()) + (set.runs.size() == 1 ? " run" : " runs") +
-         " of " + number_text(facts.until_s) + " s";
+  const RunManifest& manifest = set.manifests.front();
+  return set.label + " on " + manifest.backend + ", " + std::to_string(set.runs.size()) +
+         (set.runs.size() == 1 ? " run" : " runs") + " of " + number_text(manifest.until_s) + " s";
 }
 
 /// Nobody died of it in any run: not worth a line.
@@ -53,7 +53,7 @@ namespace detail {
 /// One line per metric: ours with its 95 % interval over runs (or its spread, where runs are too few) and the paper's value.
 /// Below it one line per null with the difference to it, and one per reference without; causes of which nobody died are left out.
 inline void print_table(std::ostream& out, const ShadowedSet& set, std::span<const SummaryRow> rows) {
-  out << detail::described(set.ours) << ", fingerprint " << set.ours.facts.front().fingerprint << "\n";
+  out << detail::described(set.ours) << ", fingerprint " << set.ours.manifests.front().fingerprint << "\n";
   if (set.shadow) {
     out << "shadow: " << detail::described(*set.shadow) << "\n";
   } else {
@@ -136,7 +136,7 @@ inline void print_differences(std::ostream& out, const ShadowedSet& a, const Sha
 
 /// One line per published claim: the paper's value with its margin, ours with its interval, the verdict.
 inline void print_claims(std::ostream& out, const RunSet& set, std::span<const ClaimVerdict> verdicts) {
-  out << detail::described(set) << ", fingerprint " << set.facts.front().fingerprint << "\n"
+  out << detail::described(set) << ", fingerprint " << set.manifests.front().fingerprint << "\n"
       << detail::padded("claim", 42) << detail::padded("published", 12) << detail::padded("+- margin", 11)
       << detail::padded("source", 8) << detail::padded("ours [95 %]", 30) << "verdict\n";
   for (const ClaimVerdict& each : verdicts) {
@@ -152,7 +152,7 @@ inline void print_claims(std::ostream& out, const RunSet& set, std::span<const C
   out << "reproduced: two one-sided tests at 5 % place ours within the margin of the published value\n"
          "not reproduced: they do not, and our 95 % interval leaves the published value out   undecided: neither\n"
          "paper: in its text   events: counted in the released logs of its ten runs   or: the same claim, counted another way\n";
-  if (set.facts.front().until_s != published_duration_s) {
+  if (set.manifests.front().until_s != published_duration_s) {
     out << "the claims are about runs of " << published_duration_s
         << " s: counts of deaths in other times do not compare (--until)\n";
   }

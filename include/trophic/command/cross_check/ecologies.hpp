@@ -44,8 +44,8 @@ struct Ecologies {
 /// analysis::read_set does.
 [[nodiscard]] inline Ecologies read_ecologies(const std::filesystem::path& first, const std::filesystem::path& second) {
   Ecologies sets{analysis::read_set(std::span{&first, 1}), analysis::read_set(std::span{&second, 1})};
-  const auto& a = sets.first.facts.front();
-  const auto& b = sets.second.facts.front();
+  const auto& a = sets.first.manifests.front();
+  const auto& b = sets.second.manifests.front();
   if (a.rules != b.rules) {
     throw std::invalid_argument{second.string() + ": rules " + b.rules + ": must be " + a.rules + " as in " + first.string()};
   }
@@ -58,10 +58,11 @@ struct Ecologies {
 
 /// Prints a verdict per metric and adds a line per metric and engine to the CSV.
 inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
-  const auto& facts = sets.first.facts.front();
+  const auto& manifest = sets.first.manifests.front();
   std::cout << "\n"
-            << "rules " << facts.rules << ": first " << facts.backend << ", " << sets.first.runs.size() << " runs; second "
-            << sets.second.facts.front().backend << ", " << sets.second.runs.size() << " runs; " << facts.until_s << " s each\n"
+            << "rules " << manifest.rules << ": first " << manifest.backend << ", " << sets.first.runs.size() << " runs; second "
+            << sets.second.manifests.front().backend << ", " << sets.second.runs.size() << " runs; " << manifest.until_s
+            << " s each\n"
             << std::left << std::setw(40) << "metric" << std::setw(26) << "first [95 %]" << std::setw(26) << "second [95 %]"
             << std::setw(9) << "margin" << std::setw(26) << "difference [90 %]"
             << "verdict\n";
@@ -83,7 +84,7 @@ inline void compare_ecologies(const Ecologies& sets, Csv& csv) {
     for (std::size_t i = 0; i < 2; ++i) {
       const auto estimate = analysis::estimate(values[i]);
       std::cout << std::setw(26) << text(estimate.mean, estimate.interval, unit, decimals);
-      const std::string& engine = (i == 0 ? sets.first : sets.second).facts.front().backend;
+      const std::string& engine = (i == 0 ? sets.first : sets.second).manifests.front().backend;
       const Subject subject{"ecology", engine, {}, {}, {}, name.metric, name.species, name.group, name.unit};
       csv.add(subject, estimate, i == 0 ? std::nullopt : std::optional{test});
     }

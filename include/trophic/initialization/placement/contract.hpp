@@ -11,9 +11,9 @@
 
 #define TROPHIC_SENTENCE_Placement                                                                     \
   "std::vector<GroundPose> place(std::size_t robots, const Arena&, double radius_m, Rng&) const; see " \
-  "trophic/placement/contract.hpp"
+  "trophic/initialization/placement/contract.hpp"
 
-namespace trophic::placement {
+namespace trophic::initialization {
 
 /// `place(robots, arena, radius_m, rng)`: one ground pose per robot inside the arena; radius_m is the robot's bounding
 /// radius. Throws std::invalid_argument if so many do not fit.
@@ -22,4 +22,4 @@ concept Placement = requires(const P policy, std::size_t robots, const Arena& ar
   { policy.place(robots, arena, radius_m, rng) } -> std::same_as<std::vector<GroundPose>>;
 };
 
-}  // namespace trophic::placement
+}  // namespace trophic::initialization

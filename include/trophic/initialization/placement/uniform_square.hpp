@@ -6,12 +6,12 @@
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
+#include <trophic/initialization/placement/contract.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/placement/contract.hpp>
 #include <tuple>
 #include <vector>
 
-namespace trophic::placement {
+namespace trophic::initialization::placement {
 
 /// Rule: positions uniform in [-h, h]^2, overlaps allowed; everybody faces the same way. The released code uses h = 9 m
 /// and, by a slip in the order of quaternion components, turns each root frame by pi; the spider's forward axis is 45
@@ -46,4 +46,4 @@ struct UniformSquare {
 };
 static_assert(Placement<UniformSquare>);
 
-}  // namespace trophic::placement
+}  // namespace trophic::initialization::placement

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <trophic/community/predator_prey.hpp>
+#include <trophic/initialization/community/predator_prey.hpp>
 #include <vector>
 
 using namespace trophic;
-using community::PredatorPrey;
+using initialization::community::PredatorPrey;
 
 TEST_CASE("predator and prey: one eats the other and nobody else") {
   const FoodWeb web = PredatorPrey{}.web();

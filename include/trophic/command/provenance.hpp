@@ -8,7 +8,7 @@
 #include <string>
 #include <trophic/command/run_command.hpp>
 #include <trophic/observe/manifest.hpp>
-#include <trophic/version.hpp>
+#include <trophic/support/version.hpp>
 
 /// `git describe` of the program's sources at the last build, and its build type and flags. The CMake function
 /// trophic_add_experiment gives them; a program that is built otherwise lacks them.
@@ -35,7 +35,7 @@ namespace trophic::command {
 }
 
 /// For manifests: the command line, the host, the revision of the sources and how they were compiled.
-[[nodiscard]] inline observe::Facts facts(int argc, const char* const* argv) {
+[[nodiscard]] inline observe::Provenance provenance(int argc, const char* const* argv) {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
   return {{"command_line", command_line(argc, argv)},

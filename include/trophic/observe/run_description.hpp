@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <trophic/params/settings.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/support/linkage.hpp>
 #include <utility>
 #include <vector>
@@ -13,10 +13,10 @@
 namespace trophic::observe {
 
 /// Everything that determines a run's results.
-struct Run {
+struct RunDescription {
   std::string rules;                                       ///< name of the rule table
   std::vector<std::pair<std::string, std::string>> slots;  ///< (slot, policy name) for every slot
-  Settings settings;                                       ///< every number with its path: "rules.tag_switch.cool_down_s"
+  NamedParams named_params;                                ///< every number with its path: "rules.tag_switch.cool_down_s"
   std::vector<int> tags;                                   ///< that the table's brain may choose
   std::string backend;                                     ///< name and version of the engine
   std::vector<std::string> remarks;                        ///< what the engine does otherwise than the numbers say
@@ -29,10 +29,10 @@ struct Run {
 
 /// Whether two runs may be pooled as replicates: 16 hexadecimal digits of rules, numbers, models and backend; not of the seed,
 /// the duration and the number of threads. `models` is the text of the models' numbers.
-[[nodiscard]] std::string fingerprint(const Run& run, std::string_view models);
+[[nodiscard]] std::string fingerprint(const RunDescription& run, std::string_view models);
 
 }  // namespace trophic::observe
 
 #if TROPHIC_HEADER_ONLY
-#include <trophic/observe/run.ipp>
+#include <trophic/observe/run_description.ipp>
 #endif

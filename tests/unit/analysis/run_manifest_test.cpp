@@ -4,31 +4,31 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/run_facts.hpp>
+#include <trophic/analysis/data/run_manifest.hpp>
 #include <unit/analysis/run_files.hpp>
 
 using namespace trophic;
 using test::message_of;
 using test::TemporaryFolder;
 
-TEST_CASE("a manifest's facts: rules, seed, time and food web") {
+TEST_CASE("a manifest's manifest: rules, seed, time and food web") {
   const TemporaryFolder folder;
   static_cast<void>(folder.file("manifest.json", test::manifest("00ff", 12)));
-  const auto facts = analysis::read_facts(folder.path());
-  CHECK(facts.fingerprint == "00ff");
-  CHECK(facts.rules == "paper");
-  CHECK(facts.seed == 12);
-  CHECK(facts.until_s == 6000.0);
-  CHECK_FALSE(facts.reached_s);
-  CHECK(facts.web.name(1) == "predator");
-  CHECK(facts.web.eats(1, 0));
+  const auto manifest = analysis::read_manifest(folder.path());
+  CHECK(manifest.fingerprint == "00ff");
+  CHECK(manifest.rules == "paper");
+  CHECK(manifest.seed == 12);
+  CHECK(manifest.until_s == 6000.0);
+  CHECK_FALSE(manifest.reached_s);
+  CHECK(manifest.web.name(1) == "predator");
+  CHECK(manifest.web.eats(1, 0));
 }
 
 TEST_CASE("a manifest that is broken is refused by file and field") {
   const TemporaryFolder folder;
   const std::string path = folder.file("manifest.json", "{");
   const auto refusal = [&] {
-    return message_of<std::runtime_error>([&] { static_cast<void>(analysis::read_facts(folder.path())); });
+    return message_of<std::runtime_error>([&] { static_cast<void>(analysis::read_manifest(folder.path())); });
   };
   CHECK(refusal().starts_with(path + ": "));
   std::string wolf = test::manifest("00ff", 12);

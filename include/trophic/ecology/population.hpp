@@ -13,10 +13,10 @@
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
-#include <trophic/population/rule_states.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>

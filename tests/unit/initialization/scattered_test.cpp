@@ -7,11 +7,11 @@
 #include <numbers>
 #include <stdexcept>
 #include <support/statistics.hpp>
-#include <trophic/placement/scattered.hpp>
+#include <trophic/initialization/placement/scattered.hpp>
 #include <vector>
 
 using namespace trophic;
-using placement::Scattered;
+using initialization::placement::Scattered;
 
 namespace {
 

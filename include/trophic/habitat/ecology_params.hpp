@@ -11,7 +11,7 @@
 namespace trophic {
 
 /// Bodies, time scales and models (Sec. "Robot Body and Environment", "Cognitive Brain", "Birth").
-struct World {
+struct EcologyParams {
   std::size_t robots = 30;              ///< bodies, fixed for the whole run
   double duration_s = 6000.0;           ///< of the ecology's clock; what a program runs unless told otherwise
   double tick_s = 2.0;                  ///< decision step, of the ecology's clock
@@ -24,16 +24,17 @@ struct World {
   CpgIntegration cpg_integration = CpgIntegration::exact;
 
   static constexpr auto fields() {
-    return std::tuple{field("robots", &World::robots, between(1, 10'000'000), "robot bodies, fixed for the whole run"),
-                      field("duration_s", &World::duration_s, above(0.0), "length of the run, ecology seconds"),
-                      field("tick_s", &World::tick_s, above(0.0), "decision step, ecology seconds"),
-                      field("first_tick_s", &World::first_tick_s, at_least(0.0), "rules act from then on, ecology seconds"),
-                      field("control_hz", &World::control_hz, above_to(0.0, 1e5), "gait control per simulated second"),
-                      field("clock_scale", &World::clock_scale, above_to(0.0, 1e3), "simulated seconds per ecology second"),
-                      field("robot", &World::robot, "name or path of a robot file"),
-                      field("arena", &World::arena, "name or path of an arena file"),
-                      field("gait", &World::gait, "name or path of a gait file; empty: the robot's own"),
-                      field("cpg_integration", &World::cpg_integration, "exact or rk4")};
+    return std::tuple{
+        field("robots", &EcologyParams::robots, between(1, 10'000'000), "robot bodies, fixed for the whole run"),
+        field("duration_s", &EcologyParams::duration_s, above(0.0), "length of the run, ecology seconds"),
+        field("tick_s", &EcologyParams::tick_s, above(0.0), "decision step, ecology seconds"),
+        field("first_tick_s", &EcologyParams::first_tick_s, at_least(0.0), "rules act from then on, ecology seconds"),
+        field("control_hz", &EcologyParams::control_hz, above_to(0.0, 1e5), "gait control per simulated second"),
+        field("clock_scale", &EcologyParams::clock_scale, above_to(0.0, 1e3), "simulated seconds per ecology second"),
+        field("robot", &EcologyParams::robot, "name or path of a robot file"),
+        field("arena", &EcologyParams::arena, "name or path of an arena file"),
+        field("gait", &EcologyParams::gait, "name or path of a gait file; empty: the robot's own"),
+        field("cpg_integration", &EcologyParams::cpg_integration, "exact or rk4")};
   }
 };
 

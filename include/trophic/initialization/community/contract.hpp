@@ -7,10 +7,11 @@
 #include <trophic/population/food_web.hpp>
 #include <vector>
 
-#define TROPHIC_SENTENCE_Community \
-  "FoodWeb web() const and std::vector<Species> founders(std::size_t robots) const; see trophic/community/contract.hpp"
+#define TROPHIC_SENTENCE_Community                                                        \
+  "FoodWeb web() const and std::vector<Species> founders(std::size_t robots) const; see " \
+  "trophic/initialization/community/contract.hpp"
 
-namespace trophic::community {
+namespace trophic::initialization {
 
 /// `web()`: the species and who eats whom. `founders(robots)`: the species of the first individual in each of `robots`
 /// bodies; throws std::invalid_argument naming field, value and bound if its numbers do not fit.
@@ -20,4 +21,4 @@ concept Community = requires(const P policy, std::size_t robots) {
   { policy.founders(robots) } -> std::same_as<std::vector<Species>>;
 };
 
-}  // namespace trophic::community
+}  // namespace trophic::initialization

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/initialization/placement/contract.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/placement/contract.hpp>
 #include <vector>
 
-namespace trophic::placement {
+namespace trophic::initialization::placement {
 
 /// Rule: positions uniform over the flat floor, one bounding radius from the walls, drawn again while closer than two
 /// bounding radii to a robot already placed; headings uniform. The paper says "random positions" (Sec. "Initialization")
@@ -31,7 +31,7 @@ struct Scattered {
     std::vector<GroundPose> placed;
     while (placed.size() < robots) {
       if (!place_one(placed, reach_m, radius_m, rng)) {
-        throw std::invalid_argument{"world.robots = " + std::to_string(robots) + ": must be <= about " +
+        throw std::invalid_argument{"ecology.robots = " + std::to_string(robots) + ": must be <= about " +
                                     std::to_string(placed.size()) + " to stand apart in a square of half side " +
                                     number_text(arena.half_side_m) + " m"};
       }
@@ -56,4 +56,4 @@ struct Scattered {
 };
 static_assert(Placement<Scattered>);
 
-}  // namespace trophic::placement
+}  // namespace trophic::initialization::placement

@@ -16,33 +16,36 @@
 namespace trophic {
 
 /// One number, switch or text of a run with the path by which it is set, e.g. "rules.mutation.sd".
-struct Setting {
+struct NamedParam {
   std::string path;
   std::variant<bool, std::int64_t, double, std::string> value;
   std::string help;
-  friend bool operator==(const Setting&, const Setting&) = default;
+  friend bool operator==(const NamedParam&, const NamedParam&) = default;
 };
-using Settings = std::vector<Setting>;
+using NamedParams = std::vector<NamedParam>;
 
 /// The value as text: numbers in their shortest exact form, texts as they are.
-[[nodiscard]] std::string value_text(const Setting& setting);
+[[nodiscard]] std::string value_text(const NamedParam& param);
 
 namespace detail {
 
-void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, bool value);
-void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, std::int64_t value);
-void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, double value);
-void add_setting(Settings& settings, std::string_view path, std::string_view name, std::string_view help, std::string_view value);
+void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help, bool value);
+void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help,
+                     std::int64_t value);
+void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help,
+                     double value);
+void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help,
+                     std::string_view value);
 
 template <class P>
-void append_settings(const P& params, std::string_view path, Settings& settings) {
+void append_named_params(const P& params, std::string_view path, NamedParams& named_params) {
   static_assert(OpenParams<P>, "Params must be an aggregate: public numbers, no constructor");
   static_assert(AllListed<members_of<P>, fields_of<P>>,
                 "Params must list every number in fields(); see trophic/params/params.hpp");
   static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
   for_each_field(params, [&](const auto& f, const auto& value) {
     using T = std::remove_cvref_t<decltype(value)>;
-    const auto add = [&](auto plain) { add_setting(settings, path, f.name, f.help, plain); };
+    const auto add = [&](auto plain) { add_named_param(named_params, path, f.name, f.help, plain); };
     if constexpr (std::same_as<T, bool>) {
       add(value);
     } else if constexpr (std::integral<T>) {
@@ -54,7 +57,7 @@ void append_settings(const P& params, std::string_view path, Settings& settings)
     } else if constexpr (std::convertible_to<T, std::string_view>) {
       add(std::string_view{value});
     } else {
-      append_settings(value, join_path(path, f.name), settings);
+      append_named_params(value, join_path(path, f.name), named_params);
     }
   });
 }
@@ -63,10 +66,10 @@ void append_settings(const P& params, std::string_view path, Settings& settings)
 
 /// Every field of a Params struct, nested ones included, in order.
 template <class P>
-[[nodiscard]] Settings settings_of(const P& params) {
-  Settings settings;
-  detail::append_settings(params, "", settings);
-  return settings;
+[[nodiscard]] NamedParams named_params_of(const P& params) {
+  NamedParams named_params;
+  detail::append_named_params(params, "", named_params);
+  return named_params;
 }
 
 /// FNV-1a (64 bits) of a text, as 16 hexadecimal digits.
@@ -75,5 +78,5 @@ template <class P>
 }  // namespace trophic
 
 #if TROPHIC_HEADER_ONLY
-#include <trophic/params/settings.ipp>
+#include <trophic/params/named_params.ipp>
 #endif

@@ -16,7 +16,7 @@
 namespace trophic::analysis {
 
 /// What a run's manifest says that metrics need.
-struct RunFacts {
+struct RunManifest {
   std::filesystem::path folder;
   std::string fingerprint;
   std::string rules;
@@ -27,29 +27,29 @@ struct RunFacts {
   std::optional<double> reached_s;  ///< none for a run that was killed or is still running
   double half_side_m = 0.0;
   nlohmann::json policies;  ///< by slot
-  nlohmann::json numbers;
+  nlohmann::json params;
   FoodWeb web{{}, {}};
 };
 
 /// Reads FOLDER/manifest.json. Throws std::runtime_error naming file and field.
-[[nodiscard]] inline RunFacts read_facts(const std::filesystem::path& folder) {
+[[nodiscard]] inline RunManifest read_manifest(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "manifest.json";
   std::ifstream file{path};
   if (!file) throw std::runtime_error{path.string() + ": cannot be read; is " + folder.string() + " a run's folder?"};
   try {
     const auto json = nlohmann::json::parse(file);
-    RunFacts facts;
-    facts.folder = folder;
-    facts.fingerprint = json.at("fingerprint").get<std::string>();
-    facts.rules = json.at("rule_table").get<std::string>();
-    facts.backend = json.at("backend").get<std::string>();
-    facts.status = json.at("status").get<std::string>();
-    facts.seed = json.at("seed").get<std::uint64_t>();
-    facts.until_s = json.at("clock").at("until_s").get<double>();
-    facts.half_side_m = json.at("arena").at("half_side_m").get<double>();
-    if (json.contains("result")) facts.reached_s = json["result"].at("reached_s").get<double>();
-    facts.policies = json.value("rules", nlohmann::json::object());
-    facts.numbers = json.value("numbers", nlohmann::json::object());
+    RunManifest manifest;
+    manifest.folder = folder;
+    manifest.fingerprint = json.at("fingerprint").get<std::string>();
+    manifest.rules = json.at("rule_table").get<std::string>();
+    manifest.backend = json.at("backend").get<std::string>();
+    manifest.status = json.at("status").get<std::string>();
+    manifest.seed = json.at("seed").get<std::uint64_t>();
+    manifest.until_s = json.at("clock").at("until_s").get<double>();
+    manifest.half_side_m = json.at("arena").at("half_side_m").get<double>();
+    if (json.contains("result")) manifest.reached_s = json["result"].at("reached_s").get<double>();
+    manifest.policies = json.value("rules", nlohmann::json::object());
+    manifest.params = json.value("params", nlohmann::json::object());
     const auto names = json.at("species").get<std::vector<std::string>>();
     std::vector<Feeding> links;
     const auto number = [&](const std::string& name) {
@@ -58,8 +58,8 @@ struct RunFacts {
     for (const auto& link : json.at("food_web")) {
       links.push_back({number(link.at("hunter").get<std::string>()), number(link.at("victim").get<std::string>())});
     }
-    facts.web = FoodWeb{names, links};
-    return facts;
+    manifest.web = FoodWeb{names, links};
+    return manifest;
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};
   } catch (const std::invalid_argument& error) {

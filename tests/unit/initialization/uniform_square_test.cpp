@@ -4,11 +4,11 @@
 #include <numbers>
 #include <stdexcept>
 #include <support/statistics.hpp>
-#include <trophic/placement/uniform_square.hpp>
+#include <trophic/initialization/placement/uniform_square.hpp>
 #include <vector>
 
 using namespace trophic;
-using placement::UniformSquare;
+using initialization::placement::UniformSquare;
 
 namespace {
 

@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/community/contract.hpp>
+#include <trophic/initialization/community/contract.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 #include <vector>
 
-namespace trophic::community {
+namespace trophic::initialization::community {
 
 /// Predators eat prey. Rule: of N bodies the first N - predators start as prey, the others as predators; 16 and 14 of 30 in
 /// the paper (Sec. "Initialization").   Reads: nothing.   Random draws: 0.
@@ -47,4 +47,4 @@ struct PredatorPrey {
 };
 static_assert(Community<PredatorPrey>);
 
-}  // namespace trophic::community
+}  // namespace trophic::initialization::community
