@@ -43,6 +43,8 @@ class OwnTable(InFolder):
         rows = [line for line in self.call_ok(*options, "--print-table", "markdown").splitlines() if "| senescence |" in line]
         self.assertEqual(len(rows), 1)
         self.assertIn("old\\_age | max\\_age\\_s = 1234", rows[0])
+        changed = self.call_ok(*options, "--print-table", "markdown", "--set", "ecology.robots=17")
+        self.assertIn("robots = 17", next(line for line in changed.splitlines() if line.startswith("| ecology |")))
         latex = self.call_ok(*options, "--print-table", "latex")
         self.assertTrue(latex.startswith("\\begin{tabular}"))
         self.assertIn("max\\_age\\_s = 1234", latex)

@@ -73,8 +73,10 @@ template <class Rules, Backend B>
 [[nodiscard]] int run_table(const ExperimentOptions& options, const Config& config) {
   const Experiment<Rules, B> numbers = numbers_of<Rules, B>(options, config);
   if (options.print_config) return print_config(table_name<Rules>(), std::string{B::name}, named_params_of(numbers));
-  if (options.print_table == "markdown") return print_text(rules::markdown_table<Rules>(numbers.rules));
-  if (options.print_table == "latex") return print_text(rules::latex_table<Rules>(numbers.rules));
+  if (options.print_table == "markdown")
+    return print_text(rules::markdown_table<Rules>(numbers.rules, numbers.ecology, numbers.physics));
+  if (options.print_table == "latex")
+    return print_text(rules::latex_table<Rules>(numbers.rules, numbers.ecology, numbers.physics));
   if (!options.replicates) return run_once<Rules, B>(options, numbers);
   const auto plan = plan_of(options, numbers.seed);
   return report_unfinished(options,

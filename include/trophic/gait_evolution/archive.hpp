@@ -59,7 +59,7 @@ template <class Table, JointDriven B>
   const Individual& champion = experiment.lineage().individuals[id];
   Gait gait = cppn_gait(champion.genome, experiment.robot());
   gait.name = experiment.robot().name;
-  gait.provenance = "evolved for this robot by evolve_gait; settings and CPPN below";
+  gait.provenance = "evolved for this robot by `trophic evolve-gait`; its numbers and CPPN are below";
   NamedParams about = provenance(experiment);
   about.push_back({"fitness", champion.fitness, "m"});
   about.push_back({"individual", static_cast<std::int64_t>(id), {}});

@@ -33,46 +33,83 @@ struct Plan {
   }
 };
 
+/// What a table states beside its policies, by designated initialisers; a policy's own numbers where it states none.
+template <class Table>
+struct TableParams {
+  Plan plan{};
+  ParamsOf<typename Table::ParentSelection> parent_selection{};
+  ParamsOf<typename Table::SurvivorSelection> survivor_selection{};
+  ParamsOf<typename Table::Fitness> fitness{};
+  ParamsOf<typename Table::Steering> steering{};
+  Trial trial{};
+  Physics physics{};
+};
+
 /// The paper's pre-experiment (Sec. "Targeted Steering"): 20 generations, population 20, 20 parents, 20 children, round-robin
 /// tournament, 50 s an evaluation, displacement towards the negative x-axis. Survivors come from parents and children together.
-struct Paper {
+struct Paper final {
   static constexpr std::string_view name = "paper";
   using ParentSelection = RoundRobin;
   using SurvivorSelection = RoundRobin;
   using Fitness = DisplacementMinusX;
   using Steering = control::steering::TargetedSteering;
 
-  static Plan plan() { return {}; }
-  static Trial trial() { return {}; }
-  static Physics physics() { return {}; }
+  static TableParams<Paper> params() { return {}; }
 };
 
 /// The released code's: 20 s an evaluation, timestep 0.0005 s with RK4, tournaments of 2 (two distinct parents for each child),
 /// steering closed on the heading with exponent 4, the core's x-axis along -x at the start, no control in the first period.
-struct Released {
+struct Released final {
   static constexpr std::string_view name = "released";
   using ParentSelection = TournamentCouples;
   using SurvivorSelection = Tournament;
   using Fitness = DisplacementMinusX;
-  static constexpr Fitness::Params fitness{.aim = Aim::minus_x};
   using Steering = control::steering::TargetedSteering;
-  static constexpr Steering::Params steering{.exponent = 4.0};
 
-  static Plan plan() { return {.parents = 40}; }
-  static Trial trial() {
-    return {.duration_s = 20.0, .idle_steps = 1, .facing = Facing::core_x, .cpg_integration = CpgIntegration::rk4};
+  static TableParams<Released> params() {
+    return {.plan = {.parents = 40},
+            .fitness = {.aim = Aim::minus_x},
+            .steering = {.exponent = 4.0},
+            .trial = {.duration_s = 20.0, .idle_steps = 1, .facing = Facing::core_x, .cpg_integration = CpgIntegration::rk4},
+            .physics = {.timestep_s = 0.0005, .integrator = Integrator::rk4}};
   }
-  static Physics physics() { return {.timestep_s = 0.0005, .integrator = Integrator::rk4}; }
 };
 
-/// The table with another fitness, at that policy's own numbers.
+/// The table with another fitness, at that policy's own numbers. It keeps its name.
 template <class Table, gait_evolution::Fitness Policy>
-struct with_fitness : Table {
+struct with_fitness final {
+  static constexpr std::string_view name = Table::name;
+  using ParentSelection = typename Table::ParentSelection;
+  using SurvivorSelection = typename Table::SurvivorSelection;
   using Fitness = Policy;
-  inline static const ParamsOf<Policy> fitness{};
+  using Steering = typename Table::Steering;
+
+  static TableParams<with_fitness> params() {
+    const TableParams<Table> base = Table::params();
+    return {.plan = base.plan,
+            .parent_selection = base.parent_selection,
+            .survivor_selection = base.survivor_selection,
+            .fitness = {},
+            .steering = base.steering,
+            .trial = base.trial,
+            .physics = base.physics};
+  }
 };
 
-/// All numbers of a pre-experiment. Starts at the numbers of its table, at a policy's own where the table states none.
+namespace detail {
+
+/// Fails to compile, with one sentence, if a policy of a pre-experiment cannot be made from its numbers.
+template <class Policy>
+consteval bool made_from_params() {
+  static_assert(!trophic::detail::HasNumbers<Policy> || trophic::detail::MadeFromParams<Policy>,
+                "a policy of the pre-experiment has Params but cannot be made from them: it needs `Params params;` as its first "
+                "member or a constructor from Params");
+  return true;
+}
+
+}  // namespace detail
+
+/// All numbers of a pre-experiment. Starts at the numbers of its table.
 template <class Table, Backend B>
 struct Params {
   static_assert(Selection<typename Table::ParentSelection> && Selection<typename Table::SurvivorSelection>,
@@ -80,29 +117,20 @@ struct Params {
                 "std::size_t count, Rng&) const; see trophic/gait_evolution/selection.hpp");
   static_assert(gait_evolution::Fitness<typename Table::Fitness>,
                 "Fitness needs double fitness(const TryOut&) const; see trophic/gait_evolution/fitness.hpp");
+  static_assert(detail::made_from_params<typename Table::ParentSelection>() &&
+                detail::made_from_params<typename Table::SurvivorSelection>() &&
+                detail::made_from_params<typename Table::Fitness>() && detail::made_from_params<typename Table::Steering>());
 
   std::uint64_t seed = 1;
   std::string robot = "spider";
-  Plan plan = Table::plan();
-#define TROPHIC_START(Slot, member)                                                                                          \
-  static_assert(!trophic::detail::HasNumbers<typename Table::Slot> || trophic::detail::MadeFromParams<typename Table::Slot>, \
-                #Slot                                                                                                        \
-                " has Params but cannot be made from them: it needs `Params params;` as its first member or a constructor "  \
-                "from Params");                                                                                              \
-  ParamsOf<typename Table::Slot> member = [] {                                                                               \
-    if constexpr (requires { Table::member; })                                                                               \
-      return Table::member;                                                                                                  \
-    else                                                                                                                     \
-      return ParamsOf<typename Table::Slot>{};                                                                               \
-  }();
-  TROPHIC_START(ParentSelection, parent_selection)
-  TROPHIC_START(SurvivorSelection, survivor_selection)
-  TROPHIC_START(Fitness, fitness)
-  TROPHIC_START(Steering, steering)
-#undef TROPHIC_START
+  Plan plan = Table::params().plan;
+  ParamsOf<typename Table::ParentSelection> parent_selection = Table::params().parent_selection;
+  ParamsOf<typename Table::SurvivorSelection> survivor_selection = Table::params().survivor_selection;
+  ParamsOf<typename Table::Fitness> fitness = Table::params().fitness;
+  ParamsOf<typename Table::Steering> steering = Table::params().steering;
   Variation variation{};
-  Trial trial = Table::trial();
-  Physics physics = Table::physics();
+  Trial trial = Table::params().trial;
+  Physics physics = Table::params().physics;
   typename B::Params backend{};
 
   static constexpr auto fields() {

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <trophic/habitat/ecology_params.hpp>
+#include <trophic/habitat/physics.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/rules/table.hpp>
 #include <variant>
@@ -98,25 +100,28 @@ template <class Text>
 
 }  // namespace detail
 
-/// One line for each slot of a table, with the numbers given or its own, then its ecology and its physics.
+/// One line for each slot of a table, then one for ecology and one for physics, with the numbers given or the table's own.
 template <class Rules>
-[[nodiscard]] std::vector<PrintedRule> printed_rules(const RuleParams<Rules>& params = {}) {
+[[nodiscard]] std::vector<PrintedRule> printed_rules(const RuleParams<Rules>& params = {},
+                                                     const EcologyParams& ecology = Rules::ecology(),
+                                                     const Physics& physics = Rules::physics()) {
   std::vector<PrintedRule> lines;
 #define TROPHIC_PRINT(Slot, member, kind, Contract)                                                     \
   lines.push_back({#kind, #member, std::string{Rules::Slot::name}, detail::numbers_text(params.member), \
                    std::string{source_of<typename Rules::Slot>()}});
   TROPHIC_RULE_SLOTS(TROPHIC_PRINT)
 #undef TROPHIC_PRINT
-  lines.push_back({"ecology", "", "", detail::numbers_text(Rules::ecology()), ""});
-  lines.push_back({"physics", "", "", detail::numbers_text(Rules::physics()), ""});
+  lines.push_back({"ecology", "", "", detail::numbers_text(ecology), ""});
+  lines.push_back({"physics", "", "", detail::numbers_text(physics), ""});
   return lines;
 }
 
 /// The table as Markdown.
 template <class Rules>
-[[nodiscard]] std::string markdown_table(const RuleParams<Rules>& params = {}) {
+[[nodiscard]] std::string markdown_table(const RuleParams<Rules>& params = {}, const EcologyParams& ecology = Rules::ecology(),
+                                         const Physics& physics = Rules::physics()) {
   std::string text = "| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n";
-  for (const PrintedRule& rule : printed_rules<Rules>(params)) {
+  for (const PrintedRule& rule : printed_rules<Rules>(params, ecology, physics)) {
     text.append("| ").append(detail::joined(rule, " | ", detail::markdown_text)).append(" |\n");
   }
   return text;
@@ -124,11 +129,12 @@ template <class Rules>
 
 /// The table as a LaTeX tabular that needs no package.
 template <class Rules>
-[[nodiscard]] std::string latex_table(const RuleParams<Rules>& params = {}) {
+[[nodiscard]] std::string latex_table(const RuleParams<Rules>& params = {}, const EcologyParams& ecology = Rules::ecology(),
+                                      const Physics& physics = Rules::physics()) {
   std::string text =
       "\\begin{tabular}{lllp{0.28\\linewidth}p{0.28\\linewidth}}\n\\hline\nkind & slot & policy & numbers & source "
       "\\\\\n\\hline\n";
-  for (const PrintedRule& rule : printed_rules<Rules>(params)) {
+  for (const PrintedRule& rule : printed_rules<Rules>(params, ecology, physics)) {
     text.append(detail::joined(rule, " & ", detail::latex_text)).append(" \\\\\n");
   }
   return text + "\\hline\n\\end{tabular}\n";

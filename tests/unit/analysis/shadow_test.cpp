@@ -34,7 +34,7 @@ TEST_CASE("what is no shadow is refused with what differs") {
   const auto same = run_of(folder.path() / "same", "copy", 7, 2);
   CHECK(refusal(same) == same.string() + from + "its rule in slot heredity is copy: must be nothing_inherited");
   const auto floor = run_of(folder.path() / "floor", "nothing_inherited", 6);
-  CHECK(refusal(floor) == floor.string() + from + "numbers/rules/floor/floor = 6: must be 7");
+  CHECK(refusal(floor) == floor.string() + from + "params/rules/floor/floor = 6: must be 7");
   const auto stopped = run_of(folder.path() / "stopped", "nothing_inherited", 7, 1, "stopped");
   CHECK(refusal(stopped) == stopped.string() + from + "it is stopped at 6000 s: must be complete at 6000 s");
   const auto bare = test::write_run(folder.path() / "bare", test::manifest("cc", 3));

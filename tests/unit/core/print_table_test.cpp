@@ -48,7 +48,7 @@ TEST_CASE("print table: a line for each slot in order, then world and physics") 
   const auto lines = rules::printed_rules<Swapped>();
   REQUIRE(lines.size() == rules::slot_names.size() + 2);
   for (std::size_t i = 0; i < rules::slot_names.size(); ++i) CHECK(lines[i].slot == rules::slot_names[i]);
-  CHECK(lines[0].kind == "community");
+  CHECK(lines[0].kind == "initialization");
   CHECK(lines[0].policy == "predator_prey");
   CHECK(lines[0].numbers == "predators = 14");
   CHECK(lines[0].source == "paper, Sec. \"Initialization\"");
@@ -63,7 +63,7 @@ TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
   const std::string markdown = rules::markdown_table<Swapped>();
   CHECK(
       markdown.starts_with("| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n"
-                           "| community | community | predator\\_prey | predators = 14 | paper, Sec. \"Initialization\" |\n"));
+                           "| initialization | community | predator\\_prey | predators = 14 | paper, Sec. \"Initialization\" |\n"));
   CHECK(line_of(markdown, "| death | senescence |") ==
         R"(| death | senescence | odd\_rule | share = 0.333333, strict\_one = true | )"
         R"(50 % of "A & B" {$5} #1 a\_b ^ \~ \\ \<c\|d\> \* |)");
@@ -73,7 +73,7 @@ TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
   CHECK(
       latex.starts_with("\\begin{tabular}{lllp{0.28\\linewidth}p{0.28\\linewidth}}\n\\hline\n"
                         "kind & slot & policy & numbers & source \\\\\n\\hline\n"
-                        "community & community & predator\\_prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
+                        "initialization & community & predator\\_prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
   CHECK(line_of(latex, "death & senescence &") ==
         R"(death & senescence & odd\_rule & share = 0.333333, strict\_one = true & )"
         R"(50 \% of ``A \& B'' \{\$5\} \#1 a\_b \textasciicircum{} \textasciitilde{} \textbackslash{} )"
