@@ -34,6 +34,7 @@
 #include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/analysis/statistics/holm.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
+#include <trophic/analysis/statistics/student_t.hpp>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <trophic/analysis/statistics/interval.hpp>
+#include <trophic/analysis/statistics/student_t.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::analysis {
@@ -61,8 +61,7 @@ struct EquivalenceTest {
 [[nodiscard]] inline std::optional<std::size_t> runs_to_decide(double distance, double deviation, double margin) {
   const auto half_width = [&](std::size_t runs, double level) {
     const double freedom = static_cast<double>(runs - 1);
-    return boost::math::quantile(boost::math::students_t{freedom}, (1.0 + level) / 2.0) * deviation /
-           std::sqrt(static_cast<double>(runs));
+    return student_t_quantile((1.0 + level) / 2.0, freedom) * deviation / std::sqrt(static_cast<double>(runs));
   };
   const auto decides = [&](std::size_t runs) {
     return half_width(runs, 0.90) < margin - distance || half_width(runs, 0.95) < distance;

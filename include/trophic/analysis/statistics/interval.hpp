@@ -3,13 +3,13 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <trophic/analysis/statistics/student_t.hpp>
 
 namespace trophic::analysis {
 
@@ -87,7 +87,7 @@ struct Contrast {
 [[nodiscard]] inline std::optional<Interval> interval_of(const std::optional<Contrast>& of, double level = 0.95) {
   if (!of) return std::nullopt;
   if (of->error == 0.0) return Interval{of->value, of->value};
-  const double half = of->error * boost::math::quantile(boost::math::students_t{of->freedom}, (1.0 + level) / 2.0);
+  const double half = of->error * student_t_quantile((1.0 + level) / 2.0, of->freedom);
   return Interval{of->value - half, of->value + half};
 }
 
@@ -97,7 +97,7 @@ struct Contrast {
   if (!of || (of->error == 0.0 && of->value == from)) return std::nullopt;
   if (of->error == 0.0) return 0.0;
   const double t = std::abs(of->value - from) / of->error;
-  return 2.0 * boost::math::cdf(boost::math::complement(boost::math::students_t{of->freedom}, t));
+  return student_t_two_sided(t, of->freedom);
 }
 
 [[nodiscard]] inline std::optional<Interval> interval_of_mean(std::span<const double> values, double level = 0.95) {

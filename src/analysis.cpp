@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// trophic::compiled: statistics.
+#include <trophic/analysis/statistics/student_t.ipp>
