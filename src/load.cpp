@@ -5,3 +5,4 @@
 #include <trophic/load/habitat.ipp>
 #include <trophic/load/models.ipp>
 #include <trophic/load/robot.ipp>
+#include <trophic/params/parse_toml.ipp>

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 // trophic::compiled: what runs leave behind.
+#include <trophic/archive/growing_file.ipp>
+#include <trophic/checkpoint/checkpoint_file.ipp>
+#include <trophic/checkpoint/go_on.ipp>
+#include <trophic/checkpoint/keeper.ipp>
+#include <trophic/checkpoint/rewind.ipp>
 #include <trophic/observe/manifest.ipp>
 #include <trophic/observe/progress.ipp>
 #include <trophic/observe/run_description.ipp>
 #include <trophic/observe/run_folder.ipp>
 #include <trophic/observe/terminal.ipp>
 #include <trophic/support/replace_file.ipp>
+#include <trophic/support/whole_file.ipp>

@@ -35,11 +35,18 @@
 #include <trophic/analysis/statistics/holm.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
 #include <trophic/analysis/statistics/student_t.hpp>
+#include <trophic/archive/archive.hpp>
+#include <trophic/archive/growing_file.hpp>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/body/build.hpp>
 #include <trophic/body/module.hpp>
+#include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/checkpoint/keeper.hpp>
+#include <trophic/checkpoint/rewind.hpp>
+#include <trophic/checkpoint/schedule.hpp>
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
@@ -82,12 +89,14 @@
 #include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
 #include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
 #include <trophic/death/starvation_schedule/never_due.hpp>
+#include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/shadow_of.hpp>
+#include <trophic/ecology/standing_poses.hpp>
 #include <trophic/gait_evolution/activation.hpp>
 #include <trophic/gait_evolution/archive.hpp>
 #include <trophic/gait_evolution/checkpoint.hpp>
@@ -157,6 +166,7 @@
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/params/parse_toml.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/adversary.hpp>
@@ -230,6 +240,7 @@
 #include <trophic/rules/with.hpp>
 #include <trophic/rules/with_rules_of.hpp>
 #include <trophic/rules/with_sensor.hpp>
+#include <trophic/support/folder_lock.hpp>
 #include <trophic/support/joined_text.hpp>
 #include <trophic/support/linkage.hpp>
 #include <trophic/support/replace_file.hpp>
@@ -238,3 +249,4 @@
 #include <trophic/support/thread_pool.hpp>
 #include <trophic/support/units.hpp>
 #include <trophic/support/version.hpp>
+#include <trophic/support/whole_file.hpp>

@@ -217,7 +217,7 @@ class Analyze(InFolderWithSets):
             time.sleep(0.01)
         running.send_signal(signal.SIGINT)
         _, errors = running.communicate(timeout=120)
-        self.assertEqual(running.returncode, 1, errors)
+        self.assertEqual(running.returncode, 3, errors)
         self.assertIn("replicate-00: stopped", errors)
         self.assertIn("--resume", errors)
         refused = self.call(*command)
@@ -225,7 +225,7 @@ class Analyze(InFolderWithSets):
         self.assertIn("exists already", refused.stderr)
         resumed = self.call(*command, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
-        self.assertIn("kept as replicate-00.incomplete-1, run anew", resumed.stdout)
+        self.assertIn("replicate-00 goes on from its checkpoint at", resumed.stdout)
         self.assertIn("3 of 3 replicates complete", resumed.stdout)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")

@@ -233,7 +233,7 @@ class Runs(PredatorPrey):
             time.sleep(0.2)
             process.send_signal(signal.SIGINT)
             printed, _ = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 0)
+        self.assertEqual(process.returncode, 3)
         self.assertIn("births", printed)
         self.assertEqual(self.manifest("long")["status"], "stopped")
         births = sum(e["event"] == "birth" for e in self.rows("long", "events.csv"))

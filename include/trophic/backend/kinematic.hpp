@@ -61,11 +61,13 @@ class Kinematic {
     double heading_rad = 0.0;
     double target_angle_rad = 0.0;
     bool operator==(const Body&) const = default;
+    static constexpr auto saved() { return std::tuple{&Body::x_m, &Body::y_m, &Body::heading_rad, &Body::target_angle_rad}; }
   };
   struct State {
     std::uint64_t steps = 0;
     std::vector<Body> bodies;
     bool operator==(const State&) const = default;
+    static constexpr auto saved() { return std::tuple{&State::steps, &State::bodies}; }
   };
 
   /// Throws std::invalid_argument for a number outside its bound, a robot without a walk, no robot, a radius that the arena

@@ -17,6 +17,7 @@
 #include <trophic/command/option.hpp>
 #include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/rules/table.hpp>
 #include <vector>
 
@@ -100,7 +101,7 @@ template <class Base, class Other>
   if (!run_all) throw std::invalid_argument{about_missing_backend(options.backend, backend_names<LinkedBackends>())};
   if (run_all()) return 0;
   std::cerr << "the same command with --resume runs what is missing and no more\n";
-  return run_error;
+  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
 }  // namespace detail::ablations

@@ -16,8 +16,9 @@
 
 namespace trophic::command {
 
-/// What --config and --set say.
+/// What --config and --set say, and what a run had whose continuation this is.
 struct Config {
+  toml::table origin;  ///< read before the file: all numbers of the run that --from names
   std::string file;  ///< empty where none was named
   toml::table numbers;
   std::optional<std::string> rule_table;
@@ -25,11 +26,11 @@ struct Config {
   std::vector<std::string> assignments;
 };
 
-/// Reads the file, if one is named. Throws as read_toml does.
+/// Reads the file, if one is named. Throws as parse_toml_file does.
 [[nodiscard]] inline Config read_config(const std::string& file, std::vector<std::string> assignments) {
-  Config config{.file = file, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = std::move(assignments)};
+  Config config{.origin = {}, .file = file, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = std::move(assignments)};
   if (file.empty()) return config;
-  config.numbers = read_toml(file);
+  config.numbers = parse_toml_file(file);
   config.rule_table = take_choice(config.numbers, "rule_table");
   config.engine = take_choice(config.numbers, "engine");
   return config;
@@ -99,6 +100,7 @@ inline void check_keys(const toml::table& table, const NamedParams& named_params
 /// Sets what the file says, then each assignment. Throws std::invalid_argument with the file's name for what it says wrong.
 template <class Numbers>
 void read_config_into(Numbers& numbers, const Config& config) {
+  read_numbers(numbers, config.origin);
   const NamedParams named_params = named_params_of(numbers);
   if (!config.file.empty()) {
     const std::string where = config.file + ": ";

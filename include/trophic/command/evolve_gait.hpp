@@ -103,7 +103,7 @@ int run(const Options& options, const Config& config) {
   if (!experiment.done()) {
     std::cout << "stopped by signal " << observe::StopOnSignal::caught() << "; go on with --resume " << folder.string()
               << std::endl;
-    return 0;
+    return stopped;
   }
   const std::size_t champion = experiment.lineage().champion();
   std::cout << experiment.robot().name << ": fitness " << experiment.lineage().individuals[champion].fitness << " (individual "

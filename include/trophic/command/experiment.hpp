@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/checkpoint/rewind.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/command/experiment_program.hpp>
@@ -19,6 +23,7 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
+#include <trophic/params/toml.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/rules/print_table.hpp>
 #include <trophic/rules/table.hpp>
@@ -46,7 +51,8 @@ template <class Rules, Backend B>
 }
 
 template <class Rules, Backend B>
-[[nodiscard]] int run_once(const ExperimentOptions& options, const Experiment<Rules, B>& numbers) {
+[[nodiscard]] int run_once(const ExperimentOptions& options, const Experiment<Rules, B>& numbers,
+                           const std::optional<OriginRun>& origin) {
   Ecology<Rules, B> ecology{numbers};
   if (!options.save_mjcf.empty()) {
     if constexpr (requires { ecology.backend().save_mjcf(options.save_mjcf); }) {
@@ -56,39 +62,83 @@ template <class Rules, Backend B>
     }
     if (options.out.empty()) return 0;
   }
-  const observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out, options.provenance};
+  const double until_s = numbers.ecology.duration_s;
+  Beginning standing;
+  if (origin) {
+    checkpoint::check_may_follow(origin->description, ecology.describe(until_s));
+    if (!(origin->at_s <= until_s)) {
+      throw std::invalid_argument{"--at " + number_text(origin->at_s) + ": must be <= " + number_text(until_s) +
+                                  ", the duration of the run that begins there"};
+    }
+    if (!origin->make()) return stopped;
+    standing = standing_after(*origin, options.out, ecology.describe(until_s));
+  } else if (options.resume) {
+    standing = {checkpoint::standing_in(options.out, ecology.describe(until_s))};
+  }
+  if (!standing.remark.empty()) std::cout << options.out << " " << standing.remark << std::endl;
+  if (standing.complete) return 0;
+  observe::StopOnSignal stop;
+  observe::RunFolder folder{options.out, options.provenance, standing.opening()};
   observe::Progress progress;
   try {
-    ecology.run_until(numbers.ecology.duration_s, folder, progress, stop);
+    if (standing.begins) {
+      checkpoint::restore_any(*standing.from, ecology, folder, progress, stop);
+      folder.manifest().begin_from(text_of(*origin, standing.from->time_s));
+      standing.from.reset();
+    }
+    checkpoint::run_kept(ecology, until_s, options.out, {.every_s = options.checkpoint_s}, standing.from, folder, progress, stop);
   } catch (const std::exception& error) {
     std::cerr << options.program << ": " << error.what() << "\nwhat was written before is in " << folder.path().string() << "\n";
     return run_error;
   }
-  report_run(folder, progress, ecology.view());
-  return 0;
+  return report_run(folder, progress, ecology.view(), until_s);
 }
 
 template <class Rules, Backend B>
-[[nodiscard]] int run_table(const ExperimentOptions& options, const Config& config) {
+[[nodiscard]] int run_table(const ExperimentOptions& options, const Config& config, const std::optional<OriginRun>& origin) {
   const Experiment<Rules, B> numbers = numbers_of<Rules, B>(options, config);
   if (options.print_config) return print_config(table_name<Rules>(), std::string{B::name}, named_params_of(numbers));
   if (options.print_table == "markdown")
     return print_text(rules::markdown_table<Rules>(numbers.rules, numbers.ecology, numbers.physics));
   if (options.print_table == "latex")
     return print_text(rules::latex_table<Rules>(numbers.rules, numbers.ecology, numbers.physics));
-  if (!options.replicates) return run_once<Rules, B>(options, numbers);
+  if (!options.replicates) return run_once<Rules, B>(options, numbers, origin);
   const auto plan = plan_of(options, numbers.seed);
   return report_unfinished(options,
                            replicates::run_with_shadow<Rules, B>(numbers, plan, options.shadow, options.provenance, std::cout));
+}
+
+template <class Rules, Backend B>
+[[nodiscard]] Experiment<Rules, B> numbers_of(const toml::table& params) {
+  Experiment<Rules, B> numbers;
+  read_numbers(numbers, params);
+  return numbers;
+}
+
+template <class Rules, Backend B>
+[[nodiscard]] observe::RunDescription describe(const toml::table& params) {
+  return Ecology<Rules, B>{numbers_of<Rules, B>(params)}.describe(0.0);
+}
+
+template <class Rules, Backend B>
+[[nodiscard]] bool replay(const OriginRun& origin, const std::filesystem::path& folder) {
+  Ecology<Rules, B> ecology{numbers_of<Rules, B>(origin.params)};
+  if (!std::filesystem::exists(folder)) checkpoint::copy_until(origin.folder, origin.at_s, folder);
+  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(origin.at_s));
+  if (standing.complete) return true;
+  observe::StopOnSignal stop;
+  observe::RunFolder files{folder, {}, standing.opening()};
+  observe::Progress progress;
+  checkpoint::run_kept(ecology, origin.at_s, folder, {}, standing.from, files, progress, stop);
+  return ecology.time_s() >= origin.at_s;
 }
 
 template <class Rules, class Backends>
 void add_pairings(std::vector<Pairing>& pairings) {
   const std::string table = table_name<Rules>();
   Backends::for_each([&]<class B>() {
-    pairings.push_back(
-        {table, std::string{B::name}, [] { return named_params_of(Experiment<Rules, B>{}); }, &run_table<Rules, B>});
+    pairings.push_back({table, std::string{B::name}, [] { return named_params_of(Experiment<Rules, B>{}); }, &run_table<Rules, B>,
+                        &describe<Rules, B>, &replay<Rules, B>});
   });
 }
 
@@ -105,7 +155,8 @@ template <class Backends, class... Rules>
 
 /// The command line of an experiment with rule tables to choose from, the first of them the default, on the kinematic backend and
 /// every engine that the program is linked with: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume
-/// and more. Returns the exit code: 0, 1 for what went wrong in a run, 2 for what is wrong with the arguments.
+/// and more. Returns the exit code: 0, 1 for what went wrong in a run, 2 for what is wrong with the arguments, 3 for a run that a
+/// signal stopped.
 template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv) {
   return experiment_on<LinkedBackends, Rules...>(argc, argv);

@@ -4,14 +4,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/checkpoint/schedule.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/named_params.hpp>
+#include <trophic/params/toml.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/support/linkage.hpp>
@@ -31,6 +36,9 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> replicates;
   std::optional<std::uint64_t> jobs;
   bool resume = false;
+  std::string from;            ///< folder of a run that this one begins from
+  std::optional<double> at_s;  ///< when
+  double checkpoint_s = checkpoint::Schedule{}.every_s;
   bool shadow = false;
   std::string config;
   std::vector<std::string> assignments;
@@ -42,12 +50,42 @@ struct ExperimentOptions {
   observe::Provenance provenance;
 };
 
+/// A run that another one begins from.
+struct OriginRun {
+  std::filesystem::path folder;
+  std::string rule_table;
+  std::string engine;
+  std::string fingerprint;
+  std::uint64_t seed = 0;
+  double at_s = 0.0;
+  toml::table params;
+  observe::RunDescription description;  ///< as the program itself makes it of these numbers
+  std::function<bool()> make;           ///< makes the new run's folder as this run was; false if a signal came first
+};
+
+/// Reads the manifest of the run that --from names. Throws std::invalid_argument for a folder that is none, or without a moment.
+[[nodiscard]] OriginRun read_origin(const ExperimentOptions& options);
+
+/// Where a run that begins from another one stands: at its own last checkpoint or, with `begins`, at the moment of the other, for
+/// which its folder was made.
+struct Beginning : checkpoint::Standing {
+  bool begins = false;
+};
+[[nodiscard]] Beginning standing_after(const OriginRun& origin, const std::filesystem::path& folder,
+                                       const observe::RunDescription& run);
+
+/// What a manifest says of that.
+[[nodiscard]] observe::Provenance text_of(const OriginRun& origin, double at_s);
+
 /// One rule table on one backend. A program has one for each that it was built with.
 struct Pairing {
   std::string table;
   std::string backend;
   NamedParams (*named_params)();  ///< all numbers as the table has them
-  int (*run)(const ExperimentOptions& options, const Config& config);
+  int (*run)(const ExperimentOptions& options, const Config& config, const std::optional<OriginRun>& origin);
+  observe::RunDescription (*describe)(const toml::table& params);
+  /// Makes in a folder what that run was at its moment, the same bytes. False if a signal came first.
+  bool (*replay)(const OriginRun& origin, const std::filesystem::path& folder);
 };
 
 /// What --seed, --duration, --robots and --robot say.
@@ -62,8 +100,8 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams&
 /// Tells of replicates that are not complete, a sentence each, and returns the exit code.
 [[nodiscard]] int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished);
 
-/// Tells how a run ended that left its files in a folder.
-void report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view);
+/// Tells how a run ended that left its files in a folder, and returns the exit code.
+[[nodiscard]] int report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view, double until_s);
 
 /// Reads the command line of a program with these tables on these backends, each table on each backend; runs what it says and
 /// returns the exit code. The first table is the default; the default backend is `default_backend`, linked or not.

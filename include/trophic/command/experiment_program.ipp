@@ -3,10 +3,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <thread>
+#include <trophic/checkpoint/rewind.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/experiment_program.hpp>
 #include <trophic/command/output.hpp>
@@ -17,15 +22,81 @@
 #include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <utility>
 
 namespace trophic::command {
+
+namespace detail {
+
+/// The numbers of a manifest as those of a configuration file. Throws nlohmann::json::exception for what is no number, text or
+/// switch.
+[[nodiscard]] TROPHIC_INLINE toml::table toml_of(const nlohmann::json& json) {
+  toml::table table;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      table.insert(key, toml_of(value));
+    } else if (value.is_boolean()) {
+      table.insert(key, value.get<bool>());
+    } else if (value.is_number_integer()) {
+      table.insert(key, value.get<std::int64_t>());
+    } else if (value.is_number()) {
+      table.insert(key, value.get<double>());
+    } else {
+      table.insert(key, value.get<std::string>());
+    }
+  }
+  return table;
+}
+
+}  // namespace detail
 
 TROPHIC_INLINE void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams& ecology) {
   if (options.seed) seed = *options.seed;
   if (options.duration_s) ecology.duration_s = *options.duration_s;
   if (options.robots) ecology.robots = *options.robots;
   if (options.robot) ecology.robot = *options.robot;
+}
+
+TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
+  OriginRun origin;
+  origin.folder = options.from;
+  const std::filesystem::path path = origin.folder / "manifest.json";
+  try {
+    const auto json = nlohmann::json::parse(read_whole_file(path));
+    origin.rule_table = json.at("rule_table").get<std::string>();
+    origin.engine = json.at("backend").get<std::string>();
+    origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
+    origin.fingerprint = json.at("fingerprint").get<std::string>();
+    origin.seed = json.at("seed").get<std::uint64_t>();
+    origin.params = detail::toml_of(json.at("params"));
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument{path.string() + ": " + error.what()};
+  }
+  const auto last_s = checkpoint::last_moment_s(origin.folder);
+  if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no checkpoint"};
+  origin.at_s = options.at_s.value_or(last_s.value_or(0.0));
+  if (!(origin.at_s >= 0.0) || std::isinf(origin.at_s)) {
+    throw std::invalid_argument{"--at " + number_text(origin.at_s) + ": must be >= 0 and finite"};
+  }
+  return origin;
+}
+
+TROPHIC_INLINE Beginning standing_after(const OriginRun& origin, const std::filesystem::path& folder,
+                                        const observe::RunDescription& run) {
+  checkpoint::Checkpoint last = checkpoint::read_last(folder);
+  const bool is_moment = last.time_s >= origin.at_s && last.time_s < origin.at_s + run.tick_s;
+  if (!is_moment || last.fingerprint != origin.fingerprint || last.seed != origin.seed) {
+    return {checkpoint::standing_in(folder, run)};
+  }
+  return {{.complete = false, .from = std::move(last), .remark = {}}, true};
+}
+
+TROPHIC_INLINE observe::Provenance text_of(const OriginRun& origin, double at_s) {
+  return {{"run", origin.folder.string()},
+          {"at_s", number_text(at_s)},
+          {"seed", std::to_string(origin.seed)},
+          {"fingerprint", origin.fingerprint}};
 }
 
 TROPHIC_INLINE int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
@@ -42,24 +113,29 @@ TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::u
           .master_seed = master_seed,
           .count = *options.replicates,
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
-          .resume = options.resume};
+          .resume = options.resume,
+          .checkpoints = {.every_s = options.checkpoint_s}};
 }
 
 TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
   flush_output();
   if (unfinished.empty()) return 0;
   for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
-  std::cerr << "the same command with --resume runs these and no others\n";
-  return run_error;
+  std::cerr << "the same command with --resume goes on with these and no others\n";
+  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
-TROPHIC_INLINE void report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view) {
+TROPHIC_INLINE int report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view, double until_s) {
   folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
-  const int signal = observe::StopOnSignal::caught();
-  if (signal != 0) std::cout << "stopped by signal " << signal << " after the tick at hand\n";
+  const bool is_stopped = view.time_s < until_s;
+  if (is_stopped) {
+    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << " at " << number_text(view.time_s) << " of "
+              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " goes on\n";
+  }
   progress.summary(std::cout, view);
-  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json\n";
+  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json, checkpoint.bin\n";
   flush_output();
+  return is_stopped ? stopped : 0;
 }
 
 namespace detail {
@@ -98,7 +174,13 @@ namespace detail {
       {"--replicates", &options.replicates,
        "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json"},
       {"--jobs", &options.jobs, "replicates at a time (one per core); results do not depend on it"},
-      {"--resume", &options.resume, "run only the replicates that OUT lacks; incomplete ones are kept under another name"},
+      {"--resume", &options.resume,
+       "go on in OUT: with a run, or with those replicates that are missing or were cut off, from their last checkpoints"},
+      {"--from", &options.from,
+       "begin where the run in this folder was at --at, with another --seed, other rules or other numbers of rules"},
+      {"--at", &options.at_s, "seconds of its clock (its last checkpoint)"},
+      {"--checkpoint-s", &options.checkpoint_s,
+       "seconds of the ecology's clock between two checkpoints (300); 0: only where a run ends or is stopped"},
       {"--shadow", &options.shadow,
        "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited"},
       {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
@@ -118,11 +200,40 @@ namespace detail {
 
 TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.threads == std::uint64_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
-  if (!options.replicates && (options.jobs || options.resume || options.shadow)) {
-    throw std::invalid_argument{"--jobs, --resume and --shadow: need --replicates"};
+  if (!options.replicates && (options.jobs || options.shadow)) {
+    throw std::invalid_argument{"--jobs and --shadow: need --replicates"};
+  }
+  if (!(options.checkpoint_s >= 0.0)) {
+    throw std::invalid_argument{"--checkpoint-s " + number_text(options.checkpoint_s) + ": must be >= 0"};
+  }
+  if (options.at_s && options.from.empty()) throw std::invalid_argument{"--at: needs --from"};
+  if (!options.from.empty() && (options.replicates || !options.save_mjcf.empty())) {
+    throw std::invalid_argument{"--from: not with --replicates or --save-mjcf"};
   }
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to go on in"};
+}
+
+/// The models and the program may be others than those that made a run.
+TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
+  if (origin.description.fingerprint == origin.fingerprint) return;
+  throw std::invalid_argument{"--from " + origin.folder.string() + ": fingerprint = " + origin.fingerprint + ": must be " +
+                              origin.description.fingerprint +
+                              ", what this program makes of its numbers; rules, models or engine changed"};
+}
+
+/// Makes the new run's folder as the origin was. Does nothing where a resumed run has one already. False for a signal.
+[[nodiscard]] TROPHIC_INLINE bool replay(const ExperimentOptions& options, const Pairing& pairing, const OriginRun& origin) {
+  const std::filesystem::path out = options.out;
+  if (std::filesystem::exists(out)) {
+    if (!options.resume)
+      throw std::invalid_argument{"output folder " + options.out + ": exists already; runs are never overwritten"};
+    return true;
+  }
+  const std::filesystem::path part = options.out + ".origin";
+  if (!pairing.replay(origin, part)) return false;
+  std::filesystem::rename(part, out);
+  return true;
 }
 
 [[nodiscard]] TROPHIC_INLINE int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
@@ -132,11 +243,14 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
       throw std::invalid_argument{"two rule tables are called " + pairing.table + ": each needs a name of its own"};
     }
   }
-  const Config config = read_config(options.config, options.assignments);
+  Config config = read_config(options.config, options.assignments);
   const auto tables = names_of(pairings, &Pairing::table);
   const auto backends = names_of(pairings, &Pairing::backend);
-  const std::string table = options.rules.value_or(config.rule_table.value_or(tables.front()));
-  const std::string backend = options.backend.value_or(config.engine.value_or(std::string{default_backend}));
+  std::optional<OriginRun> origin;
+  if (!options.from.empty()) origin = read_origin(options);
+  const std::string table = options.rules.value_or(config.rule_table.value_or(origin ? origin->rule_table : tables.front()));
+  const std::string backend =
+      options.backend.value_or(config.engine.value_or(origin ? origin->engine : std::string{default_backend}));
   if (std::ranges::find(tables, table) == tables.end()) {
     throw std::invalid_argument{must_be_one_of("--rules " + table, tables) + did_you_mean(nearest_word(table, tables))};
   }
@@ -148,8 +262,22 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = observe::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
   }
-  const auto chosen = std::ranges::find_if(pairings, [&](const Pairing& p) { return p.table == table && p.backend == backend; });
-  return chosen->run(options, config);
+  const auto find = [&](const std::string& rules, const std::string& engine) {
+    return std::ranges::find_if(pairings, [&](const Pairing& p) { return p.table == rules && p.backend == engine; });
+  };
+  if (origin) {
+    const auto its = find(origin->rule_table, origin->engine);
+    if (its == pairings.end()) {
+      throw std::invalid_argument{"--from " + options.from + ": is a run of " + origin->rule_table + " on " + origin->engine +
+                                  ", which this program lacks"};
+    }
+    origin->description = its->describe(origin->params);
+    check_unchanged(*origin);
+    config.origin = origin->params;
+    if (table != origin->rule_table) config.origin.erase("rules");
+    origin->make = [&, its] { return replay(options, *its, *origin); };
+  }
+  return find(table, backend)->run(options, config, origin);
 }
 
 }  // namespace detail

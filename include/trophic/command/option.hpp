@@ -47,5 +47,7 @@ struct Command {
 /// Exit codes: what could be known from the arguments, and what went wrong later.
 inline constexpr int usage_error = 2;
 inline constexpr int run_error = 1;
+/// A signal ended the work early; the same command with --resume goes on.
+inline constexpr int stopped = 3;
 
 }  // namespace trophic::command

@@ -50,6 +50,16 @@ TROPHIC_INLINE void check_whole_number(const std::string& option, const std::str
   }
 }
 
+/// Throws std::invalid_argument for what CLI11 would read as a number though nobody writes one so: 0x10, 1e, an empty text.
+TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::string& text) {
+  double value = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool all = read.ptr == text.data() + text.size() && !text.empty();
+  if (!all || (read.ec != std::errc{} && read.ec != std::errc::result_out_of_range)) {
+    throw std::invalid_argument{option + " " + text + ": must be a number in decimal digits"};
+  }
+}
+
 /// Throws std::invalid_argument for a word that is none of those that an option takes.
 TROPHIC_INLINE void check_word(const Option& option, const std::string& word) {
   if (std::ranges::find(option.words, word) != option.words.end()) return;
@@ -74,6 +84,12 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
     if (added->get_type_name() == "UINT") {
       added->check([name = option.name](const std::string& text) {
         check_whole_number(name, text);
+        return std::string{};
+      });
+    }
+    if (added->get_type_name() == "FLOAT") {
+      added->check([name = option.name](const std::string& text) {
+        check_decimal_number(name, text);
         return std::string{};
       });
     }

@@ -11,10 +11,12 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
+#include <trophic/ecology/standing_poses.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/locomotion/locomotion.hpp>
 #include <trophic/locomotion/steerable.hpp>
@@ -55,6 +57,7 @@ class Ecology {
   Ecology& operator=(const Ecology&) = delete;
 
   /// Runs until the clock reaches `until_s` (rounded up to whole ticks) or an observer says stop. May be called again to go on.
+  /// An observer that gives up a tick leaves everything as it was before that tick.
   /// If anything throws, the observers are told and the exception goes on.
   template <class... Observers>
   void run_until(double until_s, Observers&&... observers) {
@@ -67,15 +70,31 @@ class Ecology {
         starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
         tick(audience);
       }
-      while (time_s() < until_s && audience.keep_running()) {
-        move();
+      while (time_s() < until_s && audience.keep_running() && move(audience)) {
         tick(audience);
+        audience.between_ticks(*this, false);
       }
+      audience.between_ticks(*this, true);
       audience.end(view());
     } catch (const std::exception& error) {
       audience.failure(error.what());
       throw;
     }
+  }
+
+  /// Writes everything that decides how the run goes on to an archive, or reads it: then an ecology of the same numbers goes on
+  /// from that moment to the same bytes. Between ticks only. Reading throws std::invalid_argument for what is no such moment; the
+  /// ecology is then good for nothing.
+  template <class Archive>
+  void persist(Archive& archive) {
+    auto bodies = backend_.save();
+    auto rhythms = locomotion_.save();
+    archive(tick_, started_, poses_, starvation_clock_, population_, rhythms, bodies);
+    if (!archive.reads()) return;
+    Archive::require(poses_.size() == population_.individuals().size(), "another number of robots");
+    locomotion_.restore(rhythms);
+    backend_.restore(bodies);
+    grid_ = SpatialGrid{poses_};
   }
 
   [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * params_.ecology.tick_s; }
@@ -138,7 +157,7 @@ class Ecology {
         web_{rules_.community.web()},
         population_{rules_, web_, params_.seed, rules_.community.founders(params_.ecology.robots)},
         poses_{place()},
-        backend_{habitat_.robot, habitat_.arena, root_poses(), params_.physics, params_.backend},
+        backend_{habitat_.robot, habitat_.arena, standing_poses(poses_, habitat_.robot), params_.physics, params_.backend},
         locomotion_{habitat_.robot,
                     habitat_.gait,
                     rules_.steering,
@@ -151,17 +170,6 @@ class Ecology {
     return rules_.placement.place(params_.ecology.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
   }
 
-  /// Root frames for the placed robots: upright, feet on the floor.
-  [[nodiscard]] std::vector<Pose> root_poses() const {
-    std::vector<Pose> poses;
-    for (const GroundPose& ground : poses_) {
-      const double yaw_rad = ground.heading_rad - habitat_.robot.forward_rad;
-      poses.push_back({.position_m = {ground.x_m, ground.y_m, habitat_.robot.rest_height_m},
-                       .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}});
-    }
-    return poses;
-  }
-
   template <class Audience>
   void emit(Audience& audience, observe::EventKind kind, BodyIndex body, std::optional<Cause> cause = {},
             std::optional<IndividualId> other = {}) {
@@ -169,10 +177,12 @@ class Ecology {
                    view());
   }
 
-  void move() {
+  /// The bodies' part of a tick. Returns false, with everything as before, if an observer gave it up.
+  template <class Audience>
+  [[nodiscard]] bool move(Audience& audience) {
     target_angles_rad_.clear();
     for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
-    locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_);
+    if (!walk(audience)) return false;
     poses_before_ = poses_;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const Pose root = backend_.pose(body);
@@ -183,6 +193,22 @@ class Ecology {
     grid_ = SpatialGrid{poses_};
     ++tick_;
     population_.walk(poses_before_, view());
+    return true;
+  }
+
+  template <class Audience>
+  [[nodiscard]] bool walk(Audience& audience) {
+    if constexpr (JointDriven<B> && Audience::may_give_up) {
+      const auto bodies = backend_.save();
+      const auto rhythms = locomotion_.save();
+      if (locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_, [&] { return audience.gives_up_tick(); }))
+        return true;
+      backend_.restore(bodies);
+      locomotion_.restore(rhythms);
+      return false;
+    }
+    locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_);
+    return true;
   }
 
   template <class Audience>
@@ -220,21 +246,13 @@ class Ecology {
       const bool hunter_was_caught = hunter.id >= first_newborn;
       const bool victim_was_caught = population_[capture.victim].id >= first_newborn;
       if (hunter_was_caught || victim_was_caught) continue;
-      check_prey(capture.hunter, capture.victim);
+      detail::check_prey(web_, capture.hunter, hunter.species, capture.victim, population_[capture.victim].species);
       if (!rules_.floor.may_die(population_[capture.victim].species, view())) continue;
       population_.feed(capture.hunter, capture.victim, view());
       emit(audience, observe::EventKind::capture, capture.hunter, {}, population_[capture.victim].id);
       hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .heir = hunter.species},
               rules_.capture_parent, states().capture_parent);
     }
-  }
-
-  void check_prey(BodyIndex hunter, BodyIndex victim) {
-    const Species eater = population_[hunter].species;
-    const Species eaten = population_[victim].species;
-    if (web_.eats(eater, eaten)) return;
-    throw RuleError{"capture", "hunter " + std::to_string(hunter) + " and victim " + std::to_string(victim) + ": species " +
-                                   web_.name(eater) + " does not eat " + web_.name(eaten)};
   }
 
   template <class Audience>
@@ -278,29 +296,6 @@ class Ecology {
     }
   }
 
-  /// A body goes to the species that the rules fix; a parent of another one is refused.
-  void check_parent(const reproduction::Vacancy& vacancy, const Ancestor& parent) const {
-    check_index(parent_slot(vacancy.cause), "a parent of species", parent.species, web_.size());
-    if (!vacancy.heir || parent.species == *vacancy.heir) return;
-    throw RuleError{parent_slot(vacancy.cause), "individual " + std::to_string(parent.id) + ", a " + web_.name(parent.species) +
-                                                    ", as the parent of a " + web_.name(*vacancy.heir) +
-                                                    ": must be of its offspring's species"};
-  }
-
-  [[nodiscard]] static std::string_view parent_slot(Cause cause) {
-    switch (cause) {
-      case Cause::caught:
-        return "capture_parent";
-      case Cause::starved:
-        return "starvation_parent";
-      case Cause::sacrificed:
-        return "rescue_parent";
-      case Cause::senescence:
-        break;
-    }
-    return "senescence_parent";
-  }
-
   /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
   /// want of a parent, the first that the dead one ate.
   template <class Audience, class ParentRule>
@@ -308,7 +303,7 @@ class Ecology {
                const BodyStates<ParentRule>& parent_states) {
     const auto succession = population_.succession(vacancy, parent_rule, parent_states, view());
     const Species dead = population_[vacancy.body].species;
-    if (succession.parent) check_parent(vacancy, *succession.parent);
+    if (succession.parent) detail::check_parent(web_, vacancy, *succession.parent);
     auto heir = vacancy.heir;
     if (!heir) heir = succession.parent ? succession.parent->species : web_.first_victim(dead).value_or(dead);
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;

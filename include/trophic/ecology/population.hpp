@@ -10,6 +10,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
@@ -67,6 +69,26 @@ class Population {
   [[nodiscard]] IndividualId next_id() const { return next_id_; }       ///< of whoever is born next
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
+
+  /// Writes everybody and all states to an archive, or reads them from it (trophic/archive/archive.hpp). Throws
+  /// std::invalid_argument for bytes that are no population of these rules; its own is then undefined.
+  template <class Archive>
+  void persist(Archive& archive) {
+    const std::size_t bodies = individuals_.size();
+    std::string keepers;  // states are of use to the rules that keep them alone
+    for_each_state(rules_, states_, [&](const auto& policy, auto&) { keepers.append(policy.name).push_back(' '); });
+    std::string there = keepers;
+    archive(there);
+    Archive::require(there == keepers, "rules with other states");
+    archive(next_id_, next_genome_id_, individuals_);
+    for_each_state(rules_, states_, [&](const auto&, auto& states) { archive(states); });
+    if (!archive.reads()) return;
+    Archive::require(individuals_.size() == bodies, "another number of robots");
+    for (const Individual& individual : individuals_) check_saved(individual);
+    for_each_state(rules_, states_, [&](const auto&, const auto& states) {
+      Archive::require(states.all().size() == bodies, "another number of states than of robots");
+    });
+  }
 
   /// The newborn in a body can be caught and seen from now on; its age counts from now where the rule says so.
   void activate(BodyIndex body, double time_s, bool restarts_age) {
@@ -157,6 +179,15 @@ class Population {
 
  private:
   [[nodiscard]] std::span<const double> weights(BodyIndex body) const { return individuals_[body].genome->weights; }
+
+  /// Throws std::invalid_argument for somebody who cannot have lived by these rules.
+  void check_saved(const Individual& individual) const {
+    const std::size_t size = rules_.brain.genome_size(Sensors::size, control::Decision::outputs);
+    const bool sound = individual.id < next_id_ && individual.species < web_.size() && individual.genome &&
+                       individual.genome->weights.size() == size && std::ranges::count(tags_, individual.tag) == 1 &&
+                       individual.adversary.value_or(0) < individuals_.size();
+    if (!sound) throw std::invalid_argument{"an individual that cannot live by these rules"};
+  }
 
   /// Where an individual lives; none for the dead.
   [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {

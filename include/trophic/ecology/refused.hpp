@@ -27,6 +27,8 @@ class Ecology<Rules, B, false> {
   Ecology(const Params& params, const Habitat& habitat);
   template <class... Observers>
   void run_until(double until_s, Observers&&... observers);
+  template <class Archive>
+  void persist(Archive& archive);
   [[nodiscard]] double time_s() const;
   [[nodiscard]] std::int64_t tick() const;
   [[nodiscard]] const Params& params() const;

@@ -2,12 +2,9 @@
 // Reads TOML data files with errors that name file, key and value.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -15,6 +12,8 @@
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
+#include <trophic/params/parse_toml.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
 
@@ -23,22 +22,24 @@ namespace trophic::detail {
 /// A table of a TOML file. Remembers which keys were asked for, so that `no_other_keys` can reject the rest.
 class TomlTable {
  public:
-  /// Throws std::runtime_error "FILE: cannot be read" or "FILE:LINE:COLUMN: ..." for malformed TOML.
+  /// Throws std::runtime_error "FILE: ..." for what cannot be read or "FILE:LINE:COLUMN: ..." for malformed TOML.
   [[nodiscard]] static TomlTable read(const std::filesystem::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf())) throw std::runtime_error{file.string() + ": cannot be read"};
-    return parse(text.str(), file.string());
+    std::string text;
+    try {
+      text = read_whole_file(file);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error{error.what()};
+    }
+    return parse(text, file.string());
   }
 
   /// The same from a text; `file` is what errors call it.
   [[nodiscard]] static TomlTable parse(std::string_view text, const std::string& file) {
     try {
-      return {file, "", toml::parse(text)};
-    } catch (const toml::parse_error& error) {
-      const auto& place = error.source().begin;
-      throw std::runtime_error{file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
-                               std::string{error.description()}};
+      return {file, "", parse_toml(text)};
+    } catch (const TomlError& error) {
+      throw std::runtime_error{file + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
+                               error.what()};
     }
   }
 

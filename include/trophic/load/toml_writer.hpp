@@ -2,8 +2,6 @@
 // Writes TOML: every file and every listing of numbers that a program of trophic makes.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <concepts>
 #include <cstddef>
 #include <ranges>
@@ -12,6 +10,7 @@
 #include <string_view>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/params/parse_toml.hpp>
 #include <type_traits>
 #include <utility>
 #include <variant>

@@ -4,13 +4,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/habitat/sides.hpp>
 #include <trophic/locomotion/cpg.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic::locomotion {
@@ -30,14 +34,16 @@ class Locomotion {
         targets_rad_(robot.hinges.size()),
         control_hz_{control_hz} {}
 
-  /// Takes `steps` control steps with these target angles, one per robot.
-  template <Backend B>
-  void advance(B& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
+  /// Takes `steps` control steps with these target angles, one per robot. `gives_up()` is asked between the control steps of a
+  /// backend with joints; if it says true no more are taken. Returns whether all were.
+  template <Backend B, class GivesUp>
+  bool advance(B& backend, std::int64_t steps, std::span<const double> target_angles_rad, GivesUp&& gives_up) {
     static_assert(JointDriven<B> || SteeringDriven<B>,
                   "a backend needs void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) or "
                   "void set_target_angle(std::size_t robot, double target_angle_rad); see trophic/backend/contract.hpp");
     if constexpr (JointDriven<B>) {
       for (std::int64_t step = 0; step < steps; ++step) {
+        if (gives_up()) return false;
         cpg_.step(states_);
         for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
           cpg_.outputs(states_, robot, targets_rad_);
@@ -54,6 +60,11 @@ class Locomotion {
       taken_ += steps;
       backend.advance_to(time_s());
     }
+    return true;
+  }
+  template <Backend B>
+  void advance(B& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
+    advance(backend, steps, target_angles_rad, [] { return false; });
   }
 
   /// Lets control steps pass without control: the CPG rests, the servos keep their targets.
@@ -65,6 +76,23 @@ class Locomotion {
 
   /// Simulated time that the control steps taken so far add up to.
   [[nodiscard]] double time_s() const { return static_cast<double>(taken_) / control_hz_; }
+
+  /// What decides how the robots move on: the states of the CPGs and the steps taken.
+  struct State {
+    std::vector<double> cpg;
+    std::int64_t taken = 0;
+    static constexpr auto saved() { return std::tuple{&State::cpg, &State::taken}; }
+  };
+  [[nodiscard]] State save() const { return {.cpg = {states_.data(), states_.data() + states_.size()}, .taken = taken_}; }
+  /// Throws std::invalid_argument for a state of another number of robots or another gait.
+  void restore(const State& state) {
+    if (state.cpg.size() != static_cast<std::size_t>(states_.size())) {
+      throw std::invalid_argument{"state.cpg.size() = " + std::to_string(state.cpg.size()) + ": must be " +
+                                  std::to_string(states_.size())};
+    }
+    std::ranges::copy(state.cpg, states_.data());
+    taken_ = state.taken;
+  }
 
  private:
   SteeringRule steering_;

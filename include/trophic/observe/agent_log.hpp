@@ -13,7 +13,7 @@ namespace trophic::observe {
 /// Writes an AgentRow per robot and tick.
 class AgentLog {
  public:
-  explicit AgentLog(const std::filesystem::path& path) : file_{path} {}
+  explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
 
   void on_tick(const View& view) {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
@@ -38,6 +38,9 @@ class AgentLog {
     }
     file_.flush();
   }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
 
  private:
   CsvFile<AgentRow> file_;

@@ -2,18 +2,17 @@
 // CSV: rows as text by their columns, and a file of them that is never overwritten and never fails silently.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <concepts>
-#include <cstdio>
-#include <cstring>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/archive/archive.hpp>
+#include <trophic/archive/growing_file.hpp>
 #include <trophic/observe/column.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
@@ -104,13 +103,19 @@ template <TableRow Row>
   return text;
 }
 
-/// A new file that grows by lines. Throws std::runtime_error naming the file when it exists or the system refuses to write.
+/// How many rows a table has, its header aside, and the CRC-32 of its file.
+struct TableSum {
+  std::uint64_t rows = 0;
+  std::uint32_t crc32 = 0;
+};
+
+/// A file that grows by lines. Throws std::runtime_error naming the file when it exists or the system refuses to write.
 class LineFile {
  public:
-  /// Writes the first lines at once.
-  LineFile(const std::filesystem::path& path, std::string first)
-      : path_{path}, file_{std::fopen(path.c_str(), "wx")}, buffer_{std::move(first)} {
-    if (!file_) fail("create");
+  /// Writes the first lines at once into a new file.
+  LineFile(const std::filesystem::path& path, std::string first, Opening opening = Opening::made_new)
+      : file_{path, opening}, buffer_{std::move(first)} {
+    if (opening == Opening::gone_on_with) buffer_.clear();
     flush();
   }
 
@@ -119,35 +124,39 @@ class LineFile {
 
   /// Hands everything written so far to the system.
   void flush() {
-    const bool written = std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) == buffer_.size();
+    file_.append(buffer_);
+    lines_ += static_cast<std::uint64_t>(std::ranges::count(buffer_, '\n'));
     buffer_.clear();
-    if (!written || std::fflush(file_.get()) != 0) fail("write");
   }
+
+  /// Takes part in checkpoints: see GrowingFile.
+  void persist(Archive& archive) {
+    if (!archive.reads()) flush();
+    archive(file_, lines_);
+  }
+
+  [[nodiscard]] TableSum sum() const { return {.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()}; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  [[noreturn]] void fail(std::string_view what) const {
-    throw std::runtime_error{"cannot " + std::string{what} + " " + path_.string() + ": " + std::strerror(errno)};
-  }
-
-  std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  GrowingFile file_;
   std::string buffer_;
+  std::uint64_t lines_ = 0;
 };
 
 /// A file of rows. Errors as those of LineFile.
 template <TableRow Row>
 class CsvFile {
  public:
-  /// Writes the header at once; `like`: as header_of.
-  explicit CsvFile(const std::filesystem::path& path, const Row& like = {}) : file_{path, header_of(like)} {}
+  /// Writes the header at once into a new file; `like`: as header_of.
+  explicit CsvFile(const std::filesystem::path& path, const Row& like = {}, Opening opening = Opening::made_new)
+      : file_{path, header_of(like), opening} {}
+  CsvFile(const std::filesystem::path& path, Opening opening) : CsvFile{path, {}, opening} {}
 
   void write(const Row& row, const FoodWeb& web) { append_row(file_.buffer(), row, web); }
   void write(const Row& row) { write(row, FoodWeb{{}, {}}); }
   void flush() { file_.flush(); }
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
 
  private:
   LineFile file_;

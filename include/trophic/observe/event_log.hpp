@@ -14,7 +14,7 @@ namespace trophic::observe {
 /// Writes an EventRow per event.
 class EventLog {
  public:
-  explicit EventLog(const std::filesystem::path& path) : file_{path} {}
+  explicit EventLog(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
 
   void on_event(const Event& event, const View& view) {
     const Individual& self = event.individual;
@@ -39,6 +39,9 @@ class EventLog {
   }
   void on_tick(const View&) { file_.flush(); }
   void on_end(const View&) { file_.flush(); }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
 
  private:
   CsvFile<EventRow> file_;

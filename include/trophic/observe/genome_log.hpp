@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/tables.hpp>
@@ -15,7 +16,9 @@ namespace trophic::observe {
 /// Writes a GenomeRow per birth. The file begins with the first, which tells how many weights there are.
 class GenomeLog {
  public:
-  explicit GenomeLog(std::filesystem::path path) : path_{std::move(path)} {}
+  explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::made_new) : path_{std::move(path)} {
+    if (opening == Opening::gone_on_with) file_.emplace(path_, opening);
+  }
 
   void on_event(const Event& event, const View& view) {
     if (event.kind != EventKind::birth) return;
@@ -27,6 +30,12 @@ class GenomeLog {
   void on_tick(const View&) {
     if (file_) file_->flush();
   }
+
+  void persist(Archive& archive) {
+    if (!file_) throw std::runtime_error{path_.string() + ": nobody was born, so there is nothing to go on with"};
+    archive(*file_);
+  }
+  [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
 
  private:
   std::filesystem::path path_;

@@ -17,7 +17,8 @@
   HOOK(on_tick, "void on_tick(const View&)", std::declval<const View&>())                                                        \
   HOOK(on_end, "void on_end(const View&)", std::declval<const View&>())                                                          \
   HOOK(on_failure, "void on_failure(std::string_view what)", std::declval<std::string_view>())                                   \
-  HOOK(keep_running, "bool keep_running()")
+  HOOK(keep_running, "bool keep_running()")                                                                                      \
+  HOOK(gives_up_tick, "bool gives_up_tick()")
 
 namespace trophic::observe {
 
@@ -66,6 +67,11 @@ struct CheckObserver {
 ///   void on_end(const View&)                 after the last tick
 ///   void on_failure(std::string_view what)   instead of on_end, when the simulation or an observer threw
 ///   bool keep_running()                      asked after each tick; false ends the run early, cleanly
+///   bool gives_up_tick()                     asked between the control steps of a tick, which may take seconds; true ends the
+///   run
+///                                            as it stood after the tick before
+/// Who saves the run itself also has a template
+///   void between_ticks(Ecology&, bool last)  after on_tick of each tick, and once more, as the last, before on_end
 template <class O>
 concept Observer = detail::CheckObserver<O>::ok;
 
@@ -101,12 +107,27 @@ class Audience {
       if constexpr (requires { o.on_failure(what); }) o.on_failure(what);
     });
   }
+  template <class Ecology>
+  void between_ticks(Ecology& ecology, bool last) {
+    each([&](auto& o) {
+      if constexpr (requires { o.between_ticks(ecology, last); }) o.between_ticks(ecology, last);
+    });
+  }
   [[nodiscard]] bool keep_running() {
     bool all = true;
     each([&](auto& o) {
       if constexpr (requires { o.keep_running(); }) all = o.keep_running() && all;
     });
     return all;
+  }
+  /// Whether somebody may give up a tick, so that the state before it must be kept.
+  static constexpr bool may_give_up = (detail::Takes_gives_up_tick<Observers> || ...);
+  [[nodiscard]] bool gives_up_tick() {
+    bool any = false;
+    each([&](auto& o) {
+      if constexpr (requires { o.gives_up_tick(); }) any = o.gives_up_tick() || any;
+    });
+    return any;
   }
 
  private:

@@ -32,6 +32,12 @@ class JointProgress {
    public:
     Part(JointProgress& joint, std::string name) : joint_{&joint}, name_{std::move(name)} {}
 
+    static constexpr std::string_view section = Progress::section;
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(tally_);
+    }
+
     void on_start(const RunDescription& run, const View& view) {
       clock_scale_ = run.clock_scale;
       from_s_ = view.time_s;

@@ -6,10 +6,13 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <trophic/archive/archive.hpp>
+#include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/linkage.hpp>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,23 +34,42 @@ class Manifest {
   Manifest& operator=(Manifest&&) noexcept;
   ~Manifest();
 
+  /// Takes part in checkpoints. Read from one, the manifest keeps what it said of the program that started the run; what this
+  /// program says of itself is added under "continued".
+  void persist(Archive& archive);
+
+  /// Says that the run began from another one, as read from its checkpoint; `origin`: which, and when.
+  void begin_from(Provenance origin);
+
   void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
   void on_tick(const View& view) { reached_s_ = view.time_s; }
   void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
   void on_failure(std::string_view what);
 
-  /// Adds provenance that are known only now, such as the wall time, and writes again.
+  /// What it says of the run's tables when it is written next.
+  void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
+
+  /// Adds provenance that is known only now, such as the wall time, and writes again.
   void add(const Provenance& provenance);
 
  private:
   struct Content;
+
+  /// A program that went on with the run.
+  struct Continuation {
+    double from_s = 0.0;
+    Provenance provenance;
+    static constexpr auto saved() { return std::tuple{&Continuation::from_s, &Continuation::provenance}; }
+  };
 
   void finish(std::string_view status);
   void write() const;
 
   std::filesystem::path path_;
   Provenance provenance_;
+  std::vector<Continuation> continued_;
+  Provenance origin_;
   std::unique_ptr<Content> content_;
   Tally tally_;
   double until_s_ = 0.0;

@@ -49,6 +49,24 @@ TROPHIC_INLINE Manifest::Manifest(Manifest&&) noexcept = default;
 TROPHIC_INLINE Manifest& Manifest::operator=(Manifest&&) noexcept = default;
 TROPHIC_INLINE Manifest::~Manifest() = default;
 
+TROPHIC_INLINE void Manifest::persist(Archive& archive) {
+  Provenance ours = provenance_;
+  archive(provenance_, continued_, origin_, tally_, reached_s_);
+  if (archive.reads()) continued_.push_back({.from_s = reached_s_, .provenance = std::move(ours)});
+}
+
+TROPHIC_INLINE void Manifest::begin_from(Provenance origin) {
+  if (!continued_.empty()) provenance_ = continued_.back().provenance;
+  continued_.clear();
+  origin_ = std::move(origin);
+}
+
+TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string, TableSum>>& tables) {
+  for (const auto& [file, sum] : tables) {
+    content_->json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
+  }
+}
+
 TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& view) {
   until_s_ = run.until_s;
   content_->json["trophic"] = version;
@@ -60,6 +78,12 @@ TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& vi
   content_->json["remarks"] = run.remarks;
   content_->json["compiler"] = compiler();
   for (const auto& [name, text] : provenance_) content_->json[name] = text;
+  for (const auto& [name, text] : origin_) content_->json["origin"][name] = text;
+  for (const Continuation& one : continued_) {
+    nlohmann::ordered_json json{{"from_s", one.from_s}};
+    for (const auto& [name, text] : one.provenance) json[name] = text;
+    content_->json["continued"].push_back(std::move(json));
+  }
   content_->json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
   for (Species species = 0; species < view.web.size(); ++species) content_->json["species"].push_back(view.web.name(species));
   content_->json["food_web"] = nlohmann::ordered_json::array();

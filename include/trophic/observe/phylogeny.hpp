@@ -16,7 +16,7 @@ namespace trophic::observe {
 /// Writes a TaxonRow per individual.
 class Phylogeny {
  public:
-  explicit Phylogeny(const std::filesystem::path& path) : file_{path} {}
+  explicit Phylogeny(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
 
   void on_event(const Event& event, const View& view) {
     if (event.kind == EventKind::birth) {
@@ -33,6 +33,9 @@ class Phylogeny {
     }
     file_.flush();
   }
+
+  void persist(Archive& archive) { archive(file_, tag_at_birth_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
 
  private:
   void write(const Individual& self, BodyIndex body, const View& view, std::optional<double> died_s, std::optional<int> tag,

@@ -38,6 +38,12 @@ class Progress {
  public:
   explicit Progress(bool show = stderr_is_terminal()) : show_{show} {}
 
+  static constexpr std::string_view section = "progress";  ///< of a checkpoint
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(tally_);
+  }
+
   void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
   void on_tick(const View& view);

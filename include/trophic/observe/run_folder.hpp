@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <trophic/archive/growing_file.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic::observe {
@@ -17,14 +19,20 @@ namespace trophic::observe {
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
 /// events.csv, agents.csv, phylogeny.csv, genomes.csv and manifest.json in a new folder. Files are flushed at every tick, so that
-/// a crash keeps what happened before it; the manifest says how the run ended. Watches one call of run_until.
+/// a crash keeps what happened before it; the manifest says how the run ended, and how many rows each table has. Watches one call
+/// of run_until. No other program can go on in the folder meanwhile.
 class RunFolder {
  public:
-  /// Makes the folder at once: see make_new_folder.
-  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {});
+  static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
+
+  /// Makes the folder at once: see make_new_folder. With `Opening::gone_on_with` it is one that is there, and is to be read from
+  /// a checkpoint next; throws std::runtime_error if a file is missing or another program works in it.
+  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, Opening opening = Opening::made_new);
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
+
+  void persist(Archive& archive);
 
   void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view);
@@ -39,6 +47,7 @@ class RunFolder {
   struct Tables;
 
   std::filesystem::path path_;
+  FolderLock lock_;
   std::unique_ptr<Tables> tables_;
   Manifest manifest_;
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <trophic/observe/agent_log.hpp>
@@ -13,16 +14,27 @@
 #include <trophic/observe/phylogeny.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <utility>
+#include <vector>
 
 namespace trophic::observe {
 
 TROPHIC_INLINE std::filesystem::path make_new_folder(const std::filesystem::path& path) {
-  if (std::filesystem::exists(std::filesystem::symlink_status(path))) {
+  const auto refuse = [&] {
     throw std::invalid_argument{"output folder " + path.string() + ": exists already; runs are never overwritten"};
-  }
+  };
+  if (std::filesystem::exists(std::filesystem::symlink_status(path))) refuse();
+  const auto require = [&](const std::error_code& error) {
+    if (error) throw std::runtime_error{"output folder " + path.string() + ": cannot be made: " + error.message()};
+  };
   std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw std::runtime_error{"output folder " + path.string() + ": cannot be made: " + error.message()};
+  std::filesystem::path name = path;
+  if (!name.has_filename()) name = name.parent_path();
+  if (name.has_parent_path()) std::filesystem::create_directories(name.parent_path(), error);
+  require(error);
+  // Of two programs that want the same folder one makes it.
+  const bool made = std::filesystem::create_directory(name, error);
+  require(error);
+  if (!made) refuse();
   return path;
 }
 
@@ -31,18 +43,30 @@ struct RunFolder::Tables {
   AgentLog agents;
   Phylogeny phylogeny;
   GenomeLog genomes;
+
+  [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const {
+    return {{"events.csv", events.sum()},
+            {"agents.csv", agents.sum()},
+            {"phylogeny.csv", phylogeny.sum()},
+            {"genomes.csv", genomes.sum()}};
+  }
 };
 
-TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance)
-    : path_{make_new_folder(path)},
-      tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv"},
-                                              .agents = AgentLog{path_ / "agents.csv"},
-                                              .phylogeny = Phylogeny{path_ / "phylogeny.csv"},
-                                              .genomes = GenomeLog{path_ / "genomes.csv"}})},
+TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, Opening opening)
+    : path_{opening == Opening::made_new ? make_new_folder(path) : path},
+      lock_{path_},
+      tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv", opening},
+                                              .agents = AgentLog{path_ / "agents.csv", opening},
+                                              .phylogeny = Phylogeny{path_ / "phylogeny.csv", opening},
+                                              .genomes = GenomeLog{path_ / "genomes.csv", opening}})},
       manifest_{path_ / "manifest.json", std::move(provenance)} {}
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder& RunFolder::operator=(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder::~RunFolder() = default;
+
+TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
+  archive(tables_->events, tables_->agents, tables_->phylogeny, tables_->genomes, manifest_);
+}
 
 TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& view) {
   manifest_.on_start(run, view);
@@ -66,10 +90,12 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
 TROPHIC_INLINE void RunFolder::on_end(const View& view) {
   tables_->events.on_end(view);
   tables_->phylogeny.on_end(view);
+  manifest_.set_tables(tables_->sums());
   manifest_.on_end(view);
 }
 
 TROPHIC_INLINE void RunFolder::on_failure(std::string_view what) {
+  manifest_.set_tables(tables_->sums());
   manifest_.on_failure(what);
 }
 

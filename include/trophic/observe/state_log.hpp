@@ -20,7 +20,10 @@ namespace trophic::observe {
 template <class Rules>
 class StateLog {
  public:
-  StateLog(const std::filesystem::path& path, const RuleStates<Rules>& states) : states_{states}, file_{path, header()} {}
+  static constexpr std::string_view section = "states.csv";
+
+  StateLog(const std::filesystem::path& path, const RuleStates<Rules>& states, Opening opening = Opening::made_new)
+      : states_{states}, file_{path, header(), opening} {}
 
   void on_tick(const View& view) {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
@@ -33,6 +36,8 @@ class StateLog {
     }
     file_.flush();
   }
+
+  void persist(Archive& archive) { archive(file_); }
 
  private:
   static std::string header() {

@@ -2,31 +2,59 @@
 // Ctrl-C ends a run cleanly.
 #pragma once
 
+#include <unistd.h>
+
+#include <atomic>
 #include <csignal>
+#include <string_view>
 
 namespace trophic::observe {
 
-/// From the first one made on, SIGINT and SIGTERM no longer kill the program: runs that this observer watches end after the tick
-/// at hand, with complete files. A second signal kills as usual.
+/// From the first one made on, SIGINT, SIGTERM and (unless it was ignored, as nohup does) SIGHUP no longer kill the program: runs
+/// that this observer watches end with complete files, after the last whole tick. The one in hand is given up where it may take
+/// long. A second signal changes nothing; a third one kills as usual.
 class StopOnSignal {
  public:
   StopOnSignal() {
-    std::signal(SIGINT, remember);
-    std::signal(SIGTERM, remember);
+    listen(SIGINT);
+    listen(SIGTERM);
+    struct sigaction before {};
+    if (::sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) listen(SIGHUP);
   }
 
   [[nodiscard]] bool keep_running() const { return caught() == 0; }
+  [[nodiscard]] bool gives_up_tick() const { return caught() != 0; }
 
   /// The signal that came, 0 for none.
   [[nodiscard]] static int caught() { return signal_; }
 
  private:
-  static void remember(int signal) {
-    signal_ = signal;
-    std::signal(signal, SIG_DFL);
+  static constexpr int ignored = 1;  ///< signals after the first
+
+  static void listen(int signal) {
+    struct sigaction action {};
+    action.sa_handler = remember;
+    action.sa_flags = SA_RESTART;
+    ::sigemptyset(&action.sa_mask);
+    ::sigaction(signal, &action, nullptr);
   }
 
-  inline static volatile std::sig_atomic_t signal_ = 0;
+  /// Does only what a signal handler may.
+  static void remember(int signal) {
+    const int before = count_++;
+    if (before == 0) {
+      signal_ = signal;
+      constexpr std::string_view text = "\nstopping: what has been done is kept\n";
+      [[maybe_unused]] const auto ignore = ::write(STDERR_FILENO, text.data(), text.size());
+    } else if (before > ignored) {
+      std::signal(signal, SIG_DFL);
+      std::raise(signal);
+    }
+  }
+
+  static_assert(std::atomic<int>::is_always_lock_free);
+  inline static std::atomic<int> signal_ = 0;
+  inline static std::atomic<int> count_ = 0;
 };
 
 }  // namespace trophic::observe

@@ -23,6 +23,11 @@ class Tally {
   [[nodiscard]] std::size_t deaths() const { return std::accumulate(deaths_.begin(), deaths_.end(), std::size_t{0}); }
   [[nodiscard]] std::size_t deaths(Cause cause) const { return deaths_.at(static_cast<std::size_t>(cause)); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(births_, deaths_);
+  }
+
  private:
   std::array<std::size_t, enum_names(Origin{}).size()> births_{};
   std::array<std::size_t, enum_names(Cause{}).size()> deaths_{};

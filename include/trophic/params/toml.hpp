@@ -2,8 +2,6 @@
 // Numbers from TOML files and from "path=value" texts, into any Params; unknown keys are errors.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -14,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
+#include <trophic/params/parse_toml.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -102,18 +101,6 @@ void read_numbers(P& params, const toml::table& table) {
   detail::read_table(params, table, "");
 }
 
-/// The table of a TOML file. Throws std::runtime_error for a file that cannot be read, std::invalid_argument "FILE:LINE: ..." for
-/// one that is malformed.
-[[nodiscard]] inline toml::table read_toml(const std::string& path) {
-  try {
-    return toml::parse_file(path);
-  } catch (const toml::parse_error& error) {
-    const auto line = error.source().begin.line;
-    if (line == 0) throw std::runtime_error{path + ": " + std::string{error.description()}};
-    throw std::invalid_argument{path + ":" + std::to_string(line) + ": " + std::string{error.description()}};
-  }
-}
-
 /// The choice that a configuration file makes under `key`, removed from it; the numbers are left. Throws
 /// std::invalid_argument where it is no text.
 [[nodiscard]] inline std::optional<std::string> take_choice(toml::table& table, std::string_view key) {
@@ -134,13 +121,13 @@ void read_numbers(P& params, const toml::table& table) {
   };
   if (equals == std::string_view::npos || equals == 0) throw bad();
   try {
-    return toml::parse(assignment);
-  } catch (const toml::parse_error&) {
+    return parse_toml(assignment);
+  } catch (const TomlError&) {
     try {
       std::ostringstream quoted;
       quoted << assignment.substr(0, equals + 1) << toml::value<std::string>{std::string{assignment.substr(equals + 1)}};
-      return toml::parse(quoted.str());
-    } catch (const toml::parse_error&) {
+      return parse_toml(quoted.str());
+    } catch (const TomlError&) {
       throw bad();
     }
   }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 #include <trophic/population/food_web.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic {
@@ -36,6 +37,7 @@ enum class Cause { caught, starved, sacrificed, senescence };
 struct Genome {
   std::uint64_t id = 0;  ///< unique in a run; a shared genome keeps its id through mutations
   std::vector<double> weights;
+  static constexpr auto saved() { return std::tuple{&Genome::id, &Genome::weights}; }
 };
 
 /// Somebody an offspring can descend from; may be dead by now.
@@ -44,6 +46,7 @@ struct Ancestor {
   Species species = 0;
   std::shared_ptr<Genome> genome;
   friend bool operator==(const Ancestor&, const Ancestor&) = default;
+  static constexpr auto saved() { return std::tuple{&Ancestor::id, &Ancestor::species, &Ancestor::genome}; }
 };
 
 /// One living individual. The `Population` holds one per body and is the only one who changes it.
@@ -68,6 +71,24 @@ struct Individual {
   double target_angle_rad = 0.0;                                           ///< the brain's last decision, positive to the right
 
   [[nodiscard]] Ancestor as_ancestor() const { return {id, species, genome}; }
+
+  static constexpr auto saved() {
+    return std::tuple{&Individual::id,
+                      &Individual::parent,
+                      &Individual::genome,
+                      &Individual::species,
+                      &Individual::origin,
+                      &Individual::mutation_distance,
+                      &Individual::active,
+                      &Individual::born_s,
+                      &Individual::age_from_s,
+                      &Individual::fed_tick,
+                      &Individual::tag,
+                      &Individual::tag_since_s,
+                      &Individual::adversary,
+                      &Individual::adversary_distance_m,
+                      &Individual::target_angle_rad};
+  }
 };
 
 }  // namespace trophic

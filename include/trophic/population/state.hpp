@@ -24,6 +24,9 @@
 /// state of the body's last owner; State{} for founders. `return {};` resets it, `return body;` keeps it with the body,
 /// `return parent ? *parent : State{};` inherits it.
 ///
+/// A checkpoint holds all states, so that a run goes on as if it had not been cut off: that is why a State may hold no more than
+/// what rule_states.hpp allows.
+///
 /// The question of a slot that is about one body may take `const State& own` as its last argument, one about the whole population
 /// `std::span<const State> states`, by body: see the slot's contract. A brain's decide takes `State& own`.
 ///
@@ -158,6 +161,11 @@ class BodyStates<P> {
   [[nodiscard]] State& operator[](BodyIndex body) { return states_[body]; }
   [[nodiscard]] std::span<const State> all() const { return states_; }
   void push_back(State state) { states_.push_back(std::move(state)); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(states_);
+  }
 
  private:
   std::vector<State> states_;

@@ -2,63 +2,35 @@
 // The folder of a set of replicates: made once, gone on with later, never overwritten.
 #pragma once
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <trophic/checkpoint/go_on.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
+#include <trophic/support/folder_lock.hpp>
 #include <trophic/support/replace_file.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::replicates {
 
-/// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no manifest that can be read.
-[[nodiscard]] inline std::string status_of(const std::filesystem::path& run) {
-  if (!std::filesystem::exists(run)) return "missing";
-  std::ifstream file{run / "manifest.json"};
-  const auto manifest = nlohmann::json::parse(file, nullptr, false);
-  return manifest.is_object() && manifest.contains("status") ? manifest["status"].get<std::string>() : "unreadable";
-}
-
-/// While it lives, no other FolderLock on the folder can be made, in this program or another; the system drops it when a program
-/// dies.
-class FolderLock {
- public:
-  /// Throws std::runtime_error if the folder cannot be opened or is locked.
-  explicit FolderLock(const std::filesystem::path& folder) : file_{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
-    if (file_ < 0) throw std::runtime_error{folder.string() + ": is not a folder that can be opened"};
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-      ::close(file_);
-      throw std::runtime_error{folder.string() + ": another program is running replicates in it"};
-    }
-  }
-  ~FolderLock() { ::close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int file_;
-};
+using checkpoint::status_of;
 
 /// replicates.json and what of the plan is still to be done. Holds a lock on the folder while it lives, so that two programs
 /// cannot work in it at once.
 class Folder {
  public:
-  /// Makes the folder or, with `plan.resume`, goes on in it. Complete replicates stay; incomplete ones are moved to
-  /// "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan, seed aside. Throws std::invalid_argument
-  /// if the folder exists and the plan does not resume, or if what is there has other rules, numbers, seeds or duration;
-  /// std::runtime_error if another program works in it or the system refuses.
+  /// Makes the folder or, with `plan.resume`, goes on in it. Complete replicates stay; those that were cut off go on from their
+  /// checkpoint or, without one, are moved to "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan,
+  /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, or if what is there has other
+  /// rules, numbers, seeds or duration; std::runtime_error if another program works in it or the system refuses.
   Folder(const Plan& plan, const observe::RunDescription& run, const observe::Provenance& provenance) {
     plan.check();
     if (!plan.resume || !std::filesystem::exists(plan.out)) {
@@ -79,10 +51,10 @@ class Folder {
       if (status != "missing") incomplete.push_back(replicate);
       pending_.push_back(std::move(replicate));
     }
-    for (const Replicate& replicate : incomplete) set_aside(replicate);
+    for (const Replicate& replicate : incomplete) look_at(replicate, run);
     write(plan, run, provenance);
   }
-  /// To be run, each into a new folder.
+  /// To be run, each into a new folder or from the checkpoint in its own.
   [[nodiscard]] const std::vector<Replicate>& pending() const { return pending_; }
   /// How many were complete already.
   [[nodiscard]] std::size_t kept() const { return kept_; }
@@ -99,9 +71,13 @@ class Folder {
   }
 
   static nlohmann::json read(const std::filesystem::path& path) {
-    std::ifstream file{path};
-    if (!file) throw std::invalid_argument{path.string() + ": cannot be read; only a folder of replicates can be resumed"};
-    auto json = nlohmann::json::parse(file, nullptr, false);
+    std::string text;
+    try {
+      text = read_whole_file(path);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument{std::string{error.what()} + "; only a folder of replicates can be resumed"};
+    }
+    auto json = nlohmann::json::parse(text, nullptr, false);
     if (!json.is_object()) throw std::invalid_argument{path.string() + ": is not a JSON object"};
     return json;
   }
@@ -135,16 +111,9 @@ class Folder {
     }
   }
 
-  void set_aside(const Replicate& replicate) {
-    const std::string status = status_of(replicate.folder);
-    std::filesystem::path aside;
-    std::size_t k = 1;
-    do {
-      aside = replicate.folder.string() + ".incomplete-" + std::to_string(k++);
-    } while (std::filesystem::exists(aside));
-    std::filesystem::rename(replicate.folder, aside);
-    remarks_.push_back(name_of(replicate.index) + " was incomplete (status \"" + status + "\"): kept as " +
-                       aside.filename().string() + ", run anew");
+  void look_at(const Replicate& replicate, observe::RunDescription run) {
+    run.seed = replicate.seed;
+    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::standing_in(replicate.folder, run).remark);
   }
 
   static void write(const Plan& plan, const observe::RunDescription& run, const observe::Provenance& provenance) {

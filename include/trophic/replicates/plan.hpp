@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <trophic/checkpoint/schedule.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct Replicate {
   return Rng{master_seed, Stream::replicate, index}.bits() >> 11;
 }
 
+/// More than anybody runs in one set; a plan of them all still fits the memory.
+inline constexpr std::size_t most_replicates = 100'000;
+
 /// "replicate-00", "replicate-01", ...
 [[nodiscard]] inline std::string name_of(std::size_t index) {
   return std::string{"replicate-"} + (index < 10 ? "0" : "") + std::to_string(index);
@@ -34,14 +38,18 @@ struct Plan {
   std::filesystem::path out;  ///< holds replicates.json and a folder per replicate
   std::uint64_t master_seed = 1;
   std::size_t count = 10;
-  std::size_t jobs = 1;  ///< replicates at a time; results do not depend on it
-  bool resume = false;   ///< go on in a folder that exists: run what is missing or incomplete
+  std::size_t jobs = 1;                   ///< replicates at a time; results do not depend on it
+  bool resume = false;                    ///< go on in a folder that exists: run what is missing, go on with what was cut off
+  checkpoint::Schedule checkpoints = {};  ///< of each replicate
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {
     if (out.empty()) throw std::invalid_argument{"out: must name a folder"};
     if (count == 0) throw std::invalid_argument{"replicates = 0: must be >= 1"};
     if (jobs == 0) throw std::invalid_argument{"jobs = 0: must be >= 1"};
+    if (count > most_replicates) {
+      throw std::invalid_argument{"replicates = " + std::to_string(count) + ": must be <= " + std::to_string(most_replicates)};
+    }
   }
 
   [[nodiscard]] std::vector<Replicate> all() const {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <trophic/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/load/habitat.hpp>
 #include <trophic/observe/joint_progress.hpp>
@@ -27,10 +28,10 @@ struct Outcome {
 };
 
 /// Runs `plan.count` replicates of the experiment for its `ecology.duration_s`, `plan.jobs` at a time, each with its own seed
-/// into its own folder; tells `out` of each that ends. Replicates share nothing: one that fails or is killed leaves the others as
-/// they are, and results do not depend on `jobs`. SIGINT and SIGTERM end those at hand after their tick and start no more. Throws
-/// as Folder does, and as the ecology does for a bad number, before anything is simulated. `extra...` observe every replicate,
-/// from several threads.
+/// into its own folder, with checkpoints; tells `out` of each that ends. Replicates share nothing: one that fails or is killed
+/// leaves the others as they are, and results depend neither on `jobs` nor on how often the set was cut off. SIGINT and SIGTERM
+/// end those at hand and start no more. Throws as Folder does, and as the ecology does for a bad number, before anything is
+/// simulated. `extra...` observe every replicate, from several threads.
 template <class Rules, Backend B, class... Observers>
 Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const observe::Provenance& provenance, std::ostream& out,
             Observers&... extra) {
@@ -53,9 +54,10 @@ Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const obse
     observe::Provenance own_provenance = provenance;
     own_provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
     own_provenance.emplace_back("replicate", std::to_string(replicate.index));
-    observe::RunFolder files{replicate.folder, std::move(own_provenance)};
+    const checkpoint::Standing standing = checkpoint::standing_in(replicate.folder, ecology.describe(until_s));
+    observe::RunFolder files{replicate.folder, std::move(own_provenance), standing.opening()};
     auto part = progress.watch(name_of(replicate.index));
-    ecology.run_until(until_s, files, part, stop, extra...);
+    checkpoint::run_kept(ecology, until_s, replicate.folder, plan.checkpoints, standing.from, files, part, stop, extra...);
     files.manifest().add({{"wall_s", observe::short_text(part.elapsed_s())}});
   };
   const auto attempts = in_parallel(pending.size(), plan.jobs, run_one, [&] { return stop.keep_running(); });

@@ -17,7 +17,8 @@
 
 namespace trophic {
 
-TROPHIC_INLINE void replace_file(const std::filesystem::path& path, std::string_view text) {
+TROPHIC_INLINE void replace_file(const std::filesystem::path& path, std::string_view text,
+                                 const std::filesystem::path& predecessor) {
   const auto require = [&](bool good) {
     if (!good) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(errno)};
   };
@@ -28,6 +29,7 @@ TROPHIC_INLINE void replace_file(const std::filesystem::path& path, std::string_
     require(std::fwrite(text.data(), 1, text.size(), file.get()) == text.size());
     require(std::fflush(file.get()) == 0 && ::fsync(::fileno(file.get())) == 0);
   }
+  if (!predecessor.empty()) require(std::rename(path.c_str(), predecessor.c_str()) == 0 || errno == ENOENT);
   require(std::rename(temporary.c_str(), path.c_str()) == 0);
   // The new name is an entry of the folder. Some file systems cannot sync a folder: then the system does it in its own time.
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path{"."};

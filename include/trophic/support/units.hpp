@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace trophic {
 
@@ -17,6 +18,7 @@ struct GroundPose {
   double x_m = 0.0;
   double y_m = 0.0;
   double heading_rad = 0.0;  ///< counter-clockwise from world x to the robot's forward axis, in (-pi, pi]
+  static constexpr auto saved() { return std::tuple{&GroundPose::x_m, &GroundPose::y_m, &GroundPose::heading_rad}; }
 };
 
 /// The angle in (-pi, pi] that differs from `angle_rad` by whole turns.

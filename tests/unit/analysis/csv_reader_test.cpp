@@ -42,8 +42,8 @@ TEST_CASE("a missing file, a folder and a file without header are refused by nam
   const TemporaryFolder folder;
   const auto error = [&](const std::string& path) { return message_of<std::runtime_error>([&] { CsvReader{path, {"a"}}; }); };
   const std::string missing = (folder.path() / "none.csv").string();
-  CHECK(error(missing) == missing + ": cannot be read, or is empty");
-  CHECK(error(folder.path().string()) == folder.path().string() + ": cannot be read, or is empty");
+  CHECK(error(missing) == missing + ": cannot be read: No such file or directory");
+  CHECK(error(folder.path().string()) == folder.path().string() + ": is not a regular file");
   const std::string bare = folder.file("bare.csv", "a");
   CHECK(error(bare) == bare + ": has no header");
   const std::string wrong = folder.file("wrong.csv", "b\n1\n");

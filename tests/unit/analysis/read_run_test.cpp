@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/analysis/data/read_run.hpp>
 #include <unit/analysis/rows.hpp>
 #include <unit/analysis/run_files.hpp>
+#include <vector>
 
 namespace {
 
@@ -69,7 +73,7 @@ TEST_CASE("what is wrong with a file is said with line and column") {
         ":2: species = \"wolf\": must be a species of the run's manifest");
   CHECK(error_of_events(event_header + "0,0,birth,0,prey,0,1,2,random,,0,,,,1,2\n") == ":2: active = \"2\": must be 0 or 1");
   CHECK(error_of_events("generation,fitness\n1,2\n") == ":1: no column \"time_s\"; another kind of file?");
-  CHECK(error_of_events("") == ": cannot be read, or is empty");
+  CHECK(error_of_events("") == ": has no header");
 }
 
 TEST_CASE("agents out of order are refused") {
@@ -101,7 +105,7 @@ TEST_CASE("a missing table is missing, a missing or foreign manifest is an error
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "manifest.json").string();
   const auto read = [&] { static_cast<void>(analysis::read_run(folder.path())); };
-  CHECK(message_of<std::runtime_error>(read).starts_with(path + ": cannot be read; is "));
+  CHECK(message_of<std::runtime_error>(read).starts_with(path + ": cannot be read: "));
   static_cast<void>(folder.file("manifest.json", R"({"fingerprint": "00ff"})"));
   CHECK(message_of<std::runtime_error>(read).find("'rule_table' not found") != std::string::npos);
   static_cast<void>(folder.file("manifest.json", manifest));
@@ -125,4 +129,31 @@ TEST_CASE("a run is cut to its first seconds, one that did not last so long is r
         (folder.path() / "run").string() + ": reached 0 s (status complete): must be >= 3000 s, as --until asks");
   run.manifest.reached_s = 6500.0;
   CHECK_NOTHROW(analysis::cut_to(run, 6500.0));
+}
+
+TEST_CASE("a table that was cut at a line's end, or whose rows are doubled, reversed or gone, is refused") {
+  const TemporaryFolder folder;
+  const std::filesystem::path run = test::write_run(folder.path() / "run", manifest);
+  const auto sum = analysis::CsvReader{run / "events.csv", {}}.sum();
+  CHECK(sum.rows == 5);
+  std::string text = manifest;
+  text.insert(1, R"("tables": {"events.csv": {"rows": 5, "crc32": )" + std::to_string(sum.crc32) + "}}, ");
+  std::ofstream{run / "manifest.json"} << text;
+  CHECK(analysis::read_run(run).events->size() == 5);
+
+  std::vector<std::string> lines;
+  std::ifstream whole{run / "events.csv"};
+  for (std::string line; std::getline(whole, line);) lines.push_back(line);
+  const auto refusal = [&](const std::vector<std::size_t>& kept) {
+    std::ofstream file{run / "events.csv"};
+    for (const std::size_t i : kept) file << lines[i] << "\n";
+    file.close();
+    return message_of<std::invalid_argument>([&] { static_cast<void>(analysis::read_run(run)); });
+  };
+  const std::string path = (run / "events.csv").string();
+  CHECK(refusal({0, 1, 2, 3, 4, 5}).empty());
+  CHECK(refusal({0, 1, 2, 3, 4}).starts_with(path + ": has 4 rows and checksum "));
+  CHECK(refusal({0, 1, 2, 3, 4, 4, 5}).starts_with(path + ": has 6 rows and checksum "));
+  CHECK(refusal({0, 5, 4, 3, 2, 1}).starts_with(path + ": has 5 rows and checksum "));
+  CHECK(refusal({0}).starts_with(path + ": has 0 rows and checksum "));
 }

@@ -121,7 +121,7 @@ TEST_CASE("one that fails loses nothing of the others, and --resume runs it and 
   CHECK(resumed.complete == 1);
   CHECK(fs::last_write_time(plan.out / "replicate-02/agents.csv") == untouched);
   CHECK(replicates::status_of(plan.out / "replicate-01.incomplete-1") == "failed");
-  CHECK(out.str().find("replicate-01 was incomplete (status \"failed\"): kept as replicate-01.incomplete-1, run anew") !=
+  CHECK(out.str().find("replicate-01 was incomplete (status \"failed\"; it has no checkpoint): kept as replicate-01.incomplete-1, run anew") !=
         std::string::npos);
 
   const replicates::Plan whole{.out = folder.path() / "whole", .count = 4};
@@ -131,20 +131,25 @@ TEST_CASE("one that fails loses nothing of the others, and --resume runs it and 
   }
 }
 
-TEST_CASE("a killed replicate, known by its manifest or the lack of one, is run anew, a set can grow") {
+TEST_CASE("a killed replicate, known by its manifest or the lack of one, goes on or is run anew, a set can grow") {
   const TemporaryFolder folder;
   std::ostringstream out;
-  replicates::Plan plan{.out = folder.path() / "set", .count = 2, .resume = true};  // resuming nothing starts it
-  CHECK(run(plan, out).complete == 2);
+  replicates::Plan plan{.out = folder.path() / "set", .count = 3, .resume = true};  // resuming nothing starts it
+  CHECK(run(plan, out).complete == 3);
+  const std::string phylogeny = content(plan.out / "replicate-02/phylogeny.csv");
   fs::remove(plan.out / "replicate-00/manifest.json");
+  fs::remove(plan.out / "replicate-00/checkpoint.bin");
   fs::remove_all(plan.out / "replicate-01");
-  plan.count = 3;
+  fs::remove(plan.out / "replicate-02/manifest.json");
+  plan.count = 4;
   const auto outcome = run(plan, out);
   CHECK(outcome.kept == 0);
-  CHECK(outcome.complete == 3);
+  CHECK(outcome.complete == 4);
   CHECK(fs::exists(plan.out / "replicate-00.incomplete-1/agents.csv"));
   CHECK_FALSE(fs::exists(plan.out / "replicate-01.incomplete-1"));
-  CHECK(nlohmann::json::parse(content(plan.out / "replicates.json"))["count"] == 3);
+  CHECK(out.str().find("replicate-02 goes on from its checkpoint at 200 s") != std::string::npos);
+  CHECK(content(plan.out / "replicate-02/phylogeny.csv") == phylogeny);
+  CHECK(nlohmann::json::parse(content(plan.out / "replicates.json"))["count"] == 4);
 }
 
 TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
@@ -170,6 +175,8 @@ TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
   CHECK(refusal({.out = folder.path(), .resume = true}, brief()).find("only a folder of replicates") != std::string::npos);
   CHECK(refusal({.out = folder.path() / "new", .count = 0}, brief()) == "replicates = 0: must be >= 1");
   CHECK(refusal({.out = folder.path() / "new", .jobs = 0}, brief()) == "jobs = 0: must be >= 1");
+  CHECK(refusal({.out = folder.path() / "new", .count = ~std::size_t{0}}, brief()) ==
+        "replicates = 18446744073709551615: must be <= 100000");
   CHECK_FALSE(fs::exists(folder.path() / "new"));
 }
 
@@ -180,7 +187,7 @@ TEST_CASE("two programs cannot work in one folder") {
   const replicates::Folder held{plan, any, {}};
   CHECK(message_of<std::runtime_error>([&] {
           const replicates::Folder second{plan, any, {}};
-        }) == plan.out.string() + ": another program is running replicates in it");
+        }) == plan.out.string() + ": another program is running in it");
 }
 
 TEST_CASE("work in parallel: every item once, errors kept, none started after the word to stop") {

@@ -3,18 +3,20 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/crc.hpp>
 #include <charconv>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/observe/csv.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -27,10 +29,11 @@ class CsvReader {
  public:
   /// Throws std::runtime_error "FILE: ..." if it cannot be read, has no header or lacks one of `columns`.
   CsvReader(const std::filesystem::path& path, std::initializer_list<std::string_view> columns) : file_{path.string()} {
-    std::ifstream stream{path, std::ios::binary};
-    std::ostringstream text;
-    if (!std::filesystem::is_regular_file(path) || !(text << stream.rdbuf())) throw error("cannot be read, or is empty");
-    text_ = std::move(text).str();
+    try {
+      text_ = read_whole_file(path, largest_table);
+    } catch (const std::invalid_argument& reason) {
+      throw std::runtime_error{reason.what()};
+    }
     if (!split_line()) throw error("has no header");
     header_.assign(cells_.begin(), cells_.end());
     for (const std::string_view column : columns) want(column);
@@ -52,6 +55,14 @@ class CsvReader {
       throw error(line_, std::to_string(cells_.size()) + " cells, the header has " + std::to_string(header_.size()));
     }
     return true;
+  }
+
+  /// Rows and checksum of the whole file, whatever has been read.
+  [[nodiscard]] observe::TableSum sum() const {
+    boost::crc_32_type crc;
+    crc.process_bytes(text_.data(), text_.size());
+    const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
+    return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = crc.checksum()};
   }
 
   [[nodiscard]] std::size_t line() const { return line_; }
@@ -132,6 +143,8 @@ class CsvReader {
     cells_.push_back(rest);
     return true;
   }
+
+  static constexpr std::uint64_t largest_table = std::uint64_t{64} << 30U;
 
   std::string file_;
   std::string text_;

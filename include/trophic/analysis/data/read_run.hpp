@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -33,23 +34,44 @@ inline void remark_truncated(const CsvReader& csv, const std::filesystem::path& 
                     ": cut off in the middle of a line (killed run?); everything before it is used");
 }
 
+/// Throws std::invalid_argument if a table is not what the run wrote.
+inline void check_sum(const CsvReader& csv, const std::filesystem::path& path,
+                      const std::map<std::string, observe::TableSum>& sums) {
+  const auto expected = sums.find(path.filename().string());
+  if (expected == sums.end()) return;
+  const observe::TableSum is = csv.sum();
+  const observe::TableSum was = expected->second;
+  if (is.rows == was.rows && is.crc32 == was.crc32) return;
+  throw std::invalid_argument{path.string() + ": has " + std::to_string(is.rows) + " rows and checksum " +
+                              std::to_string(is.crc32) + ": must be " + std::to_string(was.rows) + " and " +
+                              std::to_string(was.crc32) + ", as its manifest says; the table was cut or changed after the run"};
+}
+
 }  // namespace detail
 
-/// Reads an events.csv. Throws std::runtime_error "FILE:LINE: ..."; a truncated last line goes to `remarks`.
+/// Reads an events.csv. Throws std::runtime_error "FILE:LINE: ..."; a truncated last line goes to `remarks`. `sums`: what the
+/// tables must be, by file; throws std::invalid_argument for one that is not.
 [[nodiscard]] inline std::vector<EventRow> read_events(const std::filesystem::path& path, const FoodWeb& web,
-                                                       std::vector<std::string>& remarks) {
+                                                       std::vector<std::string>& remarks,
+                                                       const std::map<std::string, observe::TableSum>& sums = {}) {
   TableReader<EventRow> table{path, web};
+  detail::check_sum(table.csv(), path, sums);
   std::vector<EventRow> rows;
-  for (EventRow row; table.next(row);) rows.push_back(row);
+  for (EventRow row; table.next(row);) {
+    if (!rows.empty() && row.tick < rows.back().tick) table.reject("tick", ">= that of the row before");
+    rows.push_back(row);
+  }
   detail::remark_truncated(table.csv(), path, remarks);
   return rows;
 }
 
 /// Reads an agents.csv. Throws std::runtime_error "FILE:LINE: ..."; of a file that was cut off the last tick is left out, and
-/// `remarks` say so.
+/// `remarks` say so. `sums`: as in read_events.
 [[nodiscard]] inline std::vector<AgentRow> read_agents(const std::filesystem::path& path, const FoodWeb& web,
-                                                       std::vector<std::string>& remarks) {
+                                                       std::vector<std::string>& remarks,
+                                                       const std::map<std::string, observe::TableSum>& sums = {}) {
   TableReader<AgentRow> table{path, web};
+  detail::check_sum(table.csv(), path, sums);
   std::vector<AgentRow> rows;
   for (AgentRow row; table.next(row);) {
     if (!rows.empty() && row.tick < rows.back().tick) table.reject("tick", ">= that of the row before");
@@ -77,8 +99,9 @@ inline void cut_to(RunData& run, double until_s) {
   run.manifest.until_s = until_s;
 }
 
-/// Reads a run's folder. Throws std::runtime_error only for the manifest: without it nothing can be understood. What else is
-/// missing or broken is left out and remarked on.
+/// Reads a run's folder. Throws std::runtime_error for the manifest, without which nothing can be understood, and
+/// std::invalid_argument for a table that is another than the run wrote. What else is missing or broken is left out and remarked
+/// on.
 [[nodiscard]] inline RunData read_run(const std::filesystem::path& folder) {
   RunData run{.manifest = read_manifest(folder), .events = {}, .agents = {}, .remarks = {}};
   if (run.manifest.status != "complete") {
@@ -92,8 +115,8 @@ inline void cut_to(RunData& run, double until_s) {
       run.remarks.push_back(error.what());
     }
   };
-  attempt([&] { run.events = read_events(folder / "events.csv", run.manifest.web, run.remarks); });
-  attempt([&] { run.agents = read_agents(folder / "agents.csv", run.manifest.web, run.remarks); });
+  attempt([&] { run.events = read_events(folder / "events.csv", run.manifest.web, run.remarks, run.manifest.tables); });
+  attempt([&] { run.agents = read_agents(folder / "agents.csv", run.manifest.web, run.remarks, run.manifest.tables); });
   return run;
 }
 

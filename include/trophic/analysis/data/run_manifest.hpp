@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <trophic/observe/csv.hpp>
 #include <trophic/population/food_web.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -29,15 +31,20 @@ struct RunManifest {
   nlohmann::json policies;  ///< by slot
   nlohmann::json params;
   FoodWeb web{{}, {}};
+  std::map<std::string, observe::TableSum> tables;  ///< by file name; empty for a run that was killed
 };
 
 /// Reads FOLDER/manifest.json. Throws std::runtime_error naming file and field.
 [[nodiscard]] inline RunManifest read_manifest(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "manifest.json";
-  std::ifstream file{path};
-  if (!file) throw std::runtime_error{path.string() + ": cannot be read; is " + folder.string() + " a run's folder?"};
+  std::string text;
   try {
-    const auto json = nlohmann::json::parse(file);
+    text = read_whole_file(path);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error{std::string{error.what()} + "; is " + folder.string() + " a run's folder?"};
+  }
+  try {
+    const auto json = nlohmann::json::parse(text);
     RunManifest manifest;
     manifest.folder = folder;
     manifest.fingerprint = json.at("fingerprint").get<std::string>();
@@ -59,6 +66,11 @@ struct RunManifest {
       links.push_back({number(link.at("hunter").get<std::string>()), number(link.at("victim").get<std::string>())});
     }
     manifest.web = FoodWeb{names, links};
+    if (json.contains("tables")) {
+      for (const auto& [file, sum] : json["tables"].items()) {
+        manifest.tables[file] = {.rows = sum.at("rows").get<std::uint64_t>(), .crc32 = sum.at("crc32").get<std::uint32_t>()};
+      }
+    }
     return manifest;
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};

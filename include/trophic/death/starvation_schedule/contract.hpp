@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 #include <trophic/population/view.hpp>
+#include <tuple>
 
 #define TROPHIC_SENTENCE_StarvationSchedule                                                                      \
   "std::int64_t interval_ticks(const View&) const and bool due(const StarvationClock&, const View&) const; see " \
@@ -16,6 +17,7 @@ namespace trophic::death {
 struct StarvationClock {
   std::int64_t last_tick = 0;
   std::int64_t interval_ticks = 0;
+  static constexpr auto saved() { return std::tuple{&StarvationClock::last_tick, &StarvationClock::interval_ticks}; }
 };
 
 /// `interval_ticks(view)`: ticks between two starvation procedures as of now; `due(clock, view)`: whether one is held at

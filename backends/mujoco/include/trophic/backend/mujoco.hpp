@@ -63,6 +63,7 @@ class Mujoco {
     std::vector<double> targets_rad;  ///< robot by robot
 
     friend bool operator==(const State&, const State&) = default;
+    static constexpr auto saved() { return std::tuple{&State::steps, &State::robots, &State::targets_rad}; }
   };
 
   Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params);

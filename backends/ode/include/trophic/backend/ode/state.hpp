@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace trophic::backend::ode {
@@ -15,6 +16,9 @@ struct LinkState {
   std::array<double, 3> velocity_m_s{};
   std::array<double, 3> spin_rad_s{};
   bool operator==(const LinkState&) const = default;
+  static constexpr auto saved() {
+    return std::tuple{&LinkState::position_m, &LinkState::rotation, &LinkState::velocity_m_s, &LinkState::spin_rad_s};
+  }
 };
 
 /// A whole backend, robot by robot. ODE keeps no warm start, contact joints live for one step, forces are zero between steps
@@ -25,6 +29,7 @@ struct State {
   std::vector<double> angles_rad;   ///< robots x hinges
   std::vector<double> targets_rad;  ///< robots x hinges, clipped
   bool operator==(const State&) const = default;
+  static constexpr auto saved() { return std::tuple{&State::steps, &State::links, &State::angles_rad, &State::targets_rad}; }
 };
 
 }  // namespace trophic::backend::ode

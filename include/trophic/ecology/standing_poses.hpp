@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// From places on the floor to the poses in which robots start.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <trophic/habitat/pose.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/support/units.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// Root frames for robots that stand at these places: upright, feet on the floor.
+[[nodiscard]] inline std::vector<Pose> standing_poses(std::span<const GroundPose> places, const RobotModel& robot) {
+  std::vector<Pose> poses;
+  for (const GroundPose& ground : places) {
+    const double yaw_rad = ground.heading_rad - robot.forward_rad;
+    poses.push_back({.position_m = {ground.x_m, ground.y_m, robot.rest_height_m},
+                     .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}});
+  }
+  return poses;
+}
+
+}  // namespace trophic

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Definitions of parse_toml.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/params/parse_toml.hpp>
+#include <trophic/support/whole_file.hpp>
+
+namespace trophic {
+
+namespace detail {
+
+inline constexpr std::size_t most_toml_bytes = std::size_t{16} << 20U;
+inline constexpr std::size_t most_toml_line = std::size_t{1} << 20U;
+inline constexpr std::size_t most_key_parts = 32;
+inline constexpr std::size_t most_toml_depth = 64;
+
+/// Goes once over a text, knows what is inside quotes and comments, and throws TomlError for what the parser must not see.
+class TomlFence {
+ public:
+  explicit TomlFence(std::string_view text) : text_{text} {}
+
+  void check() {
+    if (text_.size() > most_toml_bytes) fail("has " + std::to_string(text_.size()) + " bytes: must be <= 16 MiB");
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '#') {
+        skip_comment();
+      } else if (c == '"' || c == '\'') {
+        skip_quoted(c);
+      } else {
+        plain(c);
+        step();
+      }
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw TomlError{line_, at_ - line_start_ + 1, what}; }
+
+  void step() {
+    if (text_[at_] == '\n') {
+      ++line_;
+      line_start_ = at_ + 1;
+    } else if (at_ - line_start_ > most_toml_line) {
+      fail("a line of more than 1 MiB");
+    }
+    ++at_;
+  }
+
+  void skip_comment() {
+    while (at_ < text_.size() && text_[at_] != '\n') step();
+  }
+
+  void skip_quoted(char quote) {
+    const std::string three(3, quote);
+    const bool is_long = text_.substr(at_).starts_with(three);
+    for (int i = 0; i < (is_long ? 3 : 1); ++i) step();
+    while (at_ < text_.size()) {
+      if (quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size()) {
+        step();
+      } else if (is_long ? text_.substr(at_).starts_with(three) : text_[at_] == quote || text_[at_] == '\n') {
+        for (int i = 0; i < (is_long ? 3 : 1); ++i) step();
+        return;
+      }
+      step();
+    }
+  }
+
+  void plain(char c) {
+    if (static_cast<unsigned char>(c) >= 0x80) fail("a character that is not ASCII stands outside of quotes");
+    if (c == '[' || c == '{') {
+      if (++depth_ > most_toml_depth) fail("more than 64 brackets within each other");
+    } else if (c == ']' || c == '}') {
+      depth_ = depth_ == 0 ? 0 : depth_ - 1;
+    }
+    if (c == '.') {
+      if (++dots_ >= most_key_parts) fail("a key of more than 32 parts");
+    } else if (c == '\n' || c == '=' || c == ',') {
+      dots_ = 0;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  std::size_t line_start_ = 0;
+  std::size_t depth_ = 0;
+  std::size_t dots_ = 0;
+};
+
+}  // namespace detail
+
+TROPHIC_INLINE toml::table parse_toml(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  detail::TomlFence{text}.check();
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    const auto& place = error.source().begin;
+    throw TomlError{std::max<std::size_t>(place.line, 1), std::max<std::size_t>(place.column, 1),
+                    std::string{error.description()}};
+  }
+}
+
+TROPHIC_INLINE toml::table parse_toml_file(const std::string& path) {
+  try {
+    return parse_toml(read_whole_file(path, detail::most_toml_bytes));
+  } catch (const TomlError& error) {
+    throw std::invalid_argument{path + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
+                                error.what()};
+  }
+}
+
+}  // namespace trophic

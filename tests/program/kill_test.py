@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""kill_test.py PREDATOR_PREY [--long CASES] [unittest arguments]: programs that are killed or stopped and go on to the same bytes.
+
+The quick part kills a few runs. scripts/kill-and-resume runs `--long 100`."""
+
+import argparse
+import filecmp
+import json
+import random
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from in_folder import InFolder
+
+PARSER = argparse.ArgumentParser()
+PARSER.add_argument("program")
+PARSER.add_argument("--long", type=int, default=3, help="how many runs are killed (3)")
+PARSER.add_argument("--backend", default="kinematic")
+PARSER.add_argument("--rules", default="released")
+PARSER.add_argument("--duration", default="30000")
+PARSER.add_argument("--set", action="append", default=[], dest="numbers", help="PATH=VALUE, as the program takes it")
+OPTIONS, REST = PARSER.parse_known_args()
+TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
+STOPPED = 3
+
+
+class Killed(InFolder):
+    def command(self, out, seed, *arguments, duration=OPTIONS.duration):
+        chosen = ["--backend", OPTIONS.backend, "--rules", OPTIONS.rules, "--duration", duration]
+        chosen += [word for number in OPTIONS.numbers for word in ("--set", number)]
+        return [OPTIONS.program, *chosen, "--seed", str(seed), "--checkpoint-s", "100", "--out", out, *arguments]
+
+    def start(self, *command):
+        return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def finish(self, *command):
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=3600)
+
+    def manifest(self, out):
+        return json.loads((self.folder / out / "manifest.json").read_text())
+
+    def assert_same(self, one, two):
+        for table in TABLES:
+            self.assertTrue(filecmp.cmp(self.folder / one / table, self.folder / two / table, shallow=False), table)
+        for out in (one, two):
+            self.assertEqual(self.manifest(out)["status"], "complete")
+        self.assertEqual(self.manifest(one)["tables"], self.manifest(two)["tables"])
+        self.assertEqual(self.manifest(one)["result"], self.manifest(two)["result"])
+
+    def whole(self, seed):
+        began = time.monotonic()
+        done = self.finish(*self.command("whole", seed))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return time.monotonic() - began
+
+    def test_kill_9(self):
+        chance = random.Random(1)
+        killed = 0
+        for case in range(OPTIONS.long):
+            seed = chance.randrange(1000)
+            wall_s = self.whole(seed)
+            done = None
+            for _ in range(chance.choice([1, 1, 2, 10])):
+                run = self.start(*self.command("parts", seed, "--resume"))
+                try:
+                    run.communicate(timeout=chance.uniform(0.0, wall_s))
+                    done = run.returncode
+                    break
+                except subprocess.TimeoutExpired:
+                    run.kill()
+                    run.communicate()
+                    killed += 1
+            if done is None:
+                done = self.finish(*self.command("parts", seed, "--resume")).returncode
+            with self.subTest(case=case, seed=seed):
+                self.assertEqual(done, 0)
+                self.assert_same("whole", "parts")
+            for out in self.folder.iterdir():
+                subprocess.run(["rm", "-r", out], check=True)
+        print(f"{OPTIONS.long} runs, killed {killed} times", file=sys.stderr)
+        self.assertGreater(killed, 0)
+
+    def test_signals_stop_within_a_second_and_lose_nothing(self):
+        self.whole(7)
+        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
+            with self.subTest(signals=signals):
+                out = f"parts{number}"
+                run = self.start(*self.command(out, 7))
+                while not (self.folder / out / "agents.csv").exists():
+                    time.sleep(0.005)
+                time.sleep(0.05)
+                began = time.monotonic()
+                for one in signals:
+                    run.send_signal(one)
+                printed, errors = run.communicate(timeout=60)
+                self.assertLess(time.monotonic() - began, 5.0)
+                self.assertEqual(run.returncode, STOPPED, errors)
+                self.assertIn("stopping: what has been done is kept", errors)
+                self.assertIn(f"--resume --out {out} goes on", printed)
+                self.assertEqual(self.manifest(out)["status"], "stopped")
+                again = self.finish(*self.command(out, 7, "--resume"))
+                self.assertEqual(again.returncode, 0, again.stderr)
+                self.assertIn("goes on from its checkpoint at", again.stdout)
+                self.assert_same("whole", out)
+
+    def test_a_complete_run_is_left_as_it_is(self):
+        self.whole(3)
+        before = {path.name: path.read_bytes() for path in (self.folder / "whole").iterdir()}
+        again = self.finish(*self.command("whole", 3, "--resume"))
+        self.assertEqual(again.returncode, 0)
+        self.assertIn("is complete already", again.stdout)
+        self.assertEqual({path.name: path.read_bytes() for path in (self.folder / "whole").iterdir()}, before)
+
+    def test_two_programs_in_one_folder(self):
+        first = self.start(*self.command("one", 3, duration="100000000"))
+        while not (self.folder / "one" / "agents.csv").exists():
+            time.sleep(0.005)
+        for arguments, code, text in [((), 2, "exists already"), (("--resume",), 1, "another program is running in it")]:
+            second = self.finish(*self.command("one", 3, *arguments, duration="100000000"))
+            self.assertEqual((second.returncode, text in second.stderr), (code, True), second.stderr)
+        first.send_signal(signal.SIGTERM)
+        first.communicate(timeout=60)
+        self.assertEqual(first.returncode, STOPPED)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["one"])
+
+    def test_replicates(self):
+        common = self.command("set", 5, "--replicates", "3", "--jobs", "2")
+        self.assertEqual(self.finish(*self.command("whole", 5, "--replicates", "3", "--jobs", "2")).returncode, 0)
+        killed = self.start(*common)
+        while not (self.folder / "set/replicate-00/checkpoint.bin").exists() and killed.poll() is None:
+            time.sleep(0.002)
+        killed.kill()
+        killed.communicate()
+        resumed = self.finish(*common, "--resume")
+        self.assertEqual(resumed.returncode, 0, resumed.stderr)
+        self.assertIn("replicate-00 goes on from its checkpoint at", resumed.stdout)
+        for number in range(3):
+            self.assert_same(f"whole/replicate-0{number}", f"set/replicate-0{number}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + REST)

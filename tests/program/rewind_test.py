@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""rewind_test.py PREDATOR_PREY: runs that begin at a moment of another run."""
+
+import json
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolder
+
+PROGRAM = sys.argv.pop(1)
+TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
+
+
+class Rewind(InFolder):
+    def call(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=300)
+
+    def run_ok(self, *arguments):
+        done = self.call(*arguments)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def table(self, out, name):
+        return (self.folder / out / name).read_text().splitlines()
+
+    def manifest(self, out):
+        return json.loads((self.folder / out / "manifest.json").read_text())
+
+    def setUp(self):
+        super().setUp()
+        self.run_ok("--backend", "kinematic", "--seed", 7, "--duration", 1500, "--set", "rules.mutation.sd=0.02", "--out", "whole")
+
+    def until(self, out, name, time_s):
+        rows = self.table(out, name)
+        column = rows[0].split(",").index("time_s")
+        return [row for row in rows[1:] if float(row.split(",")[column]) <= time_s]
+
+    def test_the_same_seed_gives_the_same_run(self):
+        for at in (0, 701, 1500):
+            with self.subTest(at=at):
+                self.run_ok("--from", "whole", "--at", at, "--duration", 1500, "--out", f"same{at}")
+                for name in TABLES:
+                    self.assertEqual(self.table("whole", name), self.table(f"same{at}", name), name)
+                self.assertEqual(self.manifest("whole")["result"], self.manifest(f"same{at}")["result"])
+                self.assertEqual(self.manifest(f"same{at}")["origin"]["seed"], "7")
+        self.assertEqual(len(list(self.folder.iterdir())), 4)
+
+    def test_another_seed_or_number_shares_the_past_alone(self):
+        self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", 8, "--out", "seed")
+        self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--set", "rules.mutation.sd=0.5", "--out", "number")
+        self.assertEqual(self.manifest("number")["params"]["rules"]["mutation"]["sd"], 0.5)
+        self.assertEqual(self.manifest("seed")["params"]["rules"]["mutation"]["sd"], 0.02)
+        self.assertEqual(self.manifest("seed")["seed"], 8)
+        self.assertNotIn("continued", self.manifest("seed"))
+        for out in ("seed", "number"):
+            with self.subTest(out=out):
+                origin = self.manifest(out)["origin"]
+                self.assertEqual((origin["run"], origin["at_s"], origin["seed"]), ("whole", "700", "7"))
+                self.assertEqual(origin["fingerprint"], self.manifest("whole")["fingerprint"])
+                for name in ("events.csv", "agents.csv", "genomes.csv"):
+                    self.assertEqual(self.until(out, name, 700), self.until("whole", name, 700))
+                self.assertNotEqual(self.table(out, "genomes.csv"), self.table("whole", "genomes.csv"))
+                births = sum(",birth," in row for row in self.table(out, "events.csv"))
+                self.assertEqual(len(self.table(out, "phylogeny.csv")), births + 1)
+
+    def test_what_cannot_change_on_the_way_is_refused_and_nothing_is_left(self):
+        for arguments, text in [
+            (["--at", 700, "--robots", 20], "ecology.robots = 20: must be 30"),
+            (["--at", 700, "--set", "ecology.tick_s=1"], "ecology.tick_s = 1: must be 2"),
+            (["--at", -1], "--at -1: must be >= 0"),
+            (["--at", 2000], "--at 2000: must be <= 1500"),
+            (["--at", 700, "--replicates", 2], "--from: not with --replicates"),
+        ]:
+            with self.subTest(arguments=arguments):
+                done = self.call("--from", "whole", "--duration", 1500, "--out", "new", *arguments)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(text, done.stderr)
+        self.assertEqual(self.call("--at", 5).returncode, 2)
+        self.assertEqual(self.call("--from", "nothing", "--out", "new").returncode, 2)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["whole"])
+
+    def test_without_a_moment_the_last_checkpoint_is_taken_and_it_can_be_resumed(self):
+        self.run_ok("--from", "whole", "--duration", 2500, "--seed", 9, "--out", "longer")
+        self.assertEqual(self.manifest("longer")["origin"]["at_s"], "1500")
+        again = self.run_ok("--from", "whole", "--duration", 2500, "--seed", 9, "--out", "longer", "--resume")
+        self.assertIn("is complete already", again.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

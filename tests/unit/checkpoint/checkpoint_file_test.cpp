@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/support/whole_file.hpp>
+
+namespace {
+
+using namespace trophic;
+using test::message_of;
+using test::TemporaryFolder;
+
+checkpoint::Checkpoint moment(std::int64_t tick) {
+  return {.fingerprint = "0123456789abcdef",
+          .program_version = "0.1.0",
+          .seed = 7,
+          .tick = tick,
+          .time_s = 2.0 * static_cast<double>(tick),
+          .sections = {{"ecology", std::string(50, '\0')}, {"files", "abc"}}};
+}
+
+}  // namespace
+
+TEST_CASE("a checkpoint reads back, and any cut or change of a byte is noticed") {
+  const std::string bytes = to_bytes(moment(5));
+  const auto back = checkpoint::from_bytes(bytes, "it");
+  CHECK(back.tick == 5);
+  CHECK(back.time_s == 10.0);
+  CHECK(back.seed == 7);
+  CHECK(back.section("files") == "abc");
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(back.section("replay"));
+        }).starts_with("the checkpoint holds nothing of \"replay\""));
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    CAPTURE(i);
+    CHECK_THROWS_AS(static_cast<void>(checkpoint::from_bytes(std::string_view{bytes}.substr(0, i), "it")), std::invalid_argument);
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    CHECK_THROWS_AS(static_cast<void>(checkpoint::from_bytes(changed, "it")), std::invalid_argument);
+  }
+}
+
+TEST_CASE("errors name the file and what is wrong with it") {
+  const auto refusal = [](const std::string& bytes) {
+    return message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::from_bytes(bytes, "x.bin")); });
+  };
+  const std::string bytes = to_bytes(moment(5));
+  CHECK(refusal("") == "x.bin: is no checkpoint of trophic");
+  CHECK(refusal("trophic checkpoint\n12") == "x.bin: is cut short");
+  CHECK(refusal(bytes + "x") == "x.bin: is cut short or damaged: its checksum is another");
+  std::string newer = bytes;
+  newer[19] = 2;
+  CHECK(refusal(newer) == "x.bin: has format 2: must be 1, as this program writes");
+}
+
+TEST_CASE("the one before it stands in for a checkpoint that is missing or damaged") {
+  const TemporaryFolder folder;
+  CHECK_FALSE(checkpoint::exists(folder.path()));
+  CHECK_THROWS_AS(static_cast<void>(checkpoint::read_last(folder.path())), std::invalid_argument);
+  checkpoint::write(folder.path(), moment(1));
+  CHECK(checkpoint::read_last(folder.path()).tick == 1);
+  checkpoint::write(folder.path(), moment(2));
+  checkpoint::write(folder.path(), moment(3));
+  CHECK(checkpoint::read_last(folder.path()).tick == 3);
+  CHECK(checkpoint::read_all(folder.path()).size() == 2);
+  CHECK(checkpoint::read_all(folder.path())[1].tick == 2);
+
+  std::filesystem::resize_file(folder.path() / checkpoint::file_name, 30);
+  CHECK(checkpoint::read_last(folder.path()).tick == 2);
+  // The damaged one must not take the whole one's place when the next is written.
+  checkpoint::write(folder.path(), moment(4));
+  CHECK(checkpoint::read_all(folder.path()).size() == 2);
+  CHECK(checkpoint::read_all(folder.path())[1].tick == 2);
+
+  std::filesystem::remove(folder.path() / checkpoint::file_name);
+  CHECK(checkpoint::exists(folder.path()));
+  CHECK(checkpoint::read_last(folder.path()).tick == 2);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "checkpoint.bin.part"));
+}

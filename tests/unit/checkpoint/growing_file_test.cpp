@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <boost/crc.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/archive/growing_file.hpp>
+#include <utility>
+
+namespace {
+
+using namespace trophic;
+using test::message_of;
+using test::TemporaryFolder;
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+std::uint32_t crc(const std::string& bytes) {
+  boost::crc_32_type sum;
+  sum.process_bytes(bytes.data(), bytes.size());
+  return sum.checksum();
+}
+
+}  // namespace
+
+TEST_CASE("a file that is gone on with is cut to its length at the checkpoint, and ends as if nothing had happened") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "table.csv";
+  Archive archive;
+  {
+    GrowingFile file{path, Opening::made_new};
+    file.append("one\n");
+    file.persist(archive);
+    file.append("two, half of it");
+  }
+  CHECK(content(path) == "one\ntwo, half of it");
+  GrowingFile file{path, Opening::gone_on_with};
+  CHECK(file.length() == 19);
+  Archive back{archive.bytes()};
+  file.persist(back);
+  CHECK(content(path) == "one\n");
+  GrowingFile moved = std::move(file);
+  moved.append("two\n");
+  CHECK(content(path) == "one\ntwo\n");
+  CHECK(moved.length() == 8);
+  CHECK(moved.checksum() == crc("one\ntwo\n"));
+}
+
+TEST_CASE("a file is never overwritten, and one that is too short, missing or a pipe is refused") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "table.csv";
+  Archive archive;
+  {
+    GrowingFile file{path, Opening::made_new};
+    file.append("some bytes");
+    file.persist(archive);
+  }
+  CHECK(message_of<std::runtime_error>([&] {
+          GrowingFile{path, Opening::made_new};
+        }) == "cannot create " + path.string() + ": File exists");
+  std::filesystem::resize_file(path, 4);
+  GrowingFile file{path, Opening::gone_on_with};
+  Archive back{archive.bytes()};
+  CHECK(message_of<std::runtime_error>([&] { file.persist(back); }) ==
+        "cannot go on with " + path.string() + ": it has 4 bytes: must be >= 10, as many as it had at the checkpoint");
+  CHECK_THROWS_AS((GrowingFile{folder.path() / "none", Opening::gone_on_with}), std::runtime_error);
+  REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
+  CHECK_THROWS_AS((GrowingFile{folder.path() / "pipe", Opening::gone_on_with}), std::runtime_error);
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// A run on an engine that was cut off goes on to the same bytes: robots that touch, height fields, other numbers of threads.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/ode.hpp>
+#include <trophic/rules/released.hpp>
+#include <unit/checkpoint/resumed.hpp>
+
+namespace {
+
+using namespace trophic;
+using namespace trophic::test;
+
+/// Few robots in a small square, which touch from the start.
+template <class B>
+Experiment<rules::Released, B> crowd(const std::string& arena, double half_extent_m, double duration_s) {
+  Experiment<rules::Released, B> experiment;
+  experiment.seed = 4;
+  experiment.ecology.duration_s = duration_s;
+  experiment.ecology.robots = 6;
+  experiment.ecology.arena = arena;
+  experiment.rules.community.predators = 3;
+  experiment.rules.placement.half_extent_m = half_extent_m;
+  return experiment;
+}
+
+constexpr auto other_threads = [](std::size_t part, auto& experiment) { experiment.backend.threads = part % 2 == 0 ? 2 : 1; };
+
+}  // namespace
+
+TEST_CASE("MuJoCo, fast, robots that touch, with another number of threads before and after") {
+  const TemporaryFolder folder;
+  check_resumed(crowd<backend::Mujoco>("walled_square", 0.8, 40.0), folder.path(), {7, 13}, 8.0, other_threads);
+}
+
+TEST_CASE("MuJoCo, islands, robots that touch") {
+  const TemporaryFolder folder;
+  auto experiment = crowd<backend::Mujoco>("walled_square", 0.8, 16.0);
+  experiment.backend.stepping = backend::Mujoco::Stepping::islands;
+  check_resumed(experiment, folder.path(), {5}, 6.0, other_threads);
+}
+
+TEST_CASE("MuJoCo, fast, on the slopes of a height field") {
+  const TemporaryFolder folder;
+  check_resumed(crowd<backend::Mujoco>("height_field", 11.5, 24.0), folder.path(), {4, 9}, 4.0, other_threads);
+}
+
+TEST_CASE("ODE, robots that touch, with another number of threads before and after") {
+  const TemporaryFolder folder;
+  check_resumed(crowd<backend::Ode>("walled_square", 0.8, 10.0), folder.path(), {3}, 2.0, other_threads);
+}

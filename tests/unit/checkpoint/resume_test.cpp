@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// A run that was cut off goes on to the same bytes: kinematic backend, every rule table, any moment.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <trophic/support/rng.hpp>
+#include <type_traits>
+#include <unit/checkpoint/resumed.hpp>
+#include <vector>
+
+namespace {
+
+using namespace trophic;
+using namespace trophic::test;
+namespace fs = std::filesystem;
+
+constexpr auto unchanged = [](std::size_t, auto&) {};
+
+template <class Rules>
+Experiment<Rules, backend::Kinematic> brief(std::uint64_t seed, double duration_s = 600.0) {
+  Experiment<Rules, backend::Kinematic> experiment;
+  experiment.seed = seed;
+  experiment.ecology.duration_s = duration_s;
+  return experiment;
+}
+
+/// Stops the run after a tick.
+struct StopAt {
+  std::int64_t tick = 0;
+  bool reached = false;
+  void on_tick(const View& view) { reached = view.tick >= tick; }
+  [[nodiscard]] bool keep_running() const { return !reached; }
+};
+
+template <class Rules>
+void check_random_moments(std::size_t cases) {
+  for (std::size_t i = 0; i < cases; ++i) {
+    Rng rng{i, Stream::user};
+    const TemporaryFolder folder;
+    const auto experiment = brief<Rules>(rng.index(1000));
+    const auto ticks = static_cast<std::size_t>(experiment.ecology.duration_s / experiment.ecology.tick_s);
+    const std::vector<std::int64_t> cuts{static_cast<std::int64_t>(rng.index(ticks + 1))};
+    CAPTURE(experiment.seed);
+    CAPTURE(cuts[0]);
+    check_resumed(experiment, folder.path(), cuts, 10.0 + 200.0 * rng.uniform(), unchanged);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a run that is cut off at any moment goes on to the same bytes: paper") {
+  check_random_moments<rules::Paper>(12);
+}
+
+TEST_CASE("a run that is cut off at any moment goes on to the same bytes: released") {
+  check_random_moments<rules::Released>(12);
+}
+
+TEST_CASE("so does a run that is cut off ten times") {
+  const TemporaryFolder folder;
+  std::vector<std::int64_t> cuts;
+  Rng rng{1, Stream::user};
+  for (int i = 0; i < 10; ++i) cuts.push_back(1 + static_cast<std::int64_t>(rng.index(300)));
+  std::ranges::sort(cuts);
+  check_resumed(brief<rules::Released>(5), folder.path(), cuts, 30.0, unchanged);
+  const auto manifest = nlohmann::json::parse(content(folder.path() / "parts/manifest.json"));
+  CHECK(manifest["status"] == "complete");
+  CHECK(manifest["continued"].size() >= 5);
+}
+
+TEST_CASE("so does a run that was stopped, and one that is made longer") {
+  const TemporaryFolder folder;
+  run_in_parts(brief<rules::Paper>(3), folder.path() / "whole", {}, 100.0, unchanged);
+  const auto part = [&](double until_s, std::int64_t stop_tick) {
+    Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3, until_s)};
+    const auto standing = checkpoint::standing_in(folder.path() / "parts", ecology.describe(until_s));
+    observe::RunFolder files{folder.path() / "parts", {}, standing.opening()};
+    StopAt stop{.tick = stop_tick};
+    checkpoint::run_kept(ecology, until_s, folder.path() / "parts", {.every_s = 0.0}, standing.from, files, stop);
+    return standing;
+  };
+  CHECK(part(400.0, 37).remark.empty());
+  CHECK(checkpoint::status_of(folder.path() / "parts") == "stopped");
+  CHECK(part(400.0, 1000).from->tick == 37);
+  CHECK(checkpoint::status_of(folder.path() / "parts") == "complete");
+  CHECK_FALSE(fs::exists(folder.path() / "parts" / checkpoint::predecessor_name));
+  CHECK(part(600.0, 1000).from->tick == 200);
+  CHECK(results_in(folder.path() / "whole") == results_in(folder.path() / "parts"));
+}
+
+TEST_CASE("a checkpoint of 30 robots is small") {
+  const TemporaryFolder folder;
+  run_in_parts(brief<rules::Released>(3), folder.path() / "run", {}, 100.0, unchanged);
+  CHECK(fs::file_size(folder.path() / "run" / checkpoint::file_name) < 50'000);
+}
+
+TEST_CASE("a checkpoint of another run, seed or number is refused, and nothing is changed") {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  run_part(brief<rules::Paper>(3), run, 150, 100.0);
+  const std::string before = content(run / "agents.csv");
+  const auto refusal = [&]<class Rules>(const Experiment<Rules, backend::Kinematic>& experiment) {
+    return message_of<std::invalid_argument>([&] {
+      const Ecology<Rules, backend::Kinematic> ecology{experiment};
+      static_cast<void>(checkpoint::standing_in(run, ecology.describe(experiment.ecology.duration_s)));
+    });
+  };
+  CHECK(refusal(brief<rules::Paper>(4)).find("seed = 3: must be 4") != std::string::npos);
+  auto fewer = brief<rules::Paper>(3);
+  fewer.ecology.robots = 20;
+  CHECK(refusal(fewer).find("fingerprint") != std::string::npos);
+  CHECK(refusal(brief<rules::Released>(3)).find("fingerprint") != std::string::npos);
+  CHECK(refusal(brief<rules::Paper>(3, 100.0)).find("until_s = 100: must be >= 200") != std::string::npos);
+  CHECK(content(run / "agents.csv") == before);
+}
+
+TEST_CASE("a folder in which nothing can go on is set aside, one that another program works in is left alone") {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  const Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3)};
+  const auto standing = [&] { return checkpoint::standing_in(run, ecology.describe(600.0)); };
+  CHECK(standing().remark.empty());
+  {
+    const observe::RunFolder files{run};
+    CHECK(message_of<std::runtime_error>([&] { static_cast<void>(standing()); }) ==
+          run.string() + ": another program is running in it");
+  }
+  CHECK(standing().remark == "was incomplete (status \"unreadable\"; it has no checkpoint): kept as run.incomplete-1, run anew");
+  CHECK_FALSE(fs::exists(run));
+  CHECK(fs::exists(folder.path() / "run.incomplete-1/events.csv"));
+}
+
+TEST_CASE("a damaged checkpoint gives way to the one before it") {
+  const TemporaryFolder folder;
+  run_in_parts(brief<rules::Paper>(3), folder.path() / "whole", {}, 50.0, unchanged);
+  const fs::path run = folder.path() / "parts";
+  run_in_parts(brief<rules::Paper>(3), run, {150, 151}, 50.0, [&](std::size_t part, auto&) {
+    if (part == 1 || part == 2) fs::resize_file(run / checkpoint::file_name, 1000);
+  });
+  CHECK(results_in(folder.path() / "whole") == results_in(run));
+}
+
+TEST_CASE("files that lost what they had at the checkpoint are refused") {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  run_part(brief<rules::Paper>(3), run, 150, 50.0);
+  fs::resize_file(run / "agents.csv", 1000);
+  Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3)};
+  const auto standing = checkpoint::standing_in(run, ecology.describe(600.0));
+  observe::RunFolder files{run, {}, standing.opening()};
+  CHECK(message_of<std::runtime_error>([&] {
+          checkpoint::restore(*standing.from, ecology, files);
+        }).find("agents.csv: it has 1000 bytes: must be >= ") != std::string::npos);
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Runs that are cut off and go on, held against one that is not.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <vector>
+
+namespace trophic::test {
+
+[[nodiscard]] inline std::string content(const std::filesystem::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+/// What must be the same bytes however often a run was cut off: its tables, its last checkpoint's ecology, and its manifest but
+/// for who went on with it.
+[[nodiscard]] inline std::vector<std::string> results_in(const std::filesystem::path& folder) {
+  std::vector<std::string> results;
+  for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"})
+    results.push_back(content(folder / table));
+  results.push_back(checkpoint::read_last(folder).section(checkpoint::ecology_section));
+  auto manifest = nlohmann::json::parse(content(folder / "manifest.json"));
+  manifest.erase("continued");
+  results.push_back(manifest.dump());
+  return results;
+}
+
+/// Throws in the middle of what observers do at a tick, when some of them have written and some have not.
+struct Crash {
+  std::int64_t at_tick = 0;
+  void on_tick(const View& view) {
+    if (view.tick >= at_tick) throw std::runtime_error{"crash"};
+  }
+};
+
+inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+/// Begins or goes on with a run in a folder, with a checkpoint every so many seconds of its clock, until it ends or crashes.
+template <class Rules, class B>
+void run_part(const Experiment<Rules, B>& experiment, const std::filesystem::path& folder, std::int64_t crash_tick,
+              double every_s) {
+  Ecology<Rules, B> ecology{experiment};
+  const double until_s = experiment.ecology.duration_s;
+  const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
+  Crash crash{.at_tick = crash_tick};
+  observe::RunFolder files{folder, {}, standing.opening()};
+  const checkpoint::Schedule schedule{.every_s = every_s, .most_share = std::numeric_limits<double>::infinity()};
+  try {
+    checkpoint::run_kept(ecology, until_s, folder, schedule, standing.from, files, crash);
+  } catch (const std::runtime_error& error) {
+    REQUIRE(std::string{error.what()} == "crash");
+  }
+}
+
+/// To its end, cut off at each of these ticks. `before` is called with the number of each part to change what must not change
+/// results.
+template <class Rules, class B, class Before>
+void run_in_parts(Experiment<Rules, B> experiment, const std::filesystem::path& folder, const std::vector<std::int64_t>& cuts,
+                  double every_s, Before&& before) {
+  for (std::size_t part = 0; part <= cuts.size(); ++part) {
+    before(part, experiment);
+    run_part(experiment, folder, part < cuts.size() ? cuts[part] : never, every_s);
+  }
+}
+
+/// The tables of a run that was cut off and of one that was not are the same bytes.
+template <class Rules, class B, class Before>
+void check_resumed(const Experiment<Rules, B>& experiment, const std::filesystem::path& folder,
+                   const std::vector<std::int64_t>& cuts, double every_s, Before&& before) {
+  run_in_parts(experiment, folder / "whole", {}, every_s, [](std::size_t, auto&) {});
+  run_in_parts(experiment, folder / "parts", cuts, every_s, before);
+  const auto whole = results_in(folder / "whole");
+  const auto parts = results_in(folder / "parts");
+  REQUIRE(whole.size() == parts.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    CAPTURE(i);
+    CHECK(whole[i].size() > 100);
+    CHECK(whole[i] == parts[i]);
+  }
+}
+
+}  // namespace trophic::test

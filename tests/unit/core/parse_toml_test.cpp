@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/params/parse_toml.hpp>
+
+namespace {
+
+using namespace trophic;
+using test::message_of;
+using test::TemporaryFolder;
+
+std::string refusal(const std::string& text) {
+  try {
+    static_cast<void>(parse_toml(text));
+  } catch (const TomlError& error) {
+    return std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " + error.what();
+  }
+  return "";
+}
+
+std::string repeated(const std::string& text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("what is TOML is read") {
+  const auto table = parse_toml("\xEF\xBB\xBF# a \xCD\x8B comment\na.b = \"\xCD\x8B # no [comment\"\nc = [[1.5, 2.5], [3, 4]]\n'd.\"' = '''x\n[[[['''\n");
+  CHECK(table["a"]["b"].value<std::string>() == "\xCD\x8B # no [comment");
+  CHECK(table["c"][1][0].value<int>() == 3);
+  CHECK(table["d.\""].value<std::string>() == "x\n[[[[");
+}
+
+TEST_CASE("a key of a million dots is refused before it takes the stack") {
+  CHECK(refusal("a" + repeated(".a", 1'000'000) + " = 1") == "1:64: a key of more than 32 parts");
+  CHECK(refusal("[a" + repeated(" . a", 1'000'000) + "]") == "1:127: a key of more than 32 parts");
+  CHECK(refusal("a" + repeated(".a", 30) + " = 1").empty());
+}
+
+TEST_CASE("brackets that are a thousand deep are refused") {
+  CHECK(refusal("a = " + repeated("[", 1000) + repeated("]", 1000)) == "1:69: more than 64 brackets within each other");
+  CHECK(refusal("a = " + repeated("{a=", 1000) + "1" + repeated("}", 1000)).ends_with("more than 64 brackets within each other"));
+  CHECK(refusal("a = " + repeated("[", 20) + repeated("]", 20)).empty());
+}
+
+TEST_CASE("what ends a debug build of toml++ 3.3.0, or leads it astray, is refused with a sentence") {
+  CHECK_FALSE(refusal("[# a]").empty());
+  CHECK_FALSE(refusal("[[# a]]").empty());
+  CHECK(refusal("\n\xCD\x8B = 1") == "2:1: a character that is not ASCII stands outside of quotes");
+  CHECK(refusal("a = \xCD\x8B") == "1:5: a character that is not ASCII stands outside of quotes");
+}
+
+TEST_CASE("what is absurdly long is refused") {
+  CHECK(refusal("a = \"" + std::string(2'000'000, 'x') + "\"").ends_with("a line of more than 1 MiB"));
+  CHECK(refusal(std::string(17'000'000, '\n')).ends_with("has 17000000 bytes: must be <= 16 MiB"));
+}
+
+TEST_CASE("a file's name, line and column stand in the error, and a pipe in its place is not waited for") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.toml", "a = 1\nb = \n");
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(parse_toml_file(path)); }).starts_with(path + ":2:"));
+  const std::string pipe = (folder.path() / "pipe").string();
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(parse_toml_file(pipe)); }) == pipe + ": is not a regular file");
+}
