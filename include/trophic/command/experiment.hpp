@@ -57,7 +57,7 @@ template <class Rules, Backend B>
     if (options.out.empty()) return 0;
   }
   const observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out, options.provenance};
+  observe::RunFolder folder{options.out, options.provenance, replay_hz_of(options)};
   observe::Progress progress;
   try {
     ecology.run_until(numbers.ecology.duration_s, folder, progress, stop);

@@ -42,7 +42,12 @@ TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::u
           .master_seed = master_seed,
           .count = *options.replicates,
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
-          .resume = options.resume};
+          .resume = options.resume,
+          .replay_hz = replay_hz_of(options)};
+}
+
+TROPHIC_INLINE double replay_hz_of(const ExperimentOptions& options) {
+  return options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz;
 }
 
 TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
@@ -58,7 +63,8 @@ TROPHIC_INLINE void report_run(observe::RunFolder& folder, const observe::Progre
   const int signal = observe::StopOnSignal::caught();
   if (signal != 0) std::cout << "stopped by signal " << signal << " after the tick at hand\n";
   progress.summary(std::cout, view);
-  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json\n";
+  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json"
+            << (folder.frame_hz() > 0.0 ? ", replay.trp" : "") << "\n";
   flush_output();
 }
 
@@ -105,6 +111,8 @@ namespace detail {
       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
        paths_of(pairings), Words::assigned},
       {"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
+      {"--replay-hz", &options.replay_hz,
+       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--print-config", &options.print_config, "print every number as TOML and stop"},
@@ -122,6 +130,9 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
     throw std::invalid_argument{"--jobs, --resume and --shadow: need --replicates"};
   }
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
+  if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {
+    throw std::invalid_argument{"--replay-hz " + std::to_string(*hz) + ": must be 0, 5, 10 or 30"};
+  }
   if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to go on in"};
 }
 

@@ -13,6 +13,8 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/frames.hpp>
+#include <trophic/ecology/parent_slot.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/habitat/habitat.hpp>
@@ -63,12 +65,13 @@ class Ecology {
       audience.start(describe(until_s), view());
       if (!started_) {
         started_ = true;
+        show_frame(audience, backend_, habitat_, times_, time_s(), 0);
         for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
         starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
         tick(audience);
       }
       while (time_s() < until_s && audience.keep_running()) {
-        move();
+        move(audience);
         tick(audience);
       }
       audience.end(view());
@@ -133,7 +136,9 @@ class Ecology {
   explicit Ecology(Checked from)
       : params_{std::move(from.params)},
         habitat_{std::move(from.habitat)},
-        steps_per_tick_{control_steps_per_tick<B>(params_.ecology, params_.physics)},
+        times_{.steps = control_steps_per_tick<B>(params_.ecology, params_.physics),
+               .tick_s = params_.ecology.tick_s,
+               .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
         population_{rules_, web_, params_.seed, rules_.community.founders(params_.ecology.robots)},
@@ -169,10 +174,11 @@ class Ecology {
                    view());
   }
 
-  void move() {
+  template <class Audience>
+  void move(Audience& audience) {
     target_angles_rad_.clear();
     for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
-    locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_);
+    advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s());
     poses_before_ = poses_;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const Pose root = backend_.pose(body);
@@ -287,20 +293,6 @@ class Ecology {
                                                     ": must be of its offspring's species"};
   }
 
-  [[nodiscard]] static std::string_view parent_slot(Cause cause) {
-    switch (cause) {
-      case Cause::caught:
-        return "capture_parent";
-      case Cause::starved:
-        return "starvation_parent";
-      case Cause::sacrificed:
-        return "rescue_parent";
-      case Cause::senescence:
-        break;
-    }
-    return "senescence_parent";
-  }
-
   /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
   /// want of a parent, the first that the dead one ate.
   template <class Audience, class ParentRule>
@@ -372,7 +364,7 @@ class Ecology {
 
   Params params_;
   Habitat habitat_;
-  std::int64_t steps_per_tick_;
+  observe::FrameTimes times_;
   Policies<Rules> rules_;
   FoodWeb web_;
   Population<Rules> population_;

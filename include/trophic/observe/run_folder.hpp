@@ -6,7 +6,9 @@
 #include <memory>
 #include <string_view>
 #include <trophic/observe/event.hpp>
+#include <trophic/observe/frame.hpp>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/observe/recording.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/linkage.hpp>
@@ -16,12 +18,12 @@ namespace trophic::observe {
 /// A new folder. Throws std::invalid_argument if something of that name exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
-/// events.csv, agents.csv, phylogeny.csv, genomes.csv and manifest.json in a new folder. Files are flushed at every tick, so that
-/// a crash keeps what happened before it; the manifest says how the run ended. Watches one call of run_until.
+/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json and the recording replay.trp in a new folder. Tables are flushed
+/// at every tick, so that a crash keeps what happened before it; the manifest says how the run ended. Watches one call of run_until.
 class RunFolder {
  public:
-  /// Makes the folder at once: see make_new_folder.
-  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {});
+  /// Makes the folder at once: see make_new_folder. `replay_hz`: frames of the recording in a simulated second; 0: no recording.
+  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, double replay_hz = default_replay_hz);
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
@@ -29,6 +31,8 @@ class RunFolder {
   void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view);
   void on_tick(const View& view);
+  void on_frame(const Frame& frame) { recording_.on_frame(frame); }
+  [[nodiscard]] double frame_hz() const { return recording_.frame_hz(); }
   void on_end(const View& view);
   void on_failure(std::string_view what);
 
@@ -41,6 +45,7 @@ class RunFolder {
   std::filesystem::path path_;
   std::unique_ptr<Tables> tables_;
   Manifest manifest_;
+  Recording recording_;
 };
 
 }  // namespace trophic::observe

@@ -33,19 +33,21 @@ struct RunFolder::Tables {
   GenomeLog genomes;
 };
 
-TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance)
+TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, double replay_hz)
     : path_{make_new_folder(path)},
       tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv"},
                                               .agents = AgentLog{path_ / "agents.csv"},
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv"},
                                               .genomes = GenomeLog{path_ / "genomes.csv"}})},
-      manifest_{path_ / "manifest.json", std::move(provenance)} {}
+      manifest_{path_ / "manifest.json", std::move(provenance)},
+      recording_{path_ / "replay.trp", replay_hz} {}
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder& RunFolder::operator=(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder::~RunFolder() = default;
 
 TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& view) {
   manifest_.on_start(run, view);
+  recording_.on_start(run, view);
 }
 
 TROPHIC_INLINE void RunFolder::on_event(const Event& event, const View& view) {
@@ -66,10 +68,12 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
 TROPHIC_INLINE void RunFolder::on_end(const View& view) {
   tables_->events.on_end(view);
   tables_->phylogeny.on_end(view);
+  recording_.on_end(view);
   manifest_.on_end(view);
 }
 
 TROPHIC_INLINE void RunFolder::on_failure(std::string_view what) {
+  recording_.on_failure(what);
   manifest_.on_failure(what);
 }
 

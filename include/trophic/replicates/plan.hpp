@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <trophic/observe/recording.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct Plan {
   std::size_t count = 10;
   std::size_t jobs = 1;  ///< replicates at a time; results do not depend on it
   bool resume = false;   ///< go on in a folder that exists: run what is missing or incomplete
+  double replay_hz = observe::default_replay_hz;  ///< frames of each run's recording in a simulated second; 0: none
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

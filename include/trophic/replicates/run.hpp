@@ -53,7 +53,7 @@ Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const obse
     observe::Provenance own_provenance = provenance;
     own_provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
     own_provenance.emplace_back("replicate", std::to_string(replicate.index));
-    observe::RunFolder files{replicate.folder, std::move(own_provenance)};
+    observe::RunFolder files{replicate.folder, std::move(own_provenance), plan.replay_hz};
     auto part = progress.watch(name_of(replicate.index));
     ecology.run_until(until_s, files, part, stop, extra...);
     files.manifest().add({{"wall_s", observe::short_text(part.elapsed_s())}});
