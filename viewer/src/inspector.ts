@@ -53,7 +53,7 @@ export class Inspector {
     } else {
       rows.push(["now", time < one.birth ? "not yet born" : "dead"]);
     }
-    if (!Number.isNaN(one.mutation)) rows.push(["mutation", `${fixed(one.mutation, 3)} from its parent's genome`]);
+    if (!Number.isNaN(one.mutation) && !Number.isNaN(one.parent)) rows.push(["mutation", `${fixed(one.mutation, 3)} from its parent's genome`]);
     const name = run.index.species[one.species] ?? "?";
     this.element.innerHTML =
       `<h2><i style="background:${colourOf(one.species)}"></i>${name} ${id}</h2><dl>` +

@@ -106,7 +106,9 @@ class App {
     const main = make("main");
     const side = make("aside");
     const tree = make("section", "tree");
-    tree.append(make("h3", "", "phylogeny"), this.phylogeny.canvas);
+    const drawing = make("div");
+    drawing.append(this.phylogeny.canvas);
+    tree.append(make("h3", "", "phylogeny: a line a life, over time"), drawing);
     side.append(this.inspector.element, this.plots.population.element, this.plots.tags.element, this.plots.speed.element, tree);
     main.append(this.views, side);
     return main;

@@ -64,9 +64,9 @@ export class Marks {
     count: number,
     private readonly flashCount = 64,
   ) {
-    this.highlights = new Flat(new RingGeometry(1.62, 1.95, 40), count, 1, 0);
+    this.highlights = new Flat(new RingGeometry(1.66, 1.8, 48), count, 1, 0);
     this.discs = new Flat(new CircleGeometry(1, 32), count, 0.42, 1);
-    this.rings = new Flat(new RingGeometry(0.84, 1, 32), count, 1, 2);
+    this.rings = new Flat(new RingGeometry(0.88, 1, 48), count, 1, 2);
     this.pointers = new Flat(pointer(), count, 1, 3);
     this.flashes = new Flat(new RingGeometry(0.9, 1, 40), flashCount, 0.7, 4);
     for (const flat of [this.highlights, this.discs, this.rings, this.pointers, this.flashes]) this.group.add(flat.mesh);

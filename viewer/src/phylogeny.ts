@@ -8,15 +8,11 @@ import type { Individual, Run } from "./run";
 export function layOut(run: Run): number {
   let row = 0;
   const tree = hierarchy<{ children: Individual[] }>({ children: run.roots }, (one) => one.children);
-  tree.count().sort((a, b) => lineageAge(b.data as Individual) - lineageAge(a.data as Individual));
+  tree.count().sort((a, b) => (a.data as Individual).birth - (b.data as Individual).birth);
   tree.eachBefore((node) => {
     if (node.depth > 0) (node.data as Individual).row = row++;
   });
   return row;
-}
-
-function lineageAge(one: Individual): number {
-  return one.birth;
 }
 
 /** An individual, those it descends from and all who descend from it. */

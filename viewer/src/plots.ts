@@ -96,7 +96,7 @@ export class Plot {
     this.plot = new uPlot(
       {
         width: Math.max(200, this.element.clientWidth),
-        height: 118,
+        height: 96,
         title: this.title,
         legend: { show: false },
         cursor: { y: false, points: { show: false }, drag: { setScale: false } },
@@ -129,6 +129,6 @@ export class Plot {
   }
 
   resize(): void {
-    if (this.plot) this.plot.setSize({ width: Math.max(200, this.element.clientWidth), height: 118 });
+    if (this.plot) this.plot.setSize({ width: Math.max(200, this.element.clientWidth), height: 96 });
   }
 }

@@ -60,7 +60,7 @@ export class World {
     this.links = new Lines(robots, 0.1);
     this.scene.add(this.boxes, this.marks.group, this.trails.object, this.links.object);
     this.drawn = new Float32Array(3 * robots);
-    this.ringSize = Math.max(head.robot.bounding_radius_m * 1.15, 0.014 * head.arena.half_side_m);
+    this.ringSize = Math.max(head.robot.bounding_radius_m * 1.15, 0.021 * head.arena.half_side_m);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.maxPolarAngle = 0.495 * Math.PI;
@@ -81,13 +81,13 @@ export class World {
     this.controls.enableRotate = view !== "top";
     const fit = Math.max(1, 1.25 / this.camera.aspect);
     if (view === "orbit") {
-      this.controls.target.set(0, -0.05 * half, 0);
-      this.camera.position.set(0, -2.45 * half * fit, 2.15 * half * fit);
+      this.controls.target.set(0, -0.14 * half, 0);
+      this.camera.position.set(0, -2.1 * half * fit, 2.3 * half * fit);
     } else if (view === "top") {
       this.controls.target.set(0, 0, 0);
-      this.camera.position.set(0, -0.001, 3.25 * half * fit);
+      this.camera.position.set(0, -0.001, 3.05 * half * fit);
     } else {
-      this.camera.position.copy(this.controls.target).add(new Vector3(0, -2.6, 1.7));
+      this.camera.position.copy(this.controls.target).add(new Vector3(0, -2.0, 1.35));
     }
     this.controls.update();
   }
@@ -211,7 +211,7 @@ export class World {
         const x1 = track[2 * at];
         const y1 = track[2 * at + 1];
         if (Number.isNaN(x1)) break;
-        const strength = body === selected ? 1 : 0.55;
+        const strength = body === selected ? 1 : 0.7;
         const colour = agents.active[at] === 1 ? colourOf(agents.species[at]) : inactiveColour;
         this.trails.add(x, y, x1, y1, colour, strength * (1 - back / trailTicks), strength * (1 - (back + 1) / trailTicks));
         x = x1;
@@ -227,7 +227,7 @@ export class World {
     for (let body = 0; shown.links && body < robots; ++body) {
       const other = bodyOf.get(agents.adversary[row + body]);
       if (other === undefined) continue;
-      const strength = body === selected ? 1 : 0.5;
+      const strength = body === selected ? 0.9 : 0.28;
       const colour = colourOf(agents.species[row + body]);
       this.links.add(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * other], this.drawn[3 * other + 1], colour, strength, 0.12 * strength);
     }

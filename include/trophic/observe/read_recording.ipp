@@ -245,8 +245,8 @@ TROPHIC_INLINE void RecordingReader::unpack(std::size_t number) const {
     std::uint16_t now = 0;
     for (std::size_t frame = 0; frame < block.frames; ++frame) {
       const std::size_t at = column * block.frames + frame;
-      const auto number = static_cast<std::uint16_t>(planes[at] + 256U * planes[count + at]);
-      now = static_cast<std::uint16_t>(now + recording::unfolded(number));
+      const auto folded = static_cast<std::uint16_t>(planes[at] + 256U * planes[count + at]);
+      now = static_cast<std::uint16_t>(now + recording::unfolded(folded));
       values_[at] = static_cast<std::int16_t>(now);
     }
   }

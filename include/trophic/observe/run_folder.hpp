@@ -18,8 +18,9 @@ namespace trophic::observe {
 /// A new folder. Throws std::invalid_argument if something of that name exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
-/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json and the recording replay.trp in a new folder. Tables are flushed
-/// at every tick, so that a crash keeps what happened before it; the manifest says how the run ended. Watches one call of run_until.
+/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json and the recording replay.trp in a new folder. Tables are
+/// flushed at every tick, so that a crash keeps what happened before it; the manifest says how the run ended. Watches one call of
+/// run_until.
 class RunFolder {
  public:
   /// Makes the folder at once: see make_new_folder. `replay_hz`: frames of the recording in a simulated second; 0: no recording.

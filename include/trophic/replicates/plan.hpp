@@ -35,8 +35,8 @@ struct Plan {
   std::filesystem::path out;  ///< holds replicates.json and a folder per replicate
   std::uint64_t master_seed = 1;
   std::size_t count = 10;
-  std::size_t jobs = 1;  ///< replicates at a time; results do not depend on it
-  bool resume = false;   ///< go on in a folder that exists: run what is missing or incomplete
+  std::size_t jobs = 1;                           ///< replicates at a time; results do not depend on it
+  bool resume = false;                            ///< go on in a folder that exists: run what is missing or incomplete
   double replay_hz = observe::default_replay_hz;  ///< frames of each run's recording in a simulated second; 0: none
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
