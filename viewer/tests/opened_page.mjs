@@ -30,7 +30,7 @@ export class Browser {
   /** Opens a file and waits until it shows what it was asked for. */
   async open(file, hash = "") {
     const page = await this.context.newPage();
-    const opened = new OpenedPage(page);
+    const opened = new OpenedPage(page, `file://${file}`);
     opened.session = await this.context.newCDPSession(page);
     await opened.session.send("Performance.enable", { timeDomain: "threadTicks" });
     await page.goto(`file://${file}${hash}`);
@@ -48,14 +48,14 @@ export class OpenedPage {
   complaints = [];
   requests = [];
 
-  constructor(page) {
+  constructor(page, url) {
     this.page = page;
     page.on("pageerror", (error) => this.complaints.push(error.message));
     page.on("console", (message) => {
       if (["error", "assert"].includes(message.type())) this.complaints.push(message.text());
     });
     page.on("request", (request) => {
-      if (!/^(data|blob):/.test(request.url()) && request.url() !== page.url()) this.requests.push(request.url());
+      if (!/^(data|blob):/.test(request.url()) && request.url() !== url) this.requests.push(request.url());
     });
   }
 
@@ -87,7 +87,7 @@ export class OpenedPage {
         const [r, gr, b] = [1, 3, 5].map((at) => parseInt(wanted.slice(at, at + 2), 16));
         let count = 0;
         for (let i = 0; i < data.length; i += 4) {
-          if (Math.abs(data[i] - r) + Math.abs(data[i + 1] - gr) + Math.abs(data[i + 2] - b) < 24) ++count;
+          if (Math.abs(data[i] - r) + Math.abs(data[i + 1] - gr) + Math.abs(data[i + 2] - b) < 60) ++count;
         }
         return count;
       },

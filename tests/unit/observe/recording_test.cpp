@@ -44,11 +44,13 @@ struct Motion {
     std::vector<double> bent(robots * joints);
     for (std::size_t frame = 0; frame < frames; ++frame) {
       for (Pose& pose : now) {
-        pose.position_m += 0.02 * Eigen::Vector3d{rng.normal(), rng.normal(), 0.1 * rng.normal()};
-        const Eigen::Vector3d axis = Eigen::Vector3d{rng.normal(), rng.normal(), rng.normal()}.normalized();
-        pose.orientation = (pose.orientation * Eigen::Quaterniond{Eigen::AngleAxisd{0.3 * rng.normal(), axis}}).normalized();
+        pose.position_m += 0.02 * Eigen::Vector3d{rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), 0.1 * rng.normal(0.0, 1.0)};
+        const Eigen::Vector3d axis =
+            Eigen::Vector3d{rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), rng.normal(0.0, 1.0)}.normalized();
+        pose.orientation =
+            (pose.orientation * Eigen::Quaterniond{Eigen::AngleAxisd{0.3 * rng.normal(0.0, 1.0), axis}}).normalized();
       }
-      for (double& angle : bent) angle = std::clamp(angle + 0.1 * rng.normal(), -1.0, 1.0);
+      for (double& angle : bent) angle = std::clamp(angle + 0.1 * rng.normal(0.0, 1.0), -1.0, 1.0);
       roots.push_back(now);
       angles_rad.push_back(bent);
     }
