@@ -7,6 +7,9 @@
 #include <trophic/checkpoint/rewind.ipp>
 #include <trophic/observe/manifest.ipp>
 #include <trophic/observe/progress.ipp>
+#include <trophic/observe/read_recording.ipp>
+#include <trophic/observe/recording.ipp>
+#include <trophic/observe/recording_planes.ipp>
 #include <trophic/observe/run_description.ipp>
 #include <trophic/observe/run_folder.ipp>
 #include <trophic/observe/terminal.ipp>

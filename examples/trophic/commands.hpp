@@ -11,5 +11,6 @@ namespace commands {
 [[nodiscard]] trophic::command::Command cross_check();
 [[nodiscard]] trophic::command::Command evolve_gait();
 [[nodiscard]] trophic::command::Command measure_gait();
+[[nodiscard]] trophic::command::Command show();
 
 }  // namespace commands

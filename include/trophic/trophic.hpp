@@ -93,6 +93,7 @@
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/shadow_of.hpp>
@@ -148,6 +149,7 @@
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/event_log.hpp>
+#include <trophic/observe/frame.hpp>
 #include <trophic/observe/genome_log.hpp>
 #include <trophic/observe/hooks.hpp>
 #include <trophic/observe/joint_progress.hpp>
@@ -155,6 +157,10 @@
 #include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/phylogeny.hpp>
 #include <trophic/observe/progress.hpp>
+#include <trophic/observe/read_recording.hpp>
+#include <trophic/observe/recording.hpp>
+#include <trophic/observe/recording_format.hpp>
+#include <trophic/observe/recording_planes.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/state_log.hpp>

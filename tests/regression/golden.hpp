@@ -57,6 +57,11 @@ inline void hash_agents(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / "agents.csv");
 }
 
+/// The golden files are those of a recorded run; the recording itself holds against its own tests.
+inline void remove_recording(const std::filesystem::path& folder) {
+  if (!std::filesystem::remove(folder / "replay.trp")) throw std::runtime_error{folder.string() + ": has no recording"};
+}
+
 /// Takes out of manifest.json what names the version, the compiler and the source rather than the run.
 inline void strip_manifest(const std::filesystem::path& folder) {
   std::ifstream file{folder / "manifest.json"};

@@ -30,6 +30,7 @@ void compare_run(const std::string& name) {
     INFO(enum_name(cause));
     CHECK(tally.deaths(cause) > 0);
   }
+  test::remove_recording(written);
   test::hash_agents(written);
   test::strip_manifest(written);
   test::check_golden(name);

@@ -82,11 +82,13 @@ template <class Base, class Other>
     return 0;
   }
   const bool is_kinematic = options.backend == backend::Kinematic::name;
+  // Hundreds of runs that nobody watches are not recorded.
   const Study study{.plan = {.out = options.out,
                              .master_seed = options.seed,
                              .count = options.replicates.value_or(is_kinematic ? 30 : 10),
                              .jobs = options.jobs,
-                             .resume = options.resume},
+                             .resume = options.resume,
+                             .replay_hz = 0.0},
                     .duration_s = options.duration_s,
                     .shadow = options.shadow,
                     .provenance = provenance};

@@ -54,7 +54,10 @@ namespace detail {
       continue;
     }
     anywhere.push_back(option.name);
-    if (!values.empty()) text += "    " + shell_text(std::string{within} + " " + option.name) + ") " + values + " ;;\n";
+    if (values.empty()) continue;
+    for (const std::string& name : {option.name, option.shorthand}) {
+      if (!name.empty()) text += "    " + shell_text(std::string{within} + " " + name) + ") " + values + " ;;\n";
+    }
   }
   if (within.empty()) {
     anywhere.insert(anywhere.end(), {"--version", "--completion"});

@@ -78,7 +78,7 @@ template <class Rules, Backend B>
   if (!standing.remark.empty()) std::cout << options.out << " " << standing.remark << std::endl;
   if (standing.complete) return 0;
   observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out, options.provenance, standing.opening()};
+  observe::RunFolder folder{options.out, options.provenance, replay_hz_of(options), standing.opening()};
   observe::Progress progress;
   try {
     if (standing.begins) {

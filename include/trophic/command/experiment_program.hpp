@@ -44,6 +44,7 @@ struct ExperimentOptions {
   std::vector<std::string> assignments;
   std::string out;
   std::string save_mjcf;
+  std::optional<std::uint64_t> replay_hz;
   bool print_config = false;
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
@@ -96,6 +97,9 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams&
 
 /// What --replicates, --jobs and --resume say, with the master seed.
 [[nodiscard]] replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed);
+
+/// What --replay-hz says.
+[[nodiscard]] double replay_hz_of(const ExperimentOptions& options);
 
 /// Tells of replicates that are not complete, a sentence each, and returns the exit code.
 [[nodiscard]] int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished);

@@ -114,7 +114,12 @@ TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::u
           .count = *options.replicates,
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
           .resume = options.resume,
-          .checkpoints = {.every_s = options.checkpoint_s}};
+          .checkpoints = {.every_s = options.checkpoint_s},
+          .replay_hz = replay_hz_of(options)};
+}
+
+TROPHIC_INLINE double replay_hz_of(const ExperimentOptions& options) {
+  return options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz;
 }
 
 TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
@@ -133,7 +138,8 @@ TROPHIC_INLINE int report_run(observe::RunFolder& folder, const observe::Progres
               << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " goes on\n";
   }
   progress.summary(std::cout, view);
-  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json, checkpoint.bin\n";
+  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json"
+            << (folder.frame_hz() > 0.0 ? ", replay.trp" : "") << ", checkpoint.bin\n";
   flush_output();
   return is_stopped ? stopped : 0;
 }
@@ -187,6 +193,8 @@ namespace detail {
       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
        paths_of(pairings), Words::assigned},
       {"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
+      {"--replay-hz", &options.replay_hz,
+       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--print-config", &options.print_config, "print every number as TOML and stop"},
@@ -211,6 +219,9 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
     throw std::invalid_argument{"--from: not with --replicates or --save-mjcf"};
   }
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
+  if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {
+    throw std::invalid_argument{"--replay-hz " + std::to_string(*hz) + ": must be 0, 5, 10 or 30"};
+  }
   if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to go on in"};
 }
 

@@ -32,6 +32,7 @@ struct Option {
   Words use = Words::suggested;
   std::size_t values = 0;  ///< of a vector: how many it takes at once; 0: any number
   bool required = false;
+  std::string shorthand = {};  ///< "-o"
 };
 
 /// A program or one of its subcommands.

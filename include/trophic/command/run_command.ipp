@@ -69,13 +69,14 @@ TROPHIC_INLINE void check_word(const Option& option, const std::string& word) {
 
 TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
   for (const Option& option : command.options) {
+    const std::string name = option.shorthand.empty() ? option.name : option.shorthand + "," + option.name;
     CLI::Option* added = std::visit(
         [&](auto* target) -> CLI::Option* {
           using T = std::remove_pointer_t<decltype(target)>;
           if constexpr (std::is_same_v<T, bool>) {
-            return app.add_flag(option.name, *target, option.help);
+            return app.add_flag(name, *target, option.help);
           } else {
-            return app.add_option(option.name, *target, option.help);
+            return app.add_option(name, *target, option.help);
           }
         },
         option.target);

@@ -14,6 +14,7 @@
 #include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/standing_poses.hpp>
@@ -66,6 +67,7 @@ class Ecology {
       audience.start(describe(until_s), view());
       if (!started_) {
         started_ = true;
+        if (audience.wants_frame(times_, 0)) show_frame(audience, KeptFrame::of(backend_, 0), habitat_, times_, time_s());
         for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
         starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
         tick(audience);
@@ -152,7 +154,9 @@ class Ecology {
   explicit Ecology(Checked from)
       : params_{std::move(from.params)},
         habitat_{std::move(from.habitat)},
-        steps_per_tick_{control_steps_per_tick<B>(params_.ecology, params_.physics)},
+        times_{.steps = control_steps_per_tick<B>(params_.ecology, params_.physics),
+               .tick_s = params_.ecology.tick_s,
+               .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
         population_{rules_, web_, params_.seed, rules_.community.founders(params_.ecology.robots)},
@@ -198,17 +202,18 @@ class Ecology {
 
   template <class Audience>
   [[nodiscard]] bool walk(Audience& audience) {
+    const auto advance = [&](auto&& gives_up) {
+      return advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s(), gives_up);
+    };
     if constexpr (JointDriven<B> && Audience::may_give_up) {
       const auto bodies = backend_.save();
       const auto rhythms = locomotion_.save();
-      if (locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_, [&] { return audience.gives_up_tick(); }))
-        return true;
+      if (advance([&] { return audience.gives_up_tick(); })) return true;
       backend_.restore(bodies);
       locomotion_.restore(rhythms);
       return false;
     }
-    locomotion_.advance(backend_, steps_per_tick_, target_angles_rad_);
-    return true;
+    return advance([] { return false; });
   }
 
   template <class Audience>
@@ -367,7 +372,7 @@ class Ecology {
 
   Params params_;
   Habitat habitat_;
-  std::int64_t steps_per_tick_;
+  observe::FrameTimes times_;
   Policies<Rules> rules_;
   FoodWeb web_;
   Population<Rules> population_;

@@ -2,8 +2,11 @@
 // What an observer may offer: any subset of these hooks, each checked for its signature.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <string_view>
 #include <trophic/observe/event.hpp>
+#include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <tuple>
@@ -18,7 +21,9 @@
   HOOK(on_end, "void on_end(const View&)", std::declval<const View&>())                                                          \
   HOOK(on_failure, "void on_failure(std::string_view what)", std::declval<std::string_view>())                                   \
   HOOK(keep_running, "bool keep_running()")                                                                                      \
-  HOOK(gives_up_tick, "bool gives_up_tick()")
+  HOOK(gives_up_tick, "bool gives_up_tick()")                                                                                    \
+  HOOK(on_frame, "void on_frame(const observe::Frame&)", std::declval<const Frame&>())                                           \
+  HOOK(frame_hz, "double frame_hz()")
 
 namespace trophic::observe {
 
@@ -55,6 +60,9 @@ struct CheckObserver {
   static_assert(false TROPHIC_OBSERVER_HOOKS(TROPHIC_ANY_HOOK),
                 "an observer needs at least one hook; see trophic/observe/hooks.hpp");
 #undef TROPHIC_ANY_HOOK
+  static_assert(Names_on_frame<Observer> == Names_frame_hz<Observer>,
+                "an observer with on_frame needs double frame_hz(), how often, and one with frame_hz needs on_frame; see "
+                "trophic/observe/hooks.hpp");
   static constexpr bool ok = true;
 };
 
@@ -67,9 +75,10 @@ struct CheckObserver {
 ///   void on_end(const View&)                 after the last tick
 ///   void on_failure(std::string_view what)   instead of on_end, when the simulation or an observer threw
 ///   bool keep_running()                      asked after each tick; false ends the run early, cleanly
-///   bool gives_up_tick()                     asked between the control steps of a tick, which may take seconds; true ends the
-///   run
-///                                            as it stood after the tick before
+///   bool gives_up_tick()                     asked between the control steps of a tick, which may take seconds; true ends
+///                                            the run as it stood after the tick before
+///   void on_frame(const Frame&)              where the bodies are, at the start and then before the rules of each tick and,
+///   double frame_hz()                        frames a simulated second, between two ticks; 0: never
 /// Who saves the run itself also has a template
 ///   void between_ticks(Ecology&, bool last)  after on_tick of each tick, and once more, as the last, before on_end
 template <class O>
@@ -113,6 +122,23 @@ class Audience {
       if constexpr (requires { o.between_ticks(ecology, last); }) o.between_ticks(ecology, last);
     });
   }
+  /// The first control step of a tick after `step` after which an observer wants a frame; the tick's last at the latest.
+  [[nodiscard]] std::int64_t next_frame(const FrameTimes& times, std::int64_t step) {
+    std::int64_t next = times.steps;
+    each_frame_hz([&](auto&, double hz) { next = std::min(next, times.next(step, hz)); });
+    return next;
+  }
+  [[nodiscard]] bool wants_frame(const FrameTimes& times, std::int64_t step) {
+    bool any = false;
+    each_frame_hz([&](auto&, double hz) { any = any || times.due(step, hz); });
+    return any;
+  }
+  /// Shows the frame after `step` to those that want it.
+  void frame(const Frame& frame, std::int64_t step) {
+    each_frame_hz([&](auto& o, double hz) {
+      if (frame.times.due(step, hz)) o.on_frame(frame);
+    });
+  }
   [[nodiscard]] bool keep_running() {
     bool all = true;
     each([&](auto& o) {
@@ -134,6 +160,13 @@ class Audience {
   template <class Call>
   void each(Call&& call) {
     std::apply([&](auto&... o) { (call(o), ...); }, observers_);
+  }
+
+  template <class Call>
+  void each_frame_hz(Call&& call) {
+    each([&](auto& o) {
+      if constexpr (requires { o.frame_hz(); }) call(o, o.frame_hz());
+    });
   }
 
   std::tuple<Observers&...> observers_;

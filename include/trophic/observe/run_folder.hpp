@@ -7,7 +7,9 @@
 #include <string_view>
 #include <trophic/archive/growing_file.hpp>
 #include <trophic/observe/event.hpp>
+#include <trophic/observe/frame.hpp>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/observe/recording.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/folder_lock.hpp>
@@ -18,16 +20,18 @@ namespace trophic::observe {
 /// A new folder. Throws std::invalid_argument if something of that name exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
-/// events.csv, agents.csv, phylogeny.csv, genomes.csv and manifest.json in a new folder. Files are flushed at every tick, so that
-/// a crash keeps what happened before it; the manifest says how the run ended, and how many rows each table has. Watches one call
-/// of run_until. No other program can go on in the folder meanwhile.
+/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json and the recording replay.trp in a new folder. Tables are
+/// flushed at every tick, so that a crash keeps what happened before it; the manifest says how the run ended, and how many rows
+/// each table has. Watches one call of run_until. No other program can go on in the folder meanwhile.
 class RunFolder {
  public:
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
 
-  /// Makes the folder at once: see make_new_folder. With `Opening::gone_on_with` it is one that is there, and is to be read from
-  /// a checkpoint next; throws std::runtime_error if a file is missing or another program works in it.
-  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, Opening opening = Opening::made_new);
+  /// Makes the folder at once: see make_new_folder. `replay_hz`: frames of the recording in a simulated second; 0: no recording.
+  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next; throws
+  /// std::runtime_error if a file is missing or another program works in it.
+  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, double replay_hz = default_replay_hz,
+                     Opening opening = Opening::made_new);
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
@@ -37,6 +41,8 @@ class RunFolder {
   void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view);
   void on_tick(const View& view);
+  void on_frame(const Frame& frame) { recording_.on_frame(frame); }
+  [[nodiscard]] double frame_hz() const { return recording_.frame_hz(); }
   void on_end(const View& view);
   void on_failure(std::string_view what);
 
@@ -50,6 +56,7 @@ class RunFolder {
   FolderLock lock_;
   std::unique_ptr<Tables> tables_;
   Manifest manifest_;
+  Recording recording_;
 };
 
 }  // namespace trophic::observe

@@ -52,24 +52,26 @@ struct RunFolder::Tables {
   }
 };
 
-TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, Opening opening)
+TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, double replay_hz, Opening opening)
     : path_{opening == Opening::made_new ? make_new_folder(path) : path},
       lock_{path_},
       tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv", opening},
                                               .agents = AgentLog{path_ / "agents.csv", opening},
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv", opening},
                                               .genomes = GenomeLog{path_ / "genomes.csv", opening}})},
-      manifest_{path_ / "manifest.json", std::move(provenance)} {}
+      manifest_{path_ / "manifest.json", std::move(provenance)},
+      recording_{path_ / "replay.trp", replay_hz, opening} {}
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder& RunFolder::operator=(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder::~RunFolder() = default;
 
 TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
-  archive(tables_->events, tables_->agents, tables_->phylogeny, tables_->genomes, manifest_);
+  archive(tables_->events, tables_->agents, tables_->phylogeny, tables_->genomes, manifest_, recording_);
 }
 
 TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& view) {
   manifest_.on_start(run, view);
+  recording_.on_start(run, view);
 }
 
 TROPHIC_INLINE void RunFolder::on_event(const Event& event, const View& view) {
@@ -90,11 +92,13 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
 TROPHIC_INLINE void RunFolder::on_end(const View& view) {
   tables_->events.on_end(view);
   tables_->phylogeny.on_end(view);
+  recording_.on_end(view);
   manifest_.set_tables(tables_->sums());
   manifest_.on_end(view);
 }
 
 TROPHIC_INLINE void RunFolder::on_failure(std::string_view what) {
+  recording_.on_failure(what);
   manifest_.set_tables(tables_->sums());
   manifest_.on_failure(what);
 }

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// A page that carries runs: the viewer, the recordings, and of the tables what a viewer needs.
+#pragma once
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/analysis/data/csv_reader.hpp>
+#include <trophic/command/replay/recorded_run.hpp>
+#include <vector>
+
+/// The viewer's page, made from the folder viewer by npm, and its length. A program that is built without npm lacks it.
+extern "C" {
+[[gnu::weak]] extern const char trophic_viewer_page[];
+[[gnu::weak]] extern const unsigned long trophic_viewer_page_size;
+}
+
+namespace trophic::command::replay {
+
+/// Throws std::invalid_argument where the program was built without the viewer.
+[[nodiscard]] inline std::string_view viewer_page() {
+  if (&trophic_viewer_page_size == nullptr) {
+    throw std::invalid_argument{"this program was built without the viewer; install npm (Node.js 18 or later) and build again"};
+  }
+  return {static_cast<const char*>(trophic_viewer_page), trophic_viewer_page_size};
+}
+
+[[nodiscard]] inline std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4 + 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
+    std::uint32_t three = 0;
+    for (std::size_t i = 0; i < 3; ++i) three = three << 8U | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0U);
+    for (std::size_t i = 0; i < 4; ++i) text.push_back(i <= count ? letters[three >> (18U - 6U * i) & 63U] : '=');
+  }
+  return text;
+}
+
+[[nodiscard]] inline std::string deflated(std::string_view text) {
+  uLongf size = compressBound(static_cast<uLong>(text.size()));
+  std::string bytes(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                static_cast<uLong>(text.size()), 9) != Z_OK) {
+    throw std::runtime_error{"zlib cannot compress a table: out of memory"};
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+/// The columns of a file but for those named, in the rows that `keep` says yes to; it is asked with the reader at the row, whose
+/// first columns are `looked_at`. A last line that was cut off is left out.
+template <class Keep>
+[[nodiscard]] std::string table_without(const std::filesystem::path& path, std::initializer_list<std::string_view> left_out,
+                                        std::initializer_list<std::string_view> looked_at, Keep&& keep) {
+  std::string header;
+  {
+    std::ifstream file{path};
+    std::getline(file, header);
+  }
+  analysis::CsvReader csv{path, looked_at};
+  std::vector<std::size_t> places;
+  std::string text;
+  for (std::size_t at = 0; at <= header.size();) {
+    const std::size_t end = std::min(header.find(',', at), header.size());
+    const std::string name = header.substr(at, end - at);
+    at = end + 1;
+    if (std::ranges::find(left_out, name) != left_out.end()) continue;
+    places.push_back(looked_at.size() + places.size());
+    csv.want(name);
+    text += (text.empty() ? "" : ",") + name;
+  }
+  while (csv.next()) {
+    if (!keep(csv)) continue;
+    text += '\n';
+    for (const std::size_t place : places) {
+      if (place != places.front()) text += ',';
+      text += csv.text(place);
+    }
+  }
+  return text += '\n';
+}
+
+/// The bytes of a recording, only of the blocks that a window touches.
+[[nodiscard]] inline std::string recording_bytes(const RecordedRun& run, const Window& window) {
+  const std::filesystem::path path = run.folder / "replay.trp";
+  std::ifstream file{path, std::ios::binary};
+  std::string all{std::istreambuf_iterator<char>{file}, {}};
+  if (!window.from_s && !window.to_s) return all;
+  namespace format = observe::recording;
+  std::string kept = all.substr(0, format::magic.size());
+  const auto u32 = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<unsigned char>(all[at + i]);
+    return value;
+  };
+  for (std::size_t at = kept.size(); at + 12 <= all.size();) {
+    const std::size_t size = u32(at) + 12U;
+    if (at + size > all.size()) break;
+    const std::string_view kind = std::string_view{all}.substr(at + 4, 4);
+    bool keep = kind == format::head_kind;
+    if (kind == format::frames_kind) {
+      const std::size_t first = u32(at + 8);
+      const std::size_t last = first + u32(at + 12) - 1;
+      keep = !(window.from_s && run.recording.time_s(last) < *window.from_s - 1e-9) &&
+             !(window.to_s && run.recording.time_s(first) > *window.to_s + 1e-9);
+    }
+    if (keep) kept.append(all, at, size);
+    at += size;
+  }
+  return kept;
+}
+
+/// What the page says of a run before its files.
+[[nodiscard]] inline nlohmann::ordered_json index_of(const RecordedRun& run) {
+  nlohmann::ordered_json index;
+  index["label"] = run.folder.filename().empty() ? run.folder.string() : run.folder.filename().string();
+  index["status"] = run.manifest.value("status", "unknown");
+  index["species"] = run.manifest.at("species");
+  index["tags"] = run.manifest.at("tags");
+  index["hunters"] = nlohmann::ordered_json::array();
+  for (const auto& link : run.manifest.at("food_web")) index["hunters"].push_back(link.at("hunter"));
+  return index;
+}
+
+/// The page. Throws std::invalid_argument for a table that cannot be read.
+[[nodiscard]] inline std::string page_of(const std::vector<RecordedRun>& runs, const Window& window) {
+  const std::string_view viewer = viewer_page();
+  constexpr std::string_view mark = "<!--RUNS-->";
+  const std::size_t at = viewer.find(mark);
+  if (at == std::string_view::npos) throw std::runtime_error{"the viewer's page has no place for runs"};
+  nlohmann::ordered_json index{{"title", "trophic"}, {"runs", nlohmann::ordered_json::array()}};
+  std::string files;
+  const auto add = [&](std::size_t number, std::string_view name, std::string_view bytes) {
+    files.append("<script type=\"text/plain\" data-run=\"").append(std::to_string(number)).append("\" data-file=\"").append(name);
+    files.append("\">").append(base64(bytes)).append("</script>\n");
+  };
+  for (std::size_t number = 0; number < runs.size(); ++number) {
+    const RecordedRun& run = runs[number];
+    const auto in_window = [&](const analysis::CsvReader& csv) { return window.has(csv.get<double>(0)); };
+    try {
+      index["runs"].push_back(index_of(run));
+      add(number, "replay", recording_bytes(run, window));
+      add(number, "agents",
+          deflated(table_without(run.folder / "agents.csv",
+                                 {"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"}, {"time_s"},
+                                 in_window)));
+      add(number, "events",
+          deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"}, {"time_s"}, in_window)));
+      add(number, "phylogeny",
+          deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, [](const auto&) { return true; })));
+    } catch (const nlohmann::json::exception& error) {
+      throw std::invalid_argument{(run.folder / "manifest.json").string() + ": " + error.what()};
+    } catch (const std::runtime_error& error) {
+      throw std::invalid_argument{error.what()};
+    }
+  }
+  std::string title = "trophic:";
+  for (const auto& one : index["runs"]) title += " " + one["label"].get<std::string>();
+  index["title"] = title;
+  std::string json = index.dump();
+  for (std::size_t less = json.find('<'); less != std::string::npos; less = json.find('<', less))
+    json.replace(less, 1, "\\u003c");
+  std::string page{viewer.substr(0, at)};
+  page.append("<script type=\"application/json\" id=\"trophic-index\">").append(json).append("</script>\n").append(files);
+  return page.append(viewer.substr(at + mark.size()));
+}
+
+}  // namespace trophic::command::replay

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A run's folder with its recording, checked to be of one run before anything is shown.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <trophic/analysis/data/csv_reader.hpp>
+#include <trophic/observe/read_recording.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::command::replay {
+
+/// What `show` and `film` look at.
+struct RecordedRun {
+  std::filesystem::path folder;
+  nlohmann::ordered_json manifest;
+  observe::RecordingReader recording;
+  std::vector<std::string> remarks;  ///< what is missing, a sentence each
+};
+
+/// Throws std::invalid_argument where no recording or manifest can be read or they are of different runs.
+[[nodiscard]] inline nlohmann::ordered_json read_manifest(const std::filesystem::path& folder,
+                                                          const observe::RecordingHead& head) {
+  const std::filesystem::path path = folder / "manifest.json";
+  std::ifstream file{path};
+  auto manifest = nlohmann::ordered_json::parse(file, nullptr, false);
+  if (!manifest.is_object()) throw std::invalid_argument{path.string() + ": cannot be read as a run's manifest"};
+  try {
+    const auto fingerprint = manifest.at("fingerprint").get<std::string>();
+    const auto seed = manifest.at("seed").get<std::uint64_t>();
+    if (fingerprint != head.fingerprint || seed != head.seed) {
+      throw std::invalid_argument{path.string() + ": fingerprint " + fingerprint + ", seed " + std::to_string(seed) +
+                                  ", but replay.trp beside it is of fingerprint " + head.fingerprint + ", seed " +
+                                  std::to_string(head.seed) + "; they are of two runs"};
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument{path.string() + ": " + error.what()};
+  }
+  return manifest;
+}
+
+/// Throws std::invalid_argument unless every event of events.csv happened where the recording has that body at that time.
+inline void check_events(const RecordedRun& run) {
+  const auto& recording = run.recording;
+  const double last_s = recording.time_s(recording.frames() - 1);
+  const double reach_m = 0.002 + recording.head().units.position_m;
+  analysis::CsvReader events{run.folder / "events.csv", {"time_s", "body", "x_m", "y_m"}};
+  while (events.next()) {
+    const auto time_s = events.get<double>(0);
+    const auto body = events.get<std::size_t>(1);
+    if (time_s < recording.head().first_time_s || time_s > last_s + 1e-9) continue;
+    const std::string where = (run.folder / "events.csv").string() + ":" + std::to_string(events.line()) + ": body " +
+                              std::to_string(body) + " at " + number_text(time_s) + " s";
+    if (body >= recording.head().robots) {
+      throw std::invalid_argument{where + ": the recording beside it has " + std::to_string(recording.head().robots) + " bodies"};
+    }
+    const Eigen::Vector3d at = recording.root(recording.frame_at(std::min(time_s + 1e-9, last_s)), body).position_m;
+    const double x_m = events.get<double>(2);
+    const double y_m = events.get<double>(3);
+    if (std::hypot(at.x() - x_m, at.y() - y_m) > reach_m) {
+      throw std::invalid_argument{where + " is at (" + number_text(x_m) + ", " + number_text(y_m) +
+                                  ") m, in the recording beside it elsewhere; they are of two runs"};
+    }
+  }
+}
+
+/// Opens a run's folder. Throws std::invalid_argument naming the file and what is wrong with it.
+[[nodiscard]] inline RecordedRun open_run(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) throw std::invalid_argument{folder.string() + ": is not a folder"};
+  const std::filesystem::path path = folder / "replay.trp";
+  if (!std::filesystem::exists(path)) {
+    throw std::invalid_argument{path.string() + ": is not there; a run with --replay-hz 0 leaves none"};
+  }
+  try {
+    observe::RecordingReader recording{path};
+    auto manifest = read_manifest(folder, recording.head());
+    RecordedRun run{folder, std::move(manifest), std::move(recording), {}};
+    if (!run.recording.remark().empty()) run.remarks.push_back(run.recording.remark());
+    check_events(run);
+    return run;
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument{error.what()};
+  }
+}
+
+/// A stretch of the ecology's clock; without a bound from the first or to the last recorded moment.
+struct Window {
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+
+  /// Throws std::invalid_argument for a window outside the recording or that ends before it begins.
+  void check(const observe::RecordingReader& recording) const {
+    if (from_s) static_cast<void>(recording.frame_at(*from_s));
+    if (to_s) static_cast<void>(recording.frame_at(*to_s));
+    if (from_s && to_s && !(*from_s <= *to_s)) {
+      throw std::invalid_argument{"--from " + number_text(*from_s) + ": must be <= --to, " + number_text(*to_s)};
+    }
+  }
+  [[nodiscard]] bool has(double time_s) const { return !(from_s && time_s < *from_s - 1e-9) && !(to_s && time_s > *to_s + 1e-9); }
+};
+
+}  // namespace trophic::command::replay

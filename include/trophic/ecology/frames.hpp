@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Moves bodies through a tick and shows observers the frames that they ask for on the way.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <trophic/backend/contract.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/observe/frame.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// Where the bodies are after some control steps of a tick.
+struct KeptFrame {
+  std::int64_t step = 0;
+  std::vector<Pose> roots;
+  std::vector<double> angles_rad;
+
+  template <Backend B>
+  [[nodiscard]] static KeptFrame of(const B& backend, std::int64_t step) {
+    KeptFrame kept{.step = step, .roots = {}, .angles_rad = {}};
+    for (std::size_t robot = 0; robot < backend.robots(); ++robot) {
+      kept.roots.push_back(backend.pose(robot));
+      const std::span<const double> own = backend.joint_angles(robot);
+      kept.angles_rad.insert(kept.angles_rad.end(), own.begin(), own.end());
+    }
+    return kept;
+  }
+};
+
+/// Shows the audience a frame of the tick that begins at `clock_s`.
+template <class Audience>
+void show_frame(Audience& audience, const KeptFrame& kept, const Habitat& habitat, const observe::FrameTimes& times,
+                double clock_s) {
+  const double part = static_cast<double>(kept.step) / static_cast<double>(times.steps);
+  audience.frame(observe::Frame{.time_s = clock_s + part * times.tick_s,
+                                .times = times,
+                                .roots = kept.roots,
+                                .joint_angles_rad = kept.angles_rad,
+                                .robot = habitat.robot,
+                                .arena = habitat.arena},
+                 kept.step);
+}
+
+/// Moves the bodies through a whole tick, and shows the audience the frames that it asked for once the tick is over. Bodies move
+/// as without an audience: a backend's steps do not depend on where it is asked to pause. Returns false, with no frame shown and
+/// the bodies somewhere in the tick, if `gives_up()` said true between two control steps.
+template <class Audience, class Locomotion, Backend B, class GivesUp>
+[[nodiscard]] bool advance_in_frames(Audience& audience, Locomotion& locomotion, B& backend,
+                                     std::span<const double> target_angles_rad, const Habitat& habitat,
+                                     const observe::FrameTimes& times, double clock_s, GivesUp&& gives_up) {
+  std::vector<KeptFrame> kept;
+  for (std::int64_t step = 0; step < times.steps;) {
+    const std::int64_t next = audience.next_frame(times, step);
+    if (!locomotion.advance(backend, next - step, target_angles_rad, gives_up)) return false;
+    step = next;
+    if (audience.wants_frame(times, step)) kept.push_back(KeptFrame::of(backend, step));
+  }
+  for (const KeptFrame& frame : kept) show_frame(audience, frame, habitat, times, clock_s);
+  return true;
+}
+
+}  // namespace trophic

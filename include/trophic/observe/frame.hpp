@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Where all bodies are at one moment, for observers that want to see motion between two decisions.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/pose.hpp>
+#include <trophic/habitat/robot_model.hpp>
+
+namespace trophic::observe {
+
+/// The control steps of one tick, and after which of them a rate asks for a frame. Every tick has the same whole number of
+/// frames, as evenly apart as its steps allow, and its last step always has one: what rules decide upon is seen.
+struct FrameTimes {
+  std::int64_t steps = 1;    ///< control steps of a tick
+  double tick_s = 1.0;       ///< ecology seconds of a tick
+  double clock_scale = 1.0;  ///< simulated seconds per ecology second
+
+  /// How many frames of a tick come nearest to `hz` frames a simulated second: at least one, at most one a step; none at 0.
+  [[nodiscard]] std::int64_t per_tick(double hz) const {
+    if (!(hz > 0.0)) return 0;
+    return static_cast<std::int64_t>(std::clamp(std::round(hz * tick_s * clock_scale), 1.0, static_cast<double>(steps)));
+  }
+
+  /// The step after which frame `frame` of `per_tick` is taken; frame 0 is the start of the tick.
+  [[nodiscard]] std::int64_t step_of(std::int64_t frame, std::int64_t per_tick) const {
+    return (frame * steps + per_tick - 1) / per_tick;
+  }
+
+  /// The first step after `step` with a frame of that rate; `steps` at the latest.
+  [[nodiscard]] std::int64_t next(std::int64_t step, double hz) const {
+    const std::int64_t frames = per_tick(hz);
+    return frames == 0 ? steps : step_of(step * frames / steps + 1, frames);
+  }
+
+  /// Whether a frame of that rate is taken after `step`.
+  [[nodiscard]] bool due(std::int64_t step, double hz) const { return hz > 0.0 && (step == 0 || next(step - 1, hz) == step); }
+};
+
+/// One moment. What it refers to is valid during the call.
+struct Frame {
+  double time_s = 0.0;                       ///< the ecology's clock
+  FrameTimes times;                          ///< of every tick of the run
+  std::span<const Pose> roots;               ///< of each robot's root link
+  std::span<const double> joint_angles_rad;  ///< robot by robot, in the order of the model's hinges; empty without joints
+  const RobotModel& robot;
+  const Arena& arena;
+};
+
+}  // namespace trophic::observe

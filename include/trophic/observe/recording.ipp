@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Definitions of recording.hpp.
+#pragma once
+
+#include <zlib.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <trophic/observe/recording.hpp>
+#include <trophic/observe/recording_planes.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
+
+namespace trophic::observe {
+
+namespace recording {
+
+/// A whole number as the format has it.
+TROPHIC_INLINE void append_u32(std::string& bytes, std::uint32_t value) {
+  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>((value >> shift) & 0xFFU));
+}
+
+[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const Eigen::Quaterniond& q) {
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+/// What a robot looks like and how its joints move it.
+[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const RobotModel& robot) {
+  nlohmann::ordered_json json{{"name", robot.name},
+                              {"forward_rad", robot.forward_rad},
+                              {"bounding_radius_m", robot.bounding_radius_m},
+                              {"links", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const Link& link = robot.links[i];
+    nlohmann::ordered_json one{{"name", link.name},
+                               {"parent", link.parent},
+                               {"offset_m", json_of(link.offset_m)},
+                               {"rotation", json_of(link.rotation)},
+                               {"boxes", nlohmann::ordered_json::array()}};
+    if (i > 0) one["hinge"] = {{"name", robot.hinges[i - 1].name}, {"axis", json_of(robot.hinges[i - 1].axis)}};
+    for (const Box& box : link.boxes) {
+      one["boxes"].push_back({{"part", box.part},
+                              {"half_extents_m", json_of(box.half_extents_m)},
+                              {"centre_m", json_of(box.centre_m)},
+                              {"orientation", json_of(box.orientation)}});
+    }
+    json["links"].push_back(std::move(one));
+  }
+  return json;
+}
+
+[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const Arena& arena) {
+  nlohmann::ordered_json json{{"name", arena.name}, {"half_side_m", arena.half_side_m}, {"extent_m", arena.extent_m}};
+  if (arena.height_field) {
+    json["height_field"] = {{"nodes", arena.height_field->nodes},
+                            {"half_extent_m", arena.height_field->half_extent_m},
+                            {"height_m", arena.height_field->height_m}};
+  }
+  return json;
+}
+
+}  // namespace recording
+
+struct Recording::File {
+  GrowingFile file;
+  nlohmann::ordered_json head = {};
+};
+
+TROPHIC_INLINE Recording::Recording(const std::filesystem::path& path, double hz, Opening opening) : hz_{hz} {
+  if (!(hz >= 0.0 && hz <= 1000.0)) {
+    throw std::invalid_argument{"replay_hz = " + number_text(hz) + ": must be >= 0 and <= 1000"};
+  }
+  if (hz > 0.0) file_ = std::make_unique<File>(File{.file = GrowingFile{path, opening}});
+}
+TROPHIC_INLINE Recording::Recording(Recording&&) noexcept = default;
+TROPHIC_INLINE Recording& Recording::operator=(Recording&&) noexcept = default;
+TROPHIC_INLINE Recording::~Recording() = default;
+
+TROPHIC_INLINE void Recording::on_start(const RunDescription& run, const View& view) {
+  if (!file_) return;
+  auto& head = file_->head;
+  head = {{"format", "trophic recording"},  {"version", recording::version},
+          {"fingerprint", run.fingerprint}, {"seed", run.seed},
+          {"rule_table", run.rules},        {"backend", run.backend},
+          {"until_s", run.until_s},         {"species", nlohmann::ordered_json::array()}};
+  for (Species species = 0; species < view.web.size(); ++species) head["species"].push_back(view.web.name(species));
+}
+
+TROPHIC_INLINE void Recording::write_head(const Frame& frame) {
+  units_ = recording::Units::for_extent(frame.arena.extent_m);
+  robots_ = frame.roots.size();
+  const std::size_t joints = frame.joint_angles_rad.size() / robots_;
+  channels_ = recording::pose_channels + joints;
+  const std::int64_t per_tick = frame.times.per_tick(hz_);
+  const double simulated_s = frame.times.tick_s * frame.times.clock_scale;
+  block_frames_ = static_cast<std::size_t>(std::max(1.0, std::round(20.0 / simulated_s * static_cast<double>(per_tick))));
+  auto& head = file_->head;
+  head["first_time_s"] = frame.time_s;
+  head["tick_s"] = frame.times.tick_s;
+  head["clock_scale"] = frame.times.clock_scale;
+  head["frames_per_tick"] = per_tick;
+  head["steps_per_tick"] = frame.times.steps;
+  head["robots"] = robots_;
+  head["joints"] = joints;
+  head["units"] = {
+      {"position_m", units_.position_m}, {"yaw_rad", units_.yaw_rad}, {"tilt", units_.tilt}, {"joint_rad", units_.joint_rad}};
+  head["robot"] = recording::json_of(frame.robot);
+  head["arena"] = recording::json_of(frame.arena);
+  file_->file.append(recording::magic);
+  write_block(recording::head_kind, head.dump());
+}
+
+TROPHIC_INLINE void Recording::on_frame(const Frame& frame) {
+  if (!file_) return;
+  if (channels_ == 0) write_head(frame);
+  const std::size_t joints = channels_ - recording::pose_channels;
+  for (std::size_t robot = 0; robot < robots_; ++robot) {
+    const auto pose = recording::whole(frame.roots[robot], units_);
+    values_.insert(values_.end(), pose.begin(), pose.end());
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      values_.push_back(recording::whole(frame.joint_angles_rad[robot * joints + joint], units_.joint_rad));
+    }
+  }
+  ++frames_;
+  if (frames_ % block_frames_ == 0) write_frames();
+}
+
+TROPHIC_INLINE void Recording::on_end(const View&) {
+  if (!file_) return;
+  write_frames();
+  std::string frames;
+  recording::append_u32(frames, frames_);
+  write_block(recording::end_kind, frames);
+}
+
+TROPHIC_INLINE void Recording::on_failure(std::string_view) {
+  if (file_) write_frames();
+}
+
+/// The frames that wait, as a block has them.
+TROPHIC_INLINE std::string Recording::waiting() const {
+  const std::size_t columns = channels_ * robots_;
+  const std::size_t frames = values_.size() / columns;
+  // Channel by channel, as `packed` takes the columns.
+  std::vector<std::int16_t> ordered(values_.size());
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    for (std::size_t robot = 0; robot < robots_; ++robot) {
+      for (std::size_t channel = 0; channel < channels_; ++channel) {
+        ordered[frame * columns + channel * robots_ + robot] = values_[frame * columns + robot * channels_ + channel];
+      }
+    }
+  }
+  return recording::packed(ordered, columns);
+}
+
+TROPHIC_INLINE void Recording::write_frames() {
+  if (values_.empty()) return;
+  const auto frames = static_cast<std::uint32_t>(values_.size() / (channels_ * robots_));
+  std::string data;
+  recording::append_u32(data, frames_ - frames);
+  recording::append_u32(data, frames);
+  data.append(waiting());
+  values_.clear();
+  write_block(recording::frames_kind, data);
+}
+
+TROPHIC_INLINE void Recording::persist(Archive& archive) {
+  double hz = hz_;
+  archive(hz);
+  if (hz != hz_) {
+    throw std::invalid_argument{"replay_hz = " + number_text(hz_) + ": must be " + number_text(hz) + ", as where the run began"};
+  }
+  if (!file_) return;
+  archive(file_->file, units_, channels_, robots_, block_frames_, frames_);
+  std::string bytes = values_.empty() ? std::string{} : waiting();
+  archive(bytes);
+  if (!archive.reads()) return;
+  values_.clear();
+  if (bytes.empty()) return;
+  Archive::require(channels_ > 0 && robots_ > 0 && block_frames_ > 0, "a recording without channels");
+  const std::size_t columns = channels_ * robots_;
+  const std::size_t frames = frames_ % block_frames_;
+  const std::vector<std::int16_t> ordered = recording::unpacked(bytes, columns, frames);
+  values_.resize(ordered.size());
+  for (std::size_t robot = 0; robot < robots_; ++robot) {
+    for (std::size_t channel = 0; channel < channels_; ++channel) {
+      for (std::size_t frame = 0; frame < frames; ++frame) {
+        values_[frame * columns + robot * channels_ + channel] = ordered[(channel * robots_ + robot) * frames + frame];
+      }
+    }
+  }
+}
+
+TROPHIC_INLINE void Recording::write_block(std::string_view kind, std::string_view data) {
+  std::string bytes;
+  recording::append_u32(bytes, static_cast<std::uint32_t>(data.size()));
+  bytes.append(kind).append(data);
+  const uLong crc = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()) + 4, static_cast<uInt>(bytes.size() - 4));
+  recording::append_u32(bytes, static_cast<std::uint32_t>(crc));
+  file_->file.append(bytes);
+}
+
+}  // namespace trophic::observe

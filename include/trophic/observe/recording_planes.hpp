@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The frames of a recording's block as bytes and back.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <trophic/support/linkage.hpp>
+#include <vector>
+
+namespace trophic::observe::recording {
+
+/// The bytes of the frames in a block, as docs/recording.md says. `values`: frame by frame, `columns` of them each.
+[[nodiscard]] std::string packed(const std::vector<std::int16_t>& values, std::size_t columns);
+
+/// And back, but column by column. Throws std::invalid_argument for bytes that are no such frames.
+[[nodiscard]] std::vector<std::int16_t> unpacked(std::string_view bytes, std::size_t columns, std::size_t frames);
+
+}  // namespace trophic::observe::recording
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/observe/recording_planes.ipp>
+#endif

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Reads replay.trp, the recording of a run: docs/recording.md describes its bytes."""
+
+import dataclasses
+import json
+import os
+import pathlib
+import struct
+import zlib
+
+import numpy
+
+MAGIC = b"\x89TRP\r\n\x1a\n"
+VERSION = 1
+
+
+class RecordingError(ValueError):
+    """A file that is no recording or that is damaged; the message names it."""
+
+
+@dataclasses.dataclass
+class Recording:
+    """Where every robot was. F frames, R robots, J joints (0 on a backend without joints)."""
+
+    head: dict
+    """What the recording says of itself: robot, arena, species, fingerprint, seed, ..."""
+    time_s: numpy.ndarray
+    """(F,): the ecology's clock, seconds."""
+    position_m: numpy.ndarray
+    """(F, R, 3): of the root, metres, z up."""
+    orientation: numpy.ndarray
+    """(F, R, 4): from the root's frame to the world, unit quaternions w, x, y, z."""
+    joint_rad: numpy.ndarray
+    """(F, R, J): in the order of the robot's hinges."""
+    complete: bool
+    """Whether the file has its end: a run that was killed leaves none."""
+
+
+def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None) -> Recording:
+    """Reads a recording, or a run's folder with its replay.trp; or of it the frames first, first + 1, ..., last - 1.
+
+    A file that was cut off has the frames of its whole blocks. Raises RecordingError for what is no recording, is of another version
+    or is damaged, and OSError as open does.
+    """
+    path = pathlib.Path(path)
+    if path.is_dir():
+        path = path / "replay.trp"
+    head, blocks, complete = _blocks(path, path.read_bytes())
+    wanted = [(start, count, data) for start, count, data in blocks if start + count > first and (last is None or start < last)]
+    robots, channels = head["robots"], 6 + head["joints"]
+    parts = [numpy.zeros((channels, robots, 0))]
+    for start, count, data in wanted:
+        values = _unpack(path, start, data, (channels, robots, count))
+        parts.append(values[..., max(0, first - start) : None if last is None else last - start])
+    values = numpy.concatenate(parts, axis=-1).transpose(2, 1, 0)
+    begin = max(first, wanted[0][0]) if wanted else 0
+    return _recording(head, numpy.arange(begin, begin + len(values)), values, complete)
+
+
+def _blocks(path, content):
+    if content[:8] != MAGIC:
+        raise RecordingError(f"{path}: is not a trophic recording")
+    head, blocks, at = None, [], 8
+    while at + 12 <= len(content):
+        (size,) = struct.unpack_from("<I", content, at)
+        if at + 12 + size > len(content):
+            break
+        kind, data = content[at + 4 : at + 8], content[at + 8 : at + 8 + size]
+        (checksum,) = struct.unpack_from("<I", content, at + 8 + size)
+        if zlib.crc32(content[at + 4 : at + 8 + size]) != checksum:
+            raise RecordingError(f"{path}: damaged, a wrong checksum of the block at byte {at}")
+        if kind == b"HEAD":
+            head = json.loads(data)
+            if head["version"] != VERSION:
+                raise RecordingError(f"{path}: version {head['version']} of the format; this program reads {VERSION}")
+        elif kind == b"POSE":
+            blocks.append((*struct.unpack_from("<II", data), data[8:]))
+        elif kind == b"DONE":
+            return head, blocks, True
+        at += 12 + size
+    if head is None or not blocks:
+        raise RecordingError(f"{path}: ends before its first frames")
+    return head, blocks, False
+
+
+def _unpack(path, start, data, shape):
+    planes = numpy.frombuffer(zlib.decompress(data), numpy.uint8).astype(numpy.uint16)
+    if planes.size != 2 * numpy.prod(shape):
+        raise RecordingError(f"{path}: damaged, the block of frame {start}")
+    low, high = planes.reshape(2, *shape)
+    folded = low + 256 * high
+    return numpy.cumsum((folded >> 1) ^ (0 - (folded & 1)), axis=-1, dtype=numpy.uint16).astype(numpy.int16)
+
+
+def _recording(head, frames, values, complete):
+    units, per_tick, steps = head["units"], head["frames_per_tick"], head["steps_per_tick"]
+    step = -(-(frames % per_tick) * steps // per_tick)
+    half_yaw = 0.5 * units["yaw_rad"] * values[..., 3]
+    x, y = units["tilt"] * values[..., 4], units["tilt"] * values[..., 5]
+    w = numpy.sqrt(numpy.maximum(0.0, 1.0 - x * x - y * y))
+    cos, sin = numpy.cos(half_yaw), numpy.sin(half_yaw)
+    orientation = numpy.stack([cos * w, cos * x - sin * y, cos * y + sin * x, sin * w], axis=-1)
+    return Recording(
+        head=head,
+        time_s=head["first_time_s"] + (frames // per_tick + step / steps) * head["tick_s"],
+        position_m=units["position_m"] * values[..., :3],
+        orientation=orientation / numpy.linalg.norm(orientation, axis=-1, keepdims=True),
+        joint_rad=units["joint_rad"] * values[..., 6:],
+        complete=complete,
+    )

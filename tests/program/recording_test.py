@@ -1,0 +1,203 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""recording_test.py PREDATOR_PREY TROPHIC: a run's replay.trp as people read it: by the Python package and by the code of docs/recording.md."""
+
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolderWithSets
+
+PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HAS_MUJOCO = ", mujoco" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+
+try:
+    import numpy
+except ImportError:  # the system's Python has apt-get's modules
+    if sys.executable == "/usr/bin/python3":
+        raise
+    import os
+
+    os.execv("/usr/bin/python3", ["/usr/bin/python3", __file__, PROGRAM, TROPHIC, *sys.argv[1:]])
+
+sys.path.insert(0, str(ROOT / "python"))
+from trophic import RecordingError, read_replay  # noqa: E402
+
+
+class Recordings(InFolderWithSets):
+    @classmethod
+    def make_sets(cls):
+        cls.make("kinematic", "--backend", "kinematic", "--duration", 100)
+        cls.make("released", "--backend", "kinematic", "--rules", "released", "--duration", 60, "--replay-hz", 10)
+        if HAS_MUJOCO:
+            cls.make("mujoco", "--backend", "mujoco", "--duration", 12, "--threads", 1)
+
+    @classmethod
+    def make(cls, name, *options):
+        done = subprocess.run([PROGRAM, "--out", str(cls.sets / name), *map(str, options)], capture_output=True, text=True, timeout=300)
+        assert done.returncode == 0, done.stderr
+
+    def names(self):
+        return sorted(path.name for path in self.sets.iterdir())
+
+    def test_frames_at_ticks_are_the_rows_of_agents_csv(self):
+        for name in self.names():
+            with self.subTest(name):
+                recording = read_replay(self.sets / name)
+                self.assertTrue(recording.complete)
+                per_tick = recording.head["frames_per_tick"]
+                with open(self.sets / name / "agents.csv", newline="") as file:
+                    rows = list(csv.DictReader(file))
+                frames = numpy.array([int(row["tick"]) * per_tick for row in rows])
+                bodies = numpy.array([int(row["body"]) for row in rows])
+                self.assertEqual(frames.max() + 1, len(recording.time_s))
+                numpy.testing.assert_allclose(recording.time_s[frames], [float(row["time_s"]) for row in rows], atol=1e-9)
+                place = [[float(row["x_m"]), float(row["y_m"])] for row in rows]
+                numpy.testing.assert_allclose(recording.position_m[frames, bodies, :2], place, atol=0.000502)
+                numpy.testing.assert_allclose(numpy.linalg.norm(recording.orientation, axis=-1), 1.0, atol=1e-12)
+                if name != "mujoco":  # there yaw is where the robot heads
+                    w, z = recording.orientation[frames, bodies, 0], recording.orientation[frames, bodies, 3]
+                    heading = 2 * numpy.arctan2(z, w) + recording.head["robot"]["forward_rad"]
+                    off = heading - [float(row["heading_rad"]) for row in rows]
+                    self.assertLess(numpy.abs((off + numpy.pi) % (2 * numpy.pi) - numpy.pi).max(), 0.002)
+
+    def test_rates(self):
+        self.assertEqual(read_replay(self.sets / "kinematic").head["frames_per_tick"], 10)
+        steps = numpy.diff(read_replay(self.sets / "released").time_s)
+        self.assertEqual(read_replay(self.sets / "released").head["clock_scale"] * 10 * 2, read_replay(self.sets / "released").head["frames_per_tick"])
+        numpy.testing.assert_allclose(steps, steps[0], rtol=0.1)
+
+    @unittest.skipUnless(HAS_MUJOCO, "needs joints")
+    def test_joints_move_as_a_gait_does(self):
+        recording = read_replay(self.sets / "mujoco")
+        self.assertEqual(recording.joint_rad.shape[2], len(recording.head["robot"]["links"]) - 1)
+        self.assertTrue((recording.joint_rad[0] == 0).all())
+        self.assertGreater(numpy.ptp(recording.joint_rad, axis=0).min(), 0.1)
+        self.assertLess(numpy.abs(recording.joint_rad).max(), 1.6)
+
+    def test_a_part_of_the_frames(self):
+        whole, part = read_replay(self.sets / "kinematic"), read_replay(self.sets / "kinematic", 150, 333)
+        for name in ("time_s", "position_m", "orientation", "joint_rad"):
+            numpy.testing.assert_array_equal(getattr(part, name), getattr(whole, name)[150:333])
+
+    def test_the_documents_code_reads_the_same(self):
+        code = re.search(r"```python\n(.*?)```", (ROOT / "docs/recording.md").read_text(), re.S)[1]
+        self.assertLessEqual(len(code.splitlines()), 31)
+        for name in self.names():
+            with self.subTest(name):
+                found = {}
+                argv, sys.argv = sys.argv, ["read.py", str(self.sets / name / "replay.trp")]
+                try:
+                    exec(code, found)
+                finally:
+                    sys.argv = argv
+                recording = read_replay(self.sets / name)
+                for array in ("position_m", "joint_rad", "orientation"):
+                    numpy.testing.assert_allclose(found[array], getattr(recording, array), atol=2e-6)
+
+    def test_damaged_recordings_are_errors(self):
+        content = (self.sets / "kinematic" / "replay.trp").read_bytes()
+        path = self.folder / "replay.trp"
+        for at in (0, 5, 9, 400, len(content) // 2, len(content) - 20):
+            with self.subTest(at):
+                path.write_bytes(content[:at] + bytes([content[at] ^ 4]) + content[at + 1 :])
+                try:
+                    self.assertFalse(read_replay(path).complete)
+                except RecordingError as error:
+                    self.assertIn(f"{path}: ", str(error))
+        path.write_bytes(content[: len(content) // 2])
+        self.assertFalse(read_replay(path).complete)
+
+
+class Pages(InFolderWithSets):
+    """`trophic show` and what is wrong with its runs, each in one line."""
+
+    @classmethod
+    def make_sets(cls):
+        for name, seed in (("run", 1), ("other", 2)):
+            Recordings.make.__func__(cls, name, "--backend", "kinematic", "--duration", 60, "--seed", seed)
+        Recordings.make.__func__(cls, "unrecorded", "--backend", "kinematic", "--duration", 20, "--replay-hz", 0)
+        Recordings.make.__func__(cls, "set", "--backend", "kinematic", "--duration", 20, "--replicates", 2)
+
+    def show(self, *arguments):
+        return subprocess.run([TROPHIC, "show", *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=120)
+
+    def copy(self, name="run"):
+        copied = self.folder / "copy"
+        subprocess.run(["cp", "-r", str(self.sets / name), str(copied)], check=True)
+        return copied
+
+    def assert_refused(self, sentence, *arguments):
+        result = self.show(*arguments, "-o", "page.html")
+        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertRegex(result.stderr, sentence)
+        self.assertFalse((self.folder / "page.html").exists())
+
+    def setUp(self):
+        super().setUp()
+        if "built without the viewer" in self.show(self.sets / "run", "-o", "probe.html").stderr:
+            self.skipTest("built without the viewer")
+        (self.folder / "probe.html").unlink()
+
+    def test_a_page_carries_all_it_needs(self):
+        result = self.show(self.sets / "run", self.sets / "set", "-o", "page.html")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        page = (self.folder / "page.html").read_text()
+        self.assertEqual(page.count('data-file="replay"'), 3)
+        self.assertEqual(re.findall(r'(?:src|href)="(?!data:)[^"]*"', page.split("<script>")[0]), [])
+
+    def test_nothing_is_overwritten(self):
+        (self.folder / "page.html").write_text("mine")
+        result = self.show(self.sets / "run", "-o", "page.html")
+        self.assertEqual((result.returncode, result.stderr), (2, "trophic show: --out page.html: exists already; nothing is overwritten\n"))
+        self.assertEqual((self.folder / "page.html").read_text(), "mine")
+
+    def test_folders_that_are_no_recorded_runs(self):
+        self.assert_refused(r"none: is not a folder", "none")
+        self.assert_refused(r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded")
+        self.assert_refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)
+
+    def test_damaged_and_foreign_recordings(self):
+        run = self.copy()
+        content = (run / "replay.trp").read_bytes()
+        for damaged, sentence in (
+            (content[:7000] + bytes([content[7000] ^ 1]) + content[7001:], r"replay.trp: damaged, a wrong checksum of the block at byte \d+"),
+            (content[:100], r"replay.trp: ends before its first frames"),
+            (b"\x89PNG\r\n\x1a\n" + content[8:], r"replay.trp: is not a trophic recording"),
+            ((self.sets / "other" / "replay.trp").read_bytes(), r"manifest.json: fingerprint \w+, seed 1, but replay.trp beside it is of .* two runs"),
+        ):
+            (run / "replay.trp").write_bytes(damaged)
+            self.assert_refused(sentence, run)
+
+    def test_tables_of_another_run(self):
+        run = self.copy()
+        (run / "events.csv").write_bytes((self.sets / "other" / "events.csv").read_bytes())
+        self.assert_refused(r"events.csv:2: body 0 at 0 s is at .* in the recording beside it elsewhere; they are of two runs", run)
+
+    def test_a_run_that_was_cut_off_is_shown_with_a_remark(self):
+        run = self.copy()
+        content = (run / "replay.trp").read_bytes()
+        (run / "replay.trp").write_bytes(content[:-30])
+        result = self.show(run, "-o", "page.html")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r"^trophic show: \S+replay.trp: ends early, in the middle of the block after \d+ frames \([\d.]+ s\)\n$")
+
+    def test_a_window_of_time(self):
+        whole, part = self.show(self.sets / "run", "-o", "whole.html"), self.show(self.sets / "run", "--from", 20, "--to", 30, "-o", "part.html")
+        self.assertEqual((whole.returncode, part.returncode), (0, 0), part.stderr)
+        self.assertLess((self.folder / "part.html").stat().st_size, (self.folder / "whole.html").stat().st_size)
+        self.assert_refused(r"time 61 s: must be between 0 and 60", self.sets / "run", "--to", 61)
+        self.assert_refused(r"--from 30: must be <= --to, 20", self.sets / "run", "--from", 30, "--to", 20)
+
+    def test_a_folder_that_cannot_be_written(self):
+        result = self.show(self.sets / "run", "-o", "none/page.html")
+        self.assertEqual((result.returncode, result.stderr), (1, "trophic show: cannot create none/page.html: No such file or directory\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

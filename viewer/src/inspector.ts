@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What is known of one individual at a moment.
+import { colourOf } from "./colours";
+import type { Run } from "./run";
+
+const words: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age" };
+
+export class Inspector {
+  readonly element = document.createElement("div");
+
+  constructor(private readonly onSelect: (id: number) => void) {
+    this.element.className = "inspector";
+    this.element.addEventListener("click", (e) => {
+      const id = (e.target as HTMLElement).dataset.id;
+      if (id) this.onSelect(Number(id));
+    });
+  }
+
+  show(run: Run, id: number, time: number, drawn: Float32Array | null, living: number): void {
+    const one = run.individuals.get(id);
+    if (!one) {
+      this.element.innerHTML = `<p class="hint">Click a robot, a line of the tree or an event.</p>`;
+      return;
+    }
+    const row = run.rowAt(time);
+    const body = run.bodyOf(id, time);
+    const { agents } = run;
+    const link = (other: number): string => (run.individuals.has(other) ? `<a data-id="${other}">${other}</a>` : `${other}`);
+    const rows: [string, string][] = [];
+    const end = one.death === Infinity ? "lives at the end" : `${words[one.cause] ?? one.cause} at ${fixed(one.death, 0)} s`;
+    rows.push(["life", `${fixed(one.birth, 0)} s, ${end}${Number.isNaN(one.killer) ? "" : ` by ${link(one.killer)}`}`]);
+    rows.push(["parent", Number.isNaN(one.parent) ? `none, genome ${one.origin || "unknown"}` : `${link(one.parent)}, genome ${one.origin}`]);
+    if (one.children.length > 0) rows.push(["offspring", `${one.children.length}; ${living} of the branch live now`]);
+    else rows.push(["offspring", "0"]);
+    if (body >= 0) {
+      const at = row + body;
+      rows.push(["age", `${fixed(time - one.birth, 0)} s${agents.active[at] ? "" : ", not yet active"}`]);
+      rows.push(["tag", `${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
+      if (!Number.isNaN(agents.hunger[at])) rows.push(["hunger", `${fixed(agents.hunger[at] * run.recording.head.tick_s, 0)} s without a catch`]);
+      const other = agents.adversary[at];
+      const otherBody = other >= 0 ? run.bodyOf(other, time) : -1;
+      let seen = "nobody";
+      if (other >= 0) {
+        const distance = drawn && otherBody >= 0 ? Math.hypot(drawn[3 * body] - drawn[3 * otherBody], drawn[3 * body + 1] - drawn[3 * otherBody + 1]) : NaN;
+        seen = `${link(other)}${Number.isNaN(distance) ? "" : `, ${fixed(distance, 2)} m away`}`;
+      }
+      rows.push(["perceives", seen]);
+      const angle = (agents.targetAngle[at] * 180) / Math.PI;
+      rows.push(["brain says", `${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}, tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
+      for (const [name, column] of agents.extra) rows.push([name, column[at] === "" ? "–" : column[at]]);
+      if (drawn) rows.push(["place", `${fixed(drawn[3 * body], 2)}, ${fixed(drawn[3 * body + 1], 2)} m`]);
+      rows.push(["body", `${body}`]);
+    } else {
+      rows.push(["now", time < one.birth ? "not yet born" : "dead"]);
+    }
+    if (!Number.isNaN(one.mutation) && !Number.isNaN(one.parent)) rows.push(["mutation", `${fixed(one.mutation, 3)} from its parent's genome`]);
+    const name = run.index.species[one.species] ?? "?";
+    this.element.innerHTML =
+      `<h2><i style="background:${colourOf(one.species)}"></i>${name} ${id}</h2><dl>` +
+      rows.map(([term, text]) => `<dt>${term}</dt><dd>${text}</dd>`).join("") +
+      "</dl>";
+  }
+}
+
+function fixed(value: number, digits: number): string {
+  return Number.isNaN(value) ? "–" : value.toFixed(digits);
+}

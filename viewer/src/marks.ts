@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// What one sees of a robot from afar: a ring on the floor in its species' colour, filled or hollow by its tag, and where it heads.
+import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
+
+const hidden = new Matrix4().makeScale(0, 0, 0);
+
+export interface Mark {
+  x: number;
+  y: number;
+  heading: number;
+  colour: string;
+  filled: boolean;
+  size: number;
+}
+
+/** A pool of flat marks of one shape. */
+class Flat {
+  readonly mesh: InstancedMesh;
+  private readonly matrix = new Matrix4();
+  private readonly colour = new Color();
+
+  constructor(geometry: BufferGeometry, count: number, opacity: number, height: number) {
+    const material = new MeshBasicMaterial({ transparent: opacity < 1, opacity, side: DoubleSide, depthWrite: false });
+    this.mesh = new InstancedMesh(geometry, material, count);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = height;
+    this.mesh.position.z = 0.002 + 0.001 * height;
+    this.mesh.setColorAt(0, this.colour.set("#fff"));
+  }
+
+  set(index: number, mark: Mark | null, colour?: string): void {
+    if (!mark) {
+      this.mesh.setMatrixAt(index, hidden);
+      return;
+    }
+    this.matrix.makeRotationZ(mark.heading);
+    this.matrix.scale(new Vector3(mark.size, mark.size, 1));
+    this.matrix.setPosition(mark.x, mark.y, 0);
+    this.mesh.setMatrixAt(index, this.matrix);
+    this.mesh.setColorAt(index, this.colour.set(colour ?? mark.colour));
+  }
+
+  done(): void {
+    this.mesh.instanceMatrix.needsUpdate = true;
+    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
+  }
+}
+
+function pointer(): BufferGeometry {
+  const shape = new Float32Array([1.55, 0, 0, 1.08, 0.3, 0, 1.08, -0.3, 0]);
+  return new BufferGeometry().setAttribute("position", new BufferAttribute(shape, 3));
+}
+
+/** Rings, discs, pointers and highlights of `count` robots. */
+export class Marks {
+  readonly group = new Group();
+  private readonly highlights: Flat;
+  private readonly discs: Flat;
+  private readonly rings: Flat;
+  private readonly pointers: Flat;
+  private readonly flashes: Flat;
+
+  constructor(
+    count: number,
+    private readonly flashCount = 64,
+  ) {
+    this.highlights = new Flat(new RingGeometry(1.66, 1.8, 48), count, 1, 0);
+    this.discs = new Flat(new CircleGeometry(1, 32), count, 0.42, 1);
+    this.rings = new Flat(new RingGeometry(0.88, 1, 48), count, 1, 2);
+    this.pointers = new Flat(pointer(), count, 1, 3);
+    this.flashes = new Flat(new RingGeometry(0.9, 1, 40), flashCount, 0.7, 4);
+    for (const flat of [this.highlights, this.discs, this.rings, this.pointers, this.flashes]) this.group.add(flat.mesh);
+  }
+
+  set(index: number, mark: Mark, highlight: string | null): void {
+    this.rings.set(index, mark);
+    this.discs.set(index, mark.filled ? mark : null);
+    this.pointers.set(index, mark);
+    this.highlights.set(index, highlight ? mark : null, highlight ?? undefined);
+  }
+
+  /** Rings that widen where something has just happened. */
+  flash(marks: Mark[]): void {
+    for (let i = 0; i < this.flashCount; ++i) this.flashes.set(i, marks[i] ?? null);
+  }
+
+  done(): void {
+    for (const flat of [this.highlights, this.discs, this.rings, this.pointers, this.flashes]) flat.done();
+  }
+}
+
+/** Line segments that are written anew at each frame, with a colour at each end. */
+export class Lines {
+  readonly object: LineSegments;
+  private readonly position: BufferAttribute;
+  private readonly colours: BufferAttribute;
+  private used = 0;
+  private readonly colour = new Color();
+
+  constructor(
+    private readonly most: number,
+    height: number,
+  ) {
+    this.position = new BufferAttribute(new Float32Array(6 * most), 3);
+    this.colours = new BufferAttribute(new Float32Array(8 * most), 4);
+    const geometry = new BufferGeometry().setAttribute("position", this.position).setAttribute("color", this.colours);
+    this.object = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+    this.object.frustumCulled = false;
+    this.object.position.z = height;
+  }
+
+  clear(): void {
+    this.used = 0;
+  }
+
+  add(x0: number, y0: number, x1: number, y1: number, colour: string, opacity0: number, opacity1: number): void {
+    if (this.used >= this.most) return;
+    const at = 2 * this.used++;
+    this.position.setXYZ(at, x0, y0, 0);
+    this.position.setXYZ(at + 1, x1, y1, 0);
+    const { r, g, b } = this.colour.set(colour);
+    this.colours.setXYZW(at, r, g, b, opacity0);
+    this.colours.setXYZW(at + 1, r, g, b, opacity1);
+  }
+
+  done(): void {
+    this.object.geometry.setDrawRange(0, 2 * this.used);
+    this.position.needsUpdate = true;
+    this.colours.needsUpdate = true;
+  }
+}

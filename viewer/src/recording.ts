@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// replay.trp, as docs/recording.md describes it.
+import { inflate } from "./bytes";
+
+export interface BoxShape {
+  part: string;
+  half_extents_m: number[];
+  centre_m: number[];
+  orientation: number[];
+}
+export interface LinkShape {
+  name: string;
+  parent: number;
+  offset_m: number[];
+  rotation: number[];
+  boxes: BoxShape[];
+  hinge?: { name: string; axis: number[] };
+}
+export interface Head {
+  fingerprint: string;
+  seed: number;
+  rule_table: string;
+  backend: string;
+  species: string[];
+  first_time_s: number;
+  tick_s: number;
+  clock_scale: number;
+  frames_per_tick: number;
+  steps_per_tick: number;
+  robots: number;
+  joints: number;
+  units: { position_m: number; yaw_rad: number; tilt: number; joint_rad: number };
+  robot: { name: string; forward_rad: number; bounding_radius_m: number; links: LinkShape[] };
+  arena: {
+    name: string;
+    half_side_m: number;
+    extent_m: number;
+    height_field?: { nodes: number; half_extent_m: number; height_m: number[] };
+  };
+}
+
+interface Block {
+  first: number;
+  frames: number;
+  bytes: Uint8Array;
+  values?: Int16Array;
+  waiting?: Promise<Int16Array>;
+}
+
+const poseChannels = 6;
+
+export class Recording {
+  readonly head: Head;
+  readonly frames: number;
+  readonly firstFrame: number;
+  readonly channels: number;
+  private readonly blocks: Block[] = [];
+  private kept: Block[] = [];
+  private readonly keptAtMost: number;
+
+  /** Throws for what is no recording. */
+  constructor(bytes: Uint8Array) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    if (bytes[0] !== 0x89 || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("this is no recording");
+    let head: Head | undefined;
+    for (let at = 8; at + 12 <= bytes.length; ) {
+      const size = view.getUint32(at, true);
+      if (at + 12 + size > bytes.length) break;
+      const kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
+      const data = bytes.subarray(at + 8, at + 8 + size);
+      if (kind === "HEAD") head = JSON.parse(new TextDecoder().decode(data)) as Head;
+      if (kind === "POSE") {
+        this.blocks.push({ first: view.getUint32(at + 8, true), frames: view.getUint32(at + 12, true), bytes: data.subarray(8) });
+      }
+      at += 12 + size;
+    }
+    if (!head || this.blocks.length === 0) throw new Error("this recording has no frames");
+    this.head = head;
+    this.channels = poseChannels + head.joints;
+    this.firstFrame = this.blocks[0].first;
+    const last = this.blocks[this.blocks.length - 1];
+    this.frames = last.first + last.frames;
+    const blockBytes = this.blocks[0].frames * head.robots * this.channels * 2;
+    this.keptAtMost = Math.max(4, Math.floor(96e6 / blockBytes));
+  }
+
+  /** The ecology's clock at a frame. */
+  time(frame: number): number {
+    const { frames_per_tick: n, steps_per_tick: steps, tick_s, first_time_s } = this.head;
+    return first_time_s + (Math.floor(frame / n) + Math.ceil(((frame % n) * steps) / n) / steps) * tick_s;
+  }
+  get firstTime(): number {
+    return this.time(this.firstFrame);
+  }
+  get lastTime(): number {
+    return this.time(this.frames - 1);
+  }
+
+  /** The last frame at or before a moment, within the recording. */
+  frameAt(time: number): number {
+    const { frames_per_tick: n, tick_s, first_time_s } = this.head;
+    let frame = Math.floor(((time - first_time_s) * n) / tick_s + 1);
+    frame = Math.min(this.frames - 1, Math.max(this.firstFrame, frame));
+    while (frame > this.firstFrame && this.time(frame) > time + 1e-9) --frame;
+    return frame;
+  }
+
+  private blockOf(frame: number): Block {
+    let low = 0;
+    let high = this.blocks.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.blocks[middle].first <= frame) low = middle;
+      else high = middle - 1;
+    }
+    return this.blocks[low];
+  }
+
+  /** Whether a frame can be shown at once. */
+  isReady(frame: number): boolean {
+    return this.blockOf(frame).values !== undefined;
+  }
+
+  /** Unpacks what a frame and its successor need. */
+  async prepare(frame: number): Promise<void> {
+    const block = this.blockOf(frame);
+    const next = this.blockOf(Math.min(this.frames - 1, frame + 1));
+    await this.unpack(block);
+    if (next !== block) await this.unpack(next);
+  }
+
+  private async unpack(block: Block): Promise<Int16Array> {
+    if (block.values) return block.values;
+    block.waiting ??= inflate(block.bytes).then((planes) => {
+      const count = this.channels * this.head.robots * block.frames;
+      if (planes.length !== 2 * count) throw new Error(`the block of frame ${block.first} is damaged`);
+      const values = new Int16Array(count);
+      for (let column = 0; column < count; column += block.frames) {
+        let now = 0;
+        for (let at = column; at < column + block.frames; ++at) {
+          const folded = planes[at] + 256 * planes[count + at];
+          now = (now + ((folded >> 1) ^ -(folded & 1))) & 0xffff;
+          values[at] = now;
+        }
+      }
+      block.values = values;
+      block.waiting = undefined;
+      this.kept.push(block);
+      if (this.kept.length > this.keptAtMost) this.kept.shift()!.values = undefined;
+      return values;
+    });
+    return block.waiting;
+  }
+
+  /** Calls `see` with every block in turn, without keeping more than a few: (values, first frame, frames). */
+  async forEachBlock(see: (values: Int16Array, first: number, frames: number) => void, pause: () => Promise<void>): Promise<void> {
+    for (const block of this.blocks) {
+      see(await this.unpack(block), block.first, block.frames);
+      await pause();
+    }
+  }
+
+  /** Position, orientation (w, x, y, z) and joint angles of a robot at a frame that is ready, into `out`. */
+  private frameInto(out: Float32Array, frame: number, robot: number): void {
+    const block = this.blockOf(frame);
+    const values = block.values;
+    if (!values) return;
+    const { robots, units } = this.head;
+    const stride = robots * block.frames;
+    let at = robot * block.frames + frame - block.first;
+    out[0] = values[at] * units.position_m;
+    out[1] = values[(at += stride)] * units.position_m;
+    out[2] = values[(at += stride)] * units.position_m;
+    const half = 0.5 * values[(at += stride)] * units.yaw_rad;
+    const x = values[(at += stride)] * units.tilt;
+    const y = values[(at += stride)] * units.tilt;
+    const w = Math.sqrt(Math.max(0, 1 - x * x - y * y));
+    const c = Math.cos(half);
+    const s = Math.sin(half);
+    out[3] = c * w;
+    out[4] = c * x - s * y;
+    out[5] = c * y + s * x;
+    out[6] = s * w;
+    for (let joint = 0; joint < this.head.joints; ++joint) out[7 + joint] = values[(at += stride)] * units.joint_rad;
+  }
+
+  private readonly before = new Float32Array(128);
+  private readonly after = new Float32Array(128);
+
+  /** As `frameInto` at any moment whose frames are ready: interpolated between the frames beside it. */
+  poseInto(out: Float32Array, time: number, robot: number): void {
+    const frame = this.frameAt(time);
+    const next = Math.min(this.frames - 1, frame + 1);
+    const { before: a, after: b } = this;
+    this.frameInto(a, frame, robot);
+    const gap = this.time(next) - this.time(frame);
+    const part = gap > 0 ? Math.min(1, Math.max(0, (time - this.time(frame)) / gap)) : 0;
+    const size = 7 + this.head.joints;
+    if (part < 1e-6 || !this.isReady(next)) {
+      out.set(a.subarray(0, size));
+      return;
+    }
+    this.frameInto(b, next, robot);
+    const dot = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6];
+    const sign = dot < 0 ? -1 : 1;
+    for (let i = 0; i < size; ++i) out[i] = a[i] + part * ((i >= 3 && i < 7 ? sign : 1) * b[i] - a[i]);
+    const norm = Math.hypot(out[3], out[4], out[5], out[6]);
+    for (let i = 3; i < 7; ++i) out[i] /= norm;
+  }
+}

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// One run: its recording and its tables, and what they say about a moment.
+import { fromBase64, inflate } from "./bytes";
+import { Table } from "./csv";
+import { Recording } from "./recording";
+
+export interface RunIndex {
+  label: string;
+  status: string;
+  remark?: string;
+  species: string[];
+  tags: number[];
+  hunters: string[];
+}
+
+export interface Event {
+  time: number;
+  kind: string;
+  id: number;
+  body: number;
+  species: number;
+  cause: string;
+  other: number;
+  x: number;
+  y: number;
+}
+
+export interface Individual {
+  id: number;
+  species: number;
+  parent: number; // NaN: a founder or an orphan
+  birth: number;
+  death: number; // Infinity: alive at the end
+  cause: string;
+  killer: number;
+  origin: string;
+  body: number;
+  genome: string;
+  mutation: number;
+  children: Individual[];
+  row: number; // where the phylogeny draws it
+}
+
+/** What agents.csv says of everybody after each tick, in arrays of ticks times robots. */
+export class Agents {
+  readonly id: Int32Array;
+  readonly species: Int8Array;
+  readonly active: Uint8Array;
+  readonly tag: Int8Array;
+  readonly targetAngle: Float32Array;
+  readonly adversary: Int32Array; // -1: nobody
+  readonly hunger: Float32Array; // NaN: hunts nobody
+  readonly extra = new Map<string, string[]>();
+  readonly firstTick: number;
+  readonly ticks: number;
+
+  constructor(
+    table: Table,
+    readonly robots: number,
+    species: string[],
+  ) {
+    const names = new Map(species.map((name, index) => [name, index]));
+    this.ticks = Math.floor(table.rows / robots);
+    if (this.ticks === 0) throw new Error("agents.csv has no whole tick");
+    this.firstTick = Number(table.text("tick")[0]);
+    this.id = Int32Array.from(table.text("id"), Number);
+    this.species = Int8Array.from(table.text("species"), (name) => names.get(name) ?? -1);
+    this.active = Uint8Array.from(table.text("active"), Number);
+    this.tag = Int8Array.from(table.text("tag"), Number);
+    this.targetAngle = Float32Array.from(table.text("target_angle_rad"), Number);
+    this.adversary = Int32Array.from(table.text("adversary_id"), (cell) => (cell === "" ? -1 : Number(cell)));
+    this.hunger = Float32Array.from(table.text("hunger_ticks"), (cell) => (cell === "" ? NaN : Number(cell)));
+    const known = ["tick", "body", "id", "species", "active", "tag", "target_angle_rad", "adversary_id", "hunger_ticks"];
+    for (const name of table.names) if (!known.includes(name)) this.extra.set(name, table.text(name));
+  }
+}
+
+export class Run {
+  readonly individuals = new Map<number, Individual>();
+  readonly roots: Individual[] = [];
+  readonly events: Event[] = [];
+  /** x, y of every body at every tick of the agents; NaN until the recording was read through. */
+  readonly track: Float32Array;
+  tracked = false;
+
+  private constructor(
+    readonly index: RunIndex,
+    readonly recording: Recording,
+    readonly agents: Agents,
+    events: Table,
+    phylogeny: Table,
+  ) {
+    const names = new Map(index.species.map((name, i) => [name, i]));
+    this.track = new Float32Array(2 * agents.ticks * agents.robots).fill(NaN);
+    const time = events.numbers("time_s");
+    const id = events.numbers("id");
+    const body = events.numbers("body");
+    const killer = events.numbers("killer_id");
+    const victim = events.numbers("victim_id");
+    const x = events.numbers("x_m");
+    const y = events.numbers("y_m");
+    const species = events.text("species");
+    const cause = events.text("cause");
+    events.text("event").forEach((kind, i) => {
+      const other = kind === "catch" ? victim[i] : killer[i];
+      this.events.push({ time: time[i], kind, id: id[i], body: body[i], species: names.get(species[i]) ?? -1, cause: cause[i], other, x: x[i], y: y[i] });
+    });
+    this.readPhylogeny(phylogeny, names);
+  }
+
+  private readPhylogeny(table: Table, names: Map<string, number>): void {
+    const id = table.numbers("id");
+    const ancestor = table.numbers("ancestor_id");
+    const birth = table.numbers("origin_time");
+    const death = table.text("destruction_time");
+    const species = table.text("species");
+    const cause = table.text("cause_of_death");
+    const killer = table.numbers("killer_id");
+    const origin = table.text("origin");
+    const body = table.numbers("body");
+    const genome = table.text("genome_id");
+    const mutation = table.numbers("mutation_distance");
+    for (let i = 0; i < table.rows; ++i) {
+      this.individuals.set(id[i], {
+        id: id[i],
+        species: names.get(species[i]) ?? -1,
+        parent: ancestor[i] === id[i] ? NaN : ancestor[i],
+        birth: birth[i],
+        death: death[i] === "inf" || death[i] === "" ? Infinity : Number(death[i]),
+        cause: cause[i],
+        killer: killer[i],
+        origin: origin[i],
+        body: body[i],
+        genome: genome[i],
+        mutation: mutation[i],
+        children: [],
+        row: 0,
+      });
+    }
+    // Who was born and has no row lived when the run was cut off.
+    for (const event of this.events) {
+      if (event.kind !== "birth" || this.individuals.has(event.id)) continue;
+      this.individuals.set(event.id, {
+        id: event.id, species: event.species, parent: NaN, birth: event.time, death: Infinity, cause: "", killer: NaN,
+        origin: "", body: event.body, genome: "", mutation: NaN, children: [], row: 0,
+      });
+    }
+    const inOrder = [...this.individuals.values()].sort((a, b) => a.birth - b.birth || a.id - b.id);
+    for (const one of inOrder) {
+      const parent = this.individuals.get(one.parent);
+      (parent ? parent.children : this.roots).push(one);
+    }
+  }
+
+  get firstTime(): number {
+    return this.recording.firstTime;
+  }
+  get lastTime(): number {
+    return this.recording.lastTime;
+  }
+  get robots(): number {
+    return this.recording.head.robots;
+  }
+
+  /** Where the agents' arrays have the tick that a moment belongs to. */
+  rowAt(time: number): number {
+    const tick = Math.floor(time / this.recording.head.tick_s + 1e-9) - this.agents.firstTick;
+    return Math.min(this.agents.ticks - 1, Math.max(0, tick)) * this.robots;
+  }
+
+  /** The body that an individual lives in at a moment; -1 when it does not live. */
+  bodyOf(id: number, time: number): number {
+    const row = this.rowAt(time);
+    const one = this.individuals.get(id);
+    if (one && this.agents.id[row + one.body] === id) return one.body;
+    for (let body = 0; body < this.robots; ++body) if (this.agents.id[row + body] === id) return body;
+    return -1;
+  }
+
+  /** Reads the recording through once, so that tracks are known. */
+  async readTracks(pause: () => Promise<void>): Promise<void> {
+    const { head } = this.recording;
+    const robots = this.robots;
+    await this.recording.forEachBlock((values, first, frames) => {
+      for (let frame = first; frame < first + frames; ++frame) {
+        if (frame % head.frames_per_tick !== 0) continue;
+        const tick = Math.round(head.first_time_s / head.tick_s) + frame / head.frames_per_tick - this.agents.firstTick;
+        if (tick < 0 || tick >= this.agents.ticks) continue;
+        for (let robot = 0; robot < robots; ++robot) {
+          const at = 2 * (tick * robots + robot);
+          this.track[at] = values[robot * frames + frame - first] * head.units.position_m;
+          this.track[at + 1] = values[(robots + robot) * frames + frame - first] * head.units.position_m;
+        }
+      }
+    }, pause);
+    this.tracked = true;
+  }
+
+  /** Reads what the page carries of run number `number`. */
+  static async open(index: RunIndex, number: number): Promise<Run> {
+    const bytes = (file: string): Uint8Array => {
+      const element = document.querySelector(`script[data-run="${number}"][data-file="${file}"]`);
+      if (!element) throw new Error(`run ${index.label} lacks ${file}`);
+      const found = fromBase64(element.textContent!.trim());
+      element.remove();
+      return found;
+    };
+    const table = async (file: string): Promise<Table> => new Table(new TextDecoder().decode(await inflate(bytes(file))));
+    const recording = new Recording(bytes("replay"));
+    const [agents, events, phylogeny] = await Promise.all([table("agents"), table("events"), table("phylogeny")]);
+    await recording.prepare(recording.firstFrame);
+    return new Run(index, recording, new Agents(agents, recording.head.robots, index.species), events, phylogeny);
+  }
+}

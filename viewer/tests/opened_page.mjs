@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// A page in a real browser, and what it must never do: ask for anything, or complain.
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+
+const flags = [
+  "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+  "--disable-sync", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader",
+];
+
+export class Browser {
+  static async start() {
+    const profile = mkdtempSync(join(tmpdir(), "trophic-browser-"));
+    const context = await chromium.launchPersistentContext(profile, {
+      executablePath: process.env.CHROMIUM,
+      headless: true,
+      args: flags,
+      viewport: { width: 1280, height: 800 },
+    });
+    return new Browser(profile, context);
+  }
+
+  constructor(profile, context) {
+    this.profile = profile;
+    this.context = context;
+  }
+
+  /** Opens a file and waits until it shows what it was asked for. */
+  async open(file, hash = "") {
+    const page = await this.context.newPage();
+    const opened = new OpenedPage(page, `file://${file}`);
+    opened.session = await this.context.newCDPSession(page);
+    await opened.session.send("Performance.enable", { timeDomain: "threadTicks" });
+    await page.goto(`file://${file}${hash}`);
+    await opened.settle();
+    return opened;
+  }
+
+  async close() {
+    await this.context.close();
+    rmSync(this.profile, { recursive: true, force: true });
+  }
+}
+
+export class OpenedPage {
+  complaints = [];
+  requests = [];
+
+  constructor(page, url) {
+    this.page = page;
+    page.on("pageerror", (error) => this.complaints.push(error.message));
+    page.on("console", (message) => {
+      if (["error", "assert"].includes(message.type())) this.complaints.push(message.text());
+    });
+    page.on("request", (request) => {
+      if (!/^(data|blob):/.test(request.url()) && request.url() !== url) this.requests.push(request.url());
+    });
+  }
+
+  async settle() {
+    await this.page.waitForFunction(() => window.trophicError || window.trophic?.settled, null, { timeout: 120000 });
+  }
+
+  /** Processor seconds of the page's own thread until now. */
+  async busySeconds() {
+    const { metrics } = await this.session.send("Performance.getMetrics");
+    return metrics.find((metric) => metric.name === "TaskDuration").value;
+  }
+
+  evaluate(work, argument) {
+    return this.page.evaluate(work, argument);
+  }
+
+  /** How many pixels of a run's world are near a colour "#rrggbb". */
+  pixels(colour, world = 0) {
+    return this.page.evaluate(
+      async ([wanted, number]) => {
+        const picture = new Image();
+        picture.src = window.trophic.worlds[number].picture();
+        await picture.decode();
+        const canvas = new OffscreenCanvas(picture.width, picture.height);
+        const g = canvas.getContext("2d");
+        g.drawImage(picture, 0, 0);
+        const { data } = g.getImageData(0, 0, picture.width, picture.height);
+        const [r, gr, b] = [1, 3, 5].map((at) => parseInt(wanted.slice(at, at + 2), 16));
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4) {
+          if (Math.abs(data[i] - r) + Math.abs(data[i + 1] - gr) + Math.abs(data[i + 2] - b) < 60) ++count;
+        }
+        return count;
+      },
+      [colour, world],
+    );
+  }
+
+  /** Clicks at a place of an element, CSS pixels from its corner. */
+  async click(selector, x, y) {
+    const bounds = await this.page.locator(selector).first().boundingBox();
+    await this.page.mouse.click(bounds.x + x, bounds.y + y);
+    await this.settle();
+  }
+}
