@@ -127,7 +127,7 @@ template <class Rules, Backend B>
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(origin.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  observe::RunFolder files{folder, {}, standing.opening()};
+  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening()};
   observe::Progress progress;
   checkpoint::run_kept(ecology, origin.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology.time_s() >= origin.at_s;

@@ -22,7 +22,6 @@ struct RecordingHead {
   std::uint64_t seed = 0;
   std::string rule_table;
   std::string backend;
-  double until_s = 0.0;  ///< when that run was to end, ecology seconds
   std::vector<std::string> species;
   double first_time_s = 0.0;  ///< of frame 0, ecology seconds
   FrameTimes times;

@@ -96,7 +96,6 @@ namespace recording {
   head.seed = json.at("seed").get<std::uint64_t>();
   head.rule_table = json.at("rule_table").get<std::string>();
   head.backend = json.at("backend").get<std::string>();
-  head.until_s = json.at("until_s").get<double>();
   head.species = json.at("species").get<std::vector<std::string>>();
   head.first_time_s = json.at("first_time_s").get<double>();
   head.times = {.steps = json.at("steps_per_tick").get<std::int64_t>(),

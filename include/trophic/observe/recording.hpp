@@ -27,13 +27,15 @@ inline constexpr double default_replay_hz = 5.0;
 class Recording {
  public:
   /// Makes the file at once. `hz`: frames a simulated second, >= 0; at 0 there is no file and nothing is asked of the run.
-  /// Throws std::invalid_argument for another rate. With `Opening::gone_on_with` the file is there and `persist` comes next.
+  /// Throws std::invalid_argument for another rate. With `Opening::gone_on_with` the file is there, if the run has one, and
+  /// `persist` comes next: the recording goes on at the rate at which it began.
   Recording(const std::filesystem::path& path, double hz, Opening opening = Opening::made_new);
   Recording(Recording&&) noexcept;
   Recording& operator=(Recording&&) noexcept;
   ~Recording();
 
-  /// The file's length and the frames that wait for their block. Reading throws std::invalid_argument for another rate.
+  /// The rate, the file's length and the frames that wait for their block. Reading throws std::invalid_argument if the run had a
+  /// recording and the folder has none.
   void persist(Archive& archive);
 
   [[nodiscard]] double frame_hz() const { return hz_; }

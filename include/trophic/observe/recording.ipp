@@ -75,7 +75,8 @@ TROPHIC_INLINE Recording::Recording(const std::filesystem::path& path, double hz
   if (!(hz >= 0.0 && hz <= 1000.0)) {
     throw std::invalid_argument{"replay_hz = " + number_text(hz) + ": must be >= 0 and <= 1000"};
   }
-  if (hz > 0.0) file_ = std::make_unique<File>(File{.file = GrowingFile{path, opening}});
+  const bool has_file = opening == Opening::made_new ? hz > 0.0 : std::filesystem::exists(path);
+  if (has_file) file_ = std::make_unique<File>(File{.file = GrowingFile{path, opening}});
 }
 TROPHIC_INLINE Recording::Recording(Recording&&) noexcept = default;
 TROPHIC_INLINE Recording& Recording::operator=(Recording&&) noexcept = default;
@@ -84,10 +85,13 @@ TROPHIC_INLINE Recording::~Recording() = default;
 TROPHIC_INLINE void Recording::on_start(const RunDescription& run, const View& view) {
   if (!file_) return;
   auto& head = file_->head;
-  head = {{"format", "trophic recording"},  {"version", recording::version},
-          {"fingerprint", run.fingerprint}, {"seed", run.seed},
-          {"rule_table", run.rules},        {"backend", run.backend},
-          {"until_s", run.until_s},         {"species", nlohmann::ordered_json::array()}};
+  head = {{"format", "trophic recording"},
+          {"version", recording::version},
+          {"fingerprint", run.fingerprint},
+          {"seed", run.seed},
+          {"rule_table", run.rules},
+          {"backend", run.backend},
+          {"species", nlohmann::ordered_json::array()}};
   for (Species species = 0; species < view.web.size(); ++species) head["species"].push_back(view.web.name(species));
 }
 
@@ -170,11 +174,8 @@ TROPHIC_INLINE void Recording::write_frames() {
 }
 
 TROPHIC_INLINE void Recording::persist(Archive& archive) {
-  double hz = hz_;
-  archive(hz);
-  if (hz != hz_) {
-    throw std::invalid_argument{"replay_hz = " + number_text(hz_) + ": must be " + number_text(hz) + ", as where the run began"};
-  }
+  archive(hz_);
+  Archive::require((hz_ > 0.0) == (file_ != nullptr), "a recording of another rate, or none where there was one");
   if (!file_) return;
   archive(file_->file, units_, channels_, robots_, block_frames_, frames_);
   std::string bytes = values_.empty() ? std::string{} : waiting();

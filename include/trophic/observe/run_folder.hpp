@@ -28,8 +28,8 @@ class RunFolder {
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
 
   /// Makes the folder at once: see make_new_folder. `replay_hz`: frames of the recording in a simulated second; 0: no recording.
-  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next; throws
-  /// std::runtime_error if a file is missing or another program works in it.
+  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, with the rate at
+  /// which the recording began; throws std::runtime_error if a file is missing or another program works in it.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, double replay_hz = default_replay_hz,
                      Opening opening = Opening::made_new);
   RunFolder(RunFolder&&) noexcept;

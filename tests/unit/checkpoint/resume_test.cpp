@@ -84,7 +84,7 @@ TEST_CASE("so does a run that was stopped, and one that is made longer") {
   const auto part = [&](double until_s, std::int64_t stop_tick) {
     Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3, until_s)};
     const auto standing = checkpoint::standing_in(folder.path() / "parts", ecology.describe(until_s));
-    observe::RunFolder files{folder.path() / "parts", {}, standing.opening()};
+    observe::RunFolder files{folder.path() / "parts", {}, observe::default_replay_hz, standing.opening()};
     StopAt stop{.tick = stop_tick};
     checkpoint::run_kept(ecology, until_s, folder.path() / "parts", {.every_s = 0.0}, standing.from, files, stop);
     return standing;
@@ -157,7 +157,7 @@ TEST_CASE("files that lost what they had at the checkpoint are refused") {
   fs::resize_file(run / "agents.csv", 1000);
   Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3)};
   const auto standing = checkpoint::standing_in(run, ecology.describe(600.0));
-  observe::RunFolder files{run, {}, standing.opening()};
+  observe::RunFolder files{run, {}, observe::default_replay_hz, standing.opening()};
   CHECK(message_of<std::runtime_error>([&] {
           checkpoint::restore(*standing.from, ecology, files);
         }).find("agents.csv: it has 1000 bytes: must be >= ") != std::string::npos);

@@ -27,11 +27,11 @@ namespace trophic::test {
   return {std::istreambuf_iterator<char>{file}, {}};
 }
 
-/// What must be the same bytes however often a run was cut off: its tables, its last checkpoint's ecology, and its manifest but
-/// for who went on with it.
+/// What must be the same bytes however often a run was cut off: its tables and recording, its last checkpoint's ecology, and its
+/// manifest but for who went on with it.
 [[nodiscard]] inline std::vector<std::string> results_in(const std::filesystem::path& folder) {
   std::vector<std::string> results;
-  for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"})
+  for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp"})
     results.push_back(content(folder / table));
   results.push_back(checkpoint::read_last(folder).section(checkpoint::ecology_section));
   auto manifest = nlohmann::json::parse(content(folder / "manifest.json"));
@@ -58,7 +58,7 @@ void run_part(const Experiment<Rules, B>& experiment, const std::filesystem::pat
   const double until_s = experiment.ecology.duration_s;
   const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
   Crash crash{.at_tick = crash_tick};
-  observe::RunFolder files{folder, {}, standing.opening()};
+  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening()};
   const checkpoint::Schedule schedule{.every_s = every_s, .most_share = std::numeric_limits<double>::infinity()};
   try {
     checkpoint::run_kept(ecology, until_s, folder, schedule, standing.from, files, crash);
