@@ -14,6 +14,6 @@ int main(int argc, char** argv) {
                       .options = {},
                       .work = {},
                       .subcommands = {commands::analyze(), commands::flip_table(), commands::cross_check(),
-                                      commands::evolve_gait(), commands::measure_gait(), commands::show()},
+                                      commands::evolve_gait(), commands::measure_gait(), commands::show(), commands::film()},
                       .version = version_text(backend_versions<LinkedBackends>())});
 }
