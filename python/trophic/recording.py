@@ -96,8 +96,10 @@ def _recording(head, frames, values, complete):
     units, per_tick, steps = head["units"], head["frames_per_tick"], head["steps_per_tick"]
     step = -(-(frames % per_tick) * steps // per_tick)
     half_yaw = 0.5 * units["yaw_rad"] * values[..., 3]
-    x, y = units["tilt"] * values[..., 4], units["tilt"] * values[..., 5]
-    w = numpy.sqrt(numpy.maximum(0.0, 1.0 - x * x - y * y))
+    tilt = units["tilt_rad"] * values[..., 4:6]
+    half_tilt = 0.5 * numpy.linalg.norm(tilt, axis=-1)
+    w, share = numpy.cos(half_tilt), 0.5 * numpy.sinc(half_tilt / numpy.pi)
+    x, y = share * tilt[..., 0], share * tilt[..., 1]
     cos, sin = numpy.cos(half_yaw), numpy.sin(half_yaw)
     orientation = numpy.stack([cos * w, cos * x - sin * y, cos * y + sin * x, sin * w], axis=-1)
     return Recording(

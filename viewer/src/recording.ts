@@ -29,7 +29,7 @@ export interface Head {
   steps_per_tick: number;
   robots: number;
   joints: number;
-  units: { position_m: number; yaw_rad: number; tilt: number; joint_rad: number };
+  units: { position_m: number; yaw_rad: number; tilt_rad: number; joint_rad: number };
   robot: { name: string; forward_rad: number; bounding_radius_m: number; links: LinkShape[] };
   arena: {
     name: string;
@@ -172,9 +172,13 @@ export class Recording {
     out[1] = values[(at += stride)] * units.position_m;
     out[2] = values[(at += stride)] * units.position_m;
     const half = 0.5 * values[(at += stride)] * units.yaw_rad;
-    const x = values[(at += stride)] * units.tilt;
-    const y = values[(at += stride)] * units.tilt;
-    const w = Math.sqrt(Math.max(0, 1 - x * x - y * y));
+    const tiltX = values[(at += stride)] * units.tilt_rad;
+    const tiltY = values[(at += stride)] * units.tilt_rad;
+    const tilt = Math.hypot(tiltX, tiltY);
+    const w = Math.cos(0.5 * tilt);
+    const share = tilt > 0 ? Math.sin(0.5 * tilt) / tilt : 0;
+    const x = share * tiltX;
+    const y = share * tiltY;
     const c = Math.cos(half);
     const s = Math.sin(half);
     out[3] = c * w;

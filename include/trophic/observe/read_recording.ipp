@@ -107,7 +107,7 @@ namespace recording {
   const auto& units = json.at("units");
   head.units = {.position_m = units.at("position_m").get<double>(),
                 .yaw_rad = units.at("yaw_rad").get<double>(),
-                .tilt = units.at("tilt").get<double>(),
+                .tilt_rad = units.at("tilt_rad").get<double>(),
                 .joint_rad = units.at("joint_rad").get<double>()};
   head.robot = robot_of(json.at("robot"));
   head.arena = arena_of(json.at("arena"));

@@ -111,8 +111,10 @@ TROPHIC_INLINE void Recording::write_head(const Frame& frame) {
   head["steps_per_tick"] = frame.times.steps;
   head["robots"] = robots_;
   head["joints"] = joints;
-  head["units"] = {
-      {"position_m", units_.position_m}, {"yaw_rad", units_.yaw_rad}, {"tilt", units_.tilt}, {"joint_rad", units_.joint_rad}};
+  head["units"] = {{"position_m", units_.position_m},
+                   {"yaw_rad", units_.yaw_rad},
+                   {"tilt_rad", units_.tilt_rad},
+                   {"joint_rad", units_.joint_rad}};
   head["robot"] = recording::json_of(frame.robot);
   head["arena"] = recording::json_of(frame.arena);
   file_->file.append(recording::magic);

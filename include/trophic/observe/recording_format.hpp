@@ -33,7 +33,7 @@ inline constexpr std::size_t pose_channels = 6;
 struct Units {
   double position_m = 0.001;
   double yaw_rad = 2.0 * std::numbers::pi / 2048.0;
-  double tilt = 1.0 / 1023.0;
+  double tilt_rad = std::numbers::pi / 1024.0;
   double joint_rad = std::numbers::pi / 1024.0;
 
   static constexpr auto saved() { return std::tuple{&Units::position_m, &Units::yaw_rad, &Units::tilt, &Units::joint_rad}; }
@@ -55,24 +55,26 @@ struct Units {
 }
 
 /// The orientation is taken apart into a turn about the vertical axis after a tilt about a horizontal one: q = yaw * tilt, with
-/// tilt = (sqrt(1 - x^2 - y^2), x, y, 0). A yaw that jumps by a whole turn is no turn.
+/// tilt the turn by hypot(x, y) about (x, y, 0). A yaw that jumps by a whole turn is no turn.
 [[nodiscard]] inline std::array<std::int16_t, pose_channels> whole(const Pose& pose, const Units& units) {
   const Eigen::Vector3d& at = pose.position_m;
   const Eigen::Quaterniond q = pose.orientation.normalized();
   const double half_yaw_rad = std::atan2(q.z(), q.w());
   const double c = std::cos(half_yaw_rad);
   const double s = std::sin(half_yaw_rad);
-  return {whole(at.x(), units.position_m),          whole(at.y(), units.position_m),
-          whole(at.z(), units.position_m),          whole(2.0 * half_yaw_rad, units.yaw_rad),
-          whole(c * q.x() + s * q.y(), units.tilt), whole(c * q.y() - s * q.x(), units.tilt)};
+  const Eigen::Vector2d axis{c * q.x() + s * q.y(), c * q.y() - s * q.x()};
+  const double sine = axis.norm();
+  const double tilt_rad = 2.0 * std::atan2(sine, std::hypot(q.w(), q.z()));
+  const Eigen::Vector2d tilt = sine > 1e-12 ? Eigen::Vector2d{tilt_rad / sine * axis} : Eigen::Vector2d::Zero();
+  return {whole(at.x(), units.position_m),          whole(at.y(), units.position_m), whole(at.z(), units.position_m),
+          whole(2.0 * half_yaw_rad, units.yaw_rad), whole(tilt.x(), units.tilt_rad), whole(tilt.y(), units.tilt_rad)};
 }
 
 [[nodiscard]] inline Pose pose(const std::array<std::int16_t, pose_channels>& values, const Units& units) {
   const double half_yaw_rad = 0.5 * units.yaw_rad * values[3];
-  const double x = units.tilt * values[4];
-  const double y = units.tilt * values[5];
+  const Eigen::Vector3d axis{units.tilt_rad * values[4], units.tilt_rad * values[5], 0.0};
   const Eigen::Quaterniond yaw{std::cos(half_yaw_rad), 0.0, 0.0, std::sin(half_yaw_rad)};
-  const Eigen::Quaterniond tilt{std::sqrt(std::max(0.0, 1.0 - x * x - y * y)), x, y, 0.0};
+  const Eigen::Quaterniond tilt{Eigen::AngleAxisd{axis.norm(), axis.stableNormalized()}};
   return {.position_m = {units.position_m * values[0], units.position_m * values[1], units.position_m * values[2]},
           .orientation = (yaw * tilt).normalized()};
 }
