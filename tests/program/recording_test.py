@@ -9,21 +9,16 @@ import subprocess
 import sys
 import unittest
 
-from in_folder import InFolderWithSets
+import system_python
+
+system_python.need("numpy")
+
+import numpy  # noqa: E402
+from in_folder import InFolderWithSets  # noqa: E402
 
 PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HAS_MUJOCO = ", mujoco" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
-
-try:
-    import numpy
-except ImportError:  # the system's Python has apt-get's modules
-    if sys.executable == "/usr/bin/python3":
-        raise
-    import os
-
-    os.execv("/usr/bin/python3", ["/usr/bin/python3", __file__, PROGRAM, TROPHIC, *sys.argv[1:]])
-
 sys.path.insert(0, str(ROOT / "python"))
 from trophic import RecordingError, read_replay  # noqa: E402
 

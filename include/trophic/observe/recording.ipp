@@ -145,7 +145,11 @@ TROPHIC_INLINE void Recording::on_end(const View&) {
 }
 
 TROPHIC_INLINE void Recording::on_failure(std::string_view) {
-  if (file_) write_frames();
+  try {
+    if (file_) write_frames();
+  } catch (const std::runtime_error&) {
+    // A full disk is why the run failed, or it is told of something worse.
+  }
 }
 
 /// The frames that wait, as a block has them.

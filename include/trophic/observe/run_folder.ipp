@@ -98,9 +98,9 @@ TROPHIC_INLINE void RunFolder::on_end(const View& view) {
 }
 
 TROPHIC_INLINE void RunFolder::on_failure(std::string_view what) {
-  recording_.on_failure(what);
   manifest_.set_tables(tables_->sums());
   manifest_.on_failure(what);
+  recording_.on_failure(what);
 }
 
 }  // namespace trophic::observe

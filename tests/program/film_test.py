@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""film_test.py PREDATOR_PREY TROPHIC: pictures and films of a recorded run, and what is wrong with asking for others."""
+
+import csv
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+import system_python
+
+system_python.need("numpy", "PIL")
+
+import numpy  # noqa: E402
+from in_folder import InFolderWithSets  # noqa: E402
+from PIL import Image  # noqa: E402
+
+PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+BLUE, ORANGE = (0, 114, 178), (213, 94, 0)
+
+
+def near(picture, colour, reach=70):
+    """How many pixels are near a colour: lit surfaces are a little darker."""
+    return int((numpy.abs(picture.astype(int) - colour).sum(axis=-1) < reach).sum())
+
+
+class Films(InFolderWithSets):
+    @classmethod
+    def make_sets(cls):
+        done = subprocess.run([PROGRAM, "--backend", "kinematic", "--duration", "200", "--seed", "3", "--out", str(cls.sets / "run")],
+                              capture_output=True, text=True, timeout=300)
+        assert done.returncode == 0, done.stderr
+
+    def film(self, *arguments, **how):
+        command = [TROPHIC, "film", str(self.sets / "run"), *map(str, arguments)]
+        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300, **how)
+
+    def draw(self, *arguments):
+        result = self.film(*arguments, "-o", "picture.png")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        picture = numpy.array(Image.open(self.folder / "picture.png"))
+        (self.folder / "picture.png").unlink()
+        return picture
+
+    def rows(self, time_s):
+        with open(self.sets / "run/agents.csv", newline="") as table:
+            return [row for row in csv.DictReader(table) if float(row["time_s"]) == time_s]
+
+    def test_a_picture_has_both_species_and_changes_with_time(self):
+        picture = self.draw("--from", 100, "--size", "640x360")
+        self.assertEqual(picture.shape, (360, 640, 3))
+        self.assertGreater(near(picture, BLUE), 30)
+        self.assertGreater(near(picture, ORANGE), 30)
+        self.assertTrue((picture[0, 0] == 255).all())
+        self.assertGreater((picture != self.draw("--from", 140, "--size", "640x360")).mean(), 0.001)
+        self.assertTrue((picture == self.draw("--from", 100, "--size", "640x360")).all())
+
+    def test_the_followed_robot_is_in_the_middle(self):
+        for species, colour in (("prey", BLUE), ("predator", ORANGE)):
+            row = next(row for row in self.rows(100.0) if row["species"] == species and row["active"] == "1")
+            picture = self.draw("--from", 100, "--follow", row["id"], "--size", "640x480")
+            self.assertGreater(near(picture[200:280, 270:370], colour, 110), 400, species)
+
+    def test_from_above_robots_are_where_the_table_says(self):
+        picture = self.draw("--from", 100, "--view", "top", "--size", "800x800").astype(int)
+        half = json.loads((self.sets / "run/manifest.json").read_text())["arena"]["half_side_m"]
+        # The arena's grey walls bound what is not white.
+        columns = numpy.flatnonzero((picture.sum(axis=2) < 720).any(axis=0))
+        scale = (columns[-1] - columns[0]) / (2 * half * 1.012)
+        for row in self.rows(100.0):
+            if row["active"] == "0":
+                continue
+            x, y = int(400 + scale * float(row["x_m"])), int(400 - scale * float(row["y_m"]))
+            part = picture[max(0, y - 8) : y + 9, max(0, x - 8) : x + 9]
+            self.assertGreater(near(part, BLUE if row["species"] == "prey" else ORANGE, 110), 4, row)
+
+    def test_a_contact_sheet(self):
+        sheet = self.draw("--sheet", "3x2", "--from", 20, "--to", 180, "--size", "320x240")
+        self.assertEqual(sheet.shape, (2 * 240 + 6, 3 * 320 + 2 * 6, 3))
+        cells = [sheet[y : y + 240, x : x + 320] for y in (0, 246) for x in (0, 326, 652)]
+        for i, cell in enumerate(cells):
+            self.assertGreater(near(cell, BLUE) + near(cell, ORANGE), 8)
+            for other in cells[:i]:
+                self.assertFalse((cell == other).all())
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
+    def test_a_film(self):
+        result = self.film("--from", 50, "--to", 60, "--speed", 10, "--fps", 10, "--size", "320x180", "-o", "film.mp4")
+        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "film.mp4: 11 pictures\n"))
+        asked = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames,codec_name", "-of", "json"]
+        stream = json.loads(subprocess.run([*asked, "film.mp4"], capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
+        self.assertEqual((stream["codec_name"], stream["width"], stream["height"], stream["nb_read_frames"]), ("h264", 320, 180, "11"))
+
+    def test_without_ffmpeg(self):
+        result = self.film("--to", 2, "-o", "film.mp4", env={"PATH": "/nowhere"})
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, "trophic film: ffmpeg cannot be started: No such file or directory; apt-get install ffmpeg, or name a .png\n")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_refusals(self):
+        (self.folder / "mine.png").write_text("mine")
+        for arguments, sentence in (
+            (["-o", "mine.png"], "--out mine.png: exists already; nothing is overwritten"),
+            (["-o", "x.gif"], "--out x.gif: must end in .png or .mp4"),
+            (["-o", "x.png", "--from", "201"], "time 201 s: must be between 0 and 200"),
+            (["-o", "x.mp4", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
+            (["-o", "x.png", "--from", "10", "--follow", "9999"], "--follow 9999: nobody of that id lives between 10 and 10 s"),
+            (["-o", "x.png", "--size", "639x360"], "width = 639: must be even, >= 16 and <= 4096"),
+            (["-o", "x.png", "--size", "big"], "--size big: must be two whole numbers such as 4x3, each from 1 to 4096"),
+            (["-o", "x.png", "--sheet", "0x3"], "--sheet 0x3: must be two whole numbers such as 4x3, each from 1 to 20"),
+            (["-o", "x.mp4", "--sheet", "2x2"], "--sheet: needs --out with .png"),
+            (["-o", "x.png", "--view", "left"], "--view left: must be orbit or top"),
+            (["-o", "x.mp4", "--speed", "0"], "--speed 0: must be > 0 and <= 10000"),
+        ):
+            with self.subTest(arguments):
+                result = self.film(*arguments)
+                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+                self.assertTrue(result.stderr.startswith(f"trophic film: {sentence}"), result.stderr)
+                self.assertEqual(len(result.stderr.splitlines()), 1)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["mine.png"])
+        self.assertEqual((self.folder / "mine.png").read_text(), "mine")
+        result = self.film("-o", "none/x.png")
+        self.assertEqual((result.returncode, result.stderr), (1, "trophic film: cannot create none/x.png: No such file or directory\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
