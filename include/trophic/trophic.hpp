@@ -246,6 +246,7 @@
 #include <trophic/rules/with.hpp>
 #include <trophic/rules/with_rules_of.hpp>
 #include <trophic/rules/with_sensor.hpp>
+#include <trophic/support/faster_way.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/joined_text.hpp>
 #include <trophic/support/linkage.hpp>

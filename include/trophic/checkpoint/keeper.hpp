@@ -65,7 +65,7 @@ template <class Ecology, class... Observers>
                     .tick = ecology.tick(),
                     .time_s = ecology.time_s(),
                     .sections = {detail::section_of(ecology_section, ecology)}};
-  const auto add = [&]<class O>(O& observer) {
+  [[maybe_unused]] const auto add = [&]<class O>(O& observer) {
     if constexpr (Kept<O>) moment.sections.push_back(detail::section_of(O::section, observer));
   };
   (add(observers), ...);
@@ -89,7 +89,7 @@ void restore_any(const Checkpoint& checkpoint, Ecology& ecology, Observers&... o
                                 std::to_string(sections) + "; the run was made with more than this command"};
   }
   detail::read_section(checkpoint, ecology_section, ecology);
-  const auto read = [&]<class O>(O& observer) {
+  [[maybe_unused]] const auto read = [&]<class O>(O& observer) {
     if constexpr (Kept<O>) detail::read_section(checkpoint, O::section, observer);
   };
   (read(observers), ...);

@@ -113,35 +113,37 @@ template <class Base, class Other>
 /// to compile.
 template <class Base, class Other>
 [[nodiscard]] int ablations(int argc, const char* const* argv) {
-  detail::ablations::Options options;
-  const std::string base = table_name<Base>();
-  const std::string other = table_name<Other>();
-  const auto backends = backend_names<LinkedBackends>();
-  return run_command(
-      argc, argv,
-      {.name = {},
-       .about = "The tables " + base + " and " + other +
-                ", and each with one rule or number as in the other, or a group of them. Sets of replicates go to OUT/from_" +
-                base + "/NAME and OUT/from_" + other + "/NAME; trophic flip-table OUT says what each flip changes.",
-       .options = {{"--from",
-                    &options.from,
-                    "the table whose rules are flipped: " + one_of(std::vector{base, other, std::string{"both"}}) + " (both)",
-                    {base, other, "both"},
-                    Words::demanded},
-                   {"--backend", &options.backend, "physics: " + one_of(backends) + " (kinematic)", backends},
-                   {"--seed", &options.seed, "the seeds of all replicates follow from it (1)"},
-                   {"--duration", &options.duration_s, "length of each run, seconds of the ecology's clock (6000)"},
-                   {"--replicates", &options.replicates, "runs of each set (30; 10 with an engine)"},
-                   {"--jobs", &options.jobs, "replicates at a time (1); results do not depend on it"},
-                   {"--only", &options.only, "these sets only; trophic flip-table needs base",
-                    detail::ablations::names<Base, Other>(), Words::demanded},
-                   {"--shadow", &options.shadow, "run each set's neutral shadow too, into its folder shadow"},
-                   {"--resume", &options.resume, "run only what OUT lacks"},
-                   {"--list", &options.list, "list all sets, with what each changes, and stop"},
-                   {"--out", &options.out, "folder for the sets' folders"}},
-       .work = [&] { return detail::ablations::run<Base, Other>(options, provenance(argc, argv)); },
-       .subcommands = {},
-       .version = version_text(backend_versions<LinkedBackends>())});
+  return guarded(argv[0], [&] {
+    detail::ablations::Options options;
+    const std::string base = table_name<Base>();
+    const std::string other = table_name<Other>();
+    const auto backends = backend_names<LinkedBackends>();
+    return run_command(
+        argc, argv,
+        {.name = {},
+         .about = "The tables " + base + " and " + other +
+                  ", and each with one rule or number as in the other, or a group of them. Sets of replicates go to OUT/from_" +
+                  base + "/NAME and OUT/from_" + other + "/NAME; trophic flip-table OUT says what each flip changes.",
+         .options = {{"--from",
+                      &options.from,
+                      "the table whose rules are flipped: " + one_of(std::vector{base, other, std::string{"both"}}) + " (both)",
+                      {base, other, "both"},
+                      Words::demanded},
+                     {"--backend", &options.backend, "physics: " + one_of(backends) + " (kinematic)", backends},
+                     {"--seed", &options.seed, "the seeds of all replicates follow from it (1)"},
+                     {"--duration", &options.duration_s, "length of each run, seconds of the ecology's clock (6000)"},
+                     {"--replicates", &options.replicates, "runs of each set (30; 10 with an engine)"},
+                     {"--jobs", &options.jobs, "replicates at a time (1); results do not depend on it"},
+                     {"--only", &options.only, "these sets only; trophic flip-table needs base",
+                      detail::ablations::names<Base, Other>(), Words::demanded},
+                     {"--shadow", &options.shadow, "run each set's neutral shadow too, into its folder shadow"},
+                     {"--resume", &options.resume, "run only what OUT lacks"},
+                     {"--list", &options.list, "list all sets, with what each changes, and stop"},
+                     {"--out", &options.out, "folder for the sets' folders"}},
+         .work = [&] { return detail::ablations::run<Base, Other>(options, provenance(argc, argv)); },
+         .subcommands = {},
+         .version = version_text(backend_versions<LinkedBackends>())});
+  });
 }
 
 }  // namespace trophic::command

@@ -19,7 +19,7 @@ namespace trophic::command {
 /// What --config and --set say, and what a run had whose continuation this is.
 struct Config {
   toml::table origin;  ///< read before the file: all numbers of the run that --from names
-  std::string file;  ///< empty where none was named
+  std::string file;    ///< empty where none was named
   toml::table numbers;
   std::optional<std::string> rule_table;
   std::optional<std::string> engine;

@@ -18,6 +18,7 @@
 #include <trophic/command/experiment_program.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/command/run_command.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
@@ -88,7 +89,8 @@ template <class Rules, Backend B>
     }
     checkpoint::run_kept(ecology, until_s, options.out, {.every_s = options.checkpoint_s}, standing.from, folder, progress, stop);
   } catch (const std::exception& error) {
-    std::cerr << options.program << ": " << error.what() << "\nwhat was written before is in " << folder.path().string() << "\n";
+    std::cerr << options.program << ": " << what_of(error) << "\nwhat was written before is in " << folder.path().string()
+              << "\n";
     return run_error;
   }
   return report_run(folder, progress, ecology.view(), until_s);
@@ -148,9 +150,11 @@ void add_pairings(std::vector<Pairing>& pairings) {
 template <class Backends, class... Rules>
 [[nodiscard]] int experiment_on(int argc, const char* const* argv) {
   static_assert(sizeof...(Rules) > 0, "trophic::command::experiment needs at least one rule table");
-  std::vector<Pairing> pairings;
-  (detail::add_pairings<Rules, Backends>(pairings), ...);
-  return experiment_program(argc, argv, pairings, backend_versions<Backends>());
+  return guarded(argv[0], [&] {
+    std::vector<Pairing> pairings;
+    (detail::add_pairings<Rules, Backends>(pairings), ...);
+    return experiment_program(argc, argv, pairings, backend_versions<Backends>());
+  });
 }
 
 /// The command line of an experiment with rule tables to choose from, the first of them the default, on the kinematic backend and

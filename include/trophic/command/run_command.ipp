@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -31,6 +34,16 @@ TROPHIC_INLINE std::string command_line(int argc, const char* const* argv) {
   std::string line;
   for (int i = 0; i < argc; ++i) line += (i == 0 ? "" : " ") + std::string{argv[i]};
   return line;
+}
+
+TROPHIC_INLINE const char* what_of(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "there is not enough memory" : error.what();
+}
+
+TROPHIC_INLINE int report_failure(const char* called, const std::exception& error) {
+  const char* slash = std::strrchr(called, '/');
+  std::fprintf(stderr, "%s: %s\n", slash == nullptr ? called : slash + 1, what_of(error));
+  return run_error;
 }
 
 namespace detail {
@@ -202,7 +215,7 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
   } catch (const std::invalid_argument& error) {
     return report(error.what(), usage_error);
   } catch (const std::exception& error) {
-    return report(error.what(), run_error);
+    return report_failure(name.c_str(), error);
   }
 }
 

@@ -40,6 +40,10 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
   const auto rows = file.rows("height_m");
   field.nodes = rows.size();
   if (field.nodes < 2) file.fail("height_m", ": " + std::to_string(field.nodes) + " rows: must be >= 2");
+  constexpr std::size_t most_nodes = 1024;  // what is derived from them costs their third power
+  if (field.nodes > most_nodes) {
+    file.fail("height_m", ": " + std::to_string(field.nodes) + " rows: must be <= " + std::to_string(most_nodes));
+  }
   for (std::size_t iy = 0; iy < rows.size(); ++iy) {
     if (rows[iy].size() != field.nodes) {
       file.fail("height_m", ": row " + std::to_string(iy) + " has " + std::to_string(rows[iy].size()) + " numbers: must have " +

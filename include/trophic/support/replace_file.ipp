@@ -6,10 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,18 +17,37 @@
 
 namespace trophic {
 
+namespace detail {
+
+/// Writes a new file and sees that it is on the disk. False, with errno, if the system refuses.
+[[nodiscard]] inline bool write_onto_disk(const std::string& path, std::string_view text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666);
+  if (file < 0) return false;
+  bool good = true;
+  while (good && !text.empty()) {
+    const ::ssize_t written = ::write(file, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else {
+      good = errno == EINTR;
+    }
+  }
+  good = good && ::fsync(file) == 0;
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  return good;
+}
+
+}  // namespace detail
+
 TROPHIC_INLINE void replace_file(const std::filesystem::path& path, std::string_view text,
                                  const std::filesystem::path& predecessor) {
   const auto require = [&](bool good) {
     if (!good) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(errno)};
   };
   const std::string temporary = path.string() + ".part";
-  {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(temporary.c_str(), "wb"), &std::fclose};
-    require(file != nullptr);
-    require(std::fwrite(text.data(), 1, text.size(), file.get()) == text.size());
-    require(std::fflush(file.get()) == 0 && ::fsync(::fileno(file.get())) == 0);
-  }
+  require(detail::write_onto_disk(temporary, text));
   if (!predecessor.empty()) require(std::rename(path.c_str(), predecessor.c_str()) == 0 || errno == ENOENT);
   require(std::rename(temporary.c_str(), path.c_str()) == 0);
   // The new name is an entry of the folder. Some file systems cannot sync a folder: then the system does it in its own time.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <trophic/observe/csv.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -34,19 +35,12 @@ struct RunManifest {
   std::map<std::string, observe::TableSum> tables;  ///< by file name; empty for a run that was killed
 };
 
-/// Reads FOLDER/manifest.json. Throws std::runtime_error naming file and field.
-[[nodiscard]] inline RunManifest read_manifest(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "manifest.json";
-  std::string text;
-  try {
-    text = read_whole_file(path);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error{std::string{error.what()} + "; is " + folder.string() + " a run's folder?"};
-  }
+/// What the text of a manifest says; `path` is what errors call it. Throws std::runtime_error naming file and field.
+[[nodiscard]] inline RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
   try {
     const auto json = nlohmann::json::parse(text);
     RunManifest manifest;
-    manifest.folder = folder;
+    manifest.folder = path.parent_path();
     manifest.fingerprint = json.at("fingerprint").get<std::string>();
     manifest.rules = json.at("rule_table").get<std::string>();
     manifest.backend = json.at("backend").get<std::string>();
@@ -77,6 +71,20 @@ struct RunManifest {
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};
   }
+}
+
+/// Reads FOLDER/manifest.json. Errors as manifest_of.
+[[nodiscard]] inline RunManifest read_manifest(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "manifest.json";
+  std::string text;
+  try {
+    text = read_whole_file(path);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error{std::string{error.what()} + "; is " + folder.string() + " a run's folder?"};
+  }
+  RunManifest manifest = manifest_of(text, path);
+  manifest.folder = folder;
+  return manifest;
 }
 
 }  // namespace trophic::analysis

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""faults_test.py PREDATOR_PREY SHIM [--all]: the k-th write, fsync, rename, ftruncate or allocation of a run fails.
+
+After each: no crash, one clear line, nothing that looks complete and is not, and --resume comes to the same bytes. Every k of the
+calls to the system; of the allocations some, with --all every one."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
+from in_folder import InFolder  # noqa: E402
+
+PROGRAM, SHIM = sys.argv.pop(1), sys.argv.pop(1)
+ALL = "--all" in sys.argv
+if ALL:
+    sys.argv.remove("--all")
+TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
+RUN = ["--backend", "kinematic", "--robots", "16", "--duration", "12", "--checkpoint-s", "4"]
+CRASHES = ("terminate called", "Segmentation", "Aborted", "Assertion")
+
+
+class Faults(InFolder):
+    def call(self, out, *arguments, fault=None, at=0, mode="once", count=""):
+        environment = dict(os.environ)
+        if fault:
+            environment |= {"LD_PRELOAD": SHIM, "FAULT_CALL": fault, "FAULT_AT": str(at), "FAULT_MODE": mode, "FAULT_COUNT": count}
+        return subprocess.run(
+            [PROGRAM, *RUN, "--out", out, *arguments], cwd=self.folder, env=environment, capture_output=True, text=True, timeout=60
+        )
+
+    def setUp(self):
+        super().setUp()
+        done = self.call("whole")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.tables = {name: (self.folder / "whole" / name).read_bytes() for name in TABLES}
+
+    def count(self, fault, *arguments):
+        shutil.rmtree(self.folder / "counted", ignore_errors=True)
+        if arguments:
+            shutil.copytree(self.folder / "cut", self.folder / "counted")
+        self.assertEqual(self.call("counted", *arguments, fault=fault, count="count.txt").returncode, 0)
+        return int((self.folder / "count.txt").read_text())
+
+    def status(self, out):
+        try:
+            return json.loads((self.folder / out / "manifest.json").read_text())["status"]
+        except (OSError, ValueError):
+            return "none"
+
+    def assert_sound(self, done):
+        self.assertIn(done.returncode, (0, 1, 2), done.stderr)
+        for word in CRASHES:
+            self.assertNotIn(word, done.stderr)
+        if done.returncode != 0:
+            said = [line for line in done.stderr.splitlines() if not line.startswith("what was written before is in")]
+            self.assertEqual(len(said), 1, done.stderr)
+        if self.status("run") == "complete":
+            self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
+
+    def assert_resumes(self):
+        again = self.call("run", "--resume")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(self.status("run"), "complete")
+        self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
+
+    def try_fault(self, fault, at, mode, *arguments):
+        with self.subTest(fault=fault, at=at, mode=mode, arguments=arguments):
+            if arguments:
+                shutil.copytree(self.folder / "cut", self.folder / "run")
+            done = self.call("run", *arguments, fault=fault, at=at, mode=mode)
+            self.assert_sound(done)
+            self.assert_resumes()
+        for path in self.folder.glob("run*"):
+            shutil.rmtree(path)
+
+    def cut_off(self):
+        """A run that stood in the middle, for --resume."""
+        for at in range(1, self.count("write")):
+            self.call("cut", fault="write", at=at, mode="from")
+            if (self.folder / "cut" / "checkpoint.bin").exists():
+                return
+            shutil.rmtree(self.folder / "cut")
+        self.fail("no checkpoint before the end")
+
+    def test_system_calls(self):
+        tried = 0
+        self.cut_off()
+        for arguments in ((), ("--resume",)):
+            for fault in ("write", "fsync", "rename", "ftruncate"):
+                for at in range(1, self.count(fault, *arguments) + 1):
+                    for mode in ("once", "from") if ALL or fault == "write" else ("once",):
+                        self.try_fault(fault, at, mode, *arguments)
+                        tried += 1
+        print(f"{tried} faults of system calls", file=sys.stderr)
+        self.assertGreater(tried, 50)
+
+    def test_allocations(self):
+        allocations = self.count("new")
+        chosen = range(1, allocations + 1) if ALL else sorted({int(allocations * (i / 40) ** 2) + 1 for i in range(40)})
+        for at in chosen:
+            self.try_fault("new", at, "once")
+        print(f"{len(chosen)} of {allocations} allocations failed", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

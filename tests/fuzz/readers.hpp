@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Every reader of trophic's as a function of bytes, for fuzzers.
+#pragma once
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/analysis/data/read_run.hpp>
+#include <trophic/archive/archive.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/command/config.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/load/arena.hpp>
+#include <trophic/load/gait.hpp>
+#include <trophic/load/habitat.hpp>
+#include <trophic/load/robot.hpp>
+#include <trophic/rules/released.hpp>
+#include <vector>
+
+namespace trophic::test {
+
+/// The path of a file that holds these bytes and needs no disk; lives as long as this.
+class FileInMemory {
+ public:
+  explicit FileInMemory(std::string_view bytes) : file_{::memfd_create("trophic", 0)} {
+    if (file_ < 0 || ::write(file_, bytes.data(), bytes.size()) != static_cast<::ssize_t>(bytes.size())) {
+      throw std::runtime_error{"no file in memory"};
+    }
+  }
+  FileInMemory(const FileInMemory&) = delete;
+  FileInMemory& operator=(const FileInMemory&) = delete;
+  ~FileInMemory() { ::close(file_); }
+  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
+
+ private:
+  int file_;
+};
+
+inline void read_robot(std::string_view bytes) {
+  static_cast<void>(load_robot(FileInMemory{bytes}.path()));
+}
+inline void read_arena(std::string_view bytes) {
+  static_cast<void>(load_arena(FileInMemory{bytes}.path()));
+}
+inline void read_gait(std::string_view bytes) {
+  static_cast<void>(load_gait(FileInMemory{bytes}.path()));
+}
+
+using FuzzedExperiment = Experiment<rules::Released, backend::Kinematic>;
+
+inline void read_config(std::string_view bytes) {
+  const FileInMemory file{bytes};
+  FuzzedExperiment experiment;
+  command::read_config_into(experiment, command::read_config(file.path(), {}));
+  validate(experiment, "");
+}
+inline void read_assignment(std::string_view bytes) {
+  FuzzedExperiment experiment;
+  command::read_config_into(experiment, command::read_config("", {std::string{bytes}}));
+  validate(experiment, "");
+}
+
+inline const FoodWeb& fuzzed_web() {
+  static const FoodWeb web{{"prey", "predator"}, {{1, 0}}};
+  return web;
+}
+inline void read_events(std::string_view bytes) {
+  std::vector<std::string> remarks;
+  static_cast<void>(analysis::read_events(FileInMemory{bytes}.path(), fuzzed_web(), remarks));
+}
+inline void read_agents(std::string_view bytes) {
+  std::vector<std::string> remarks;
+  static_cast<void>(analysis::read_agents(FileInMemory{bytes}.path(), fuzzed_web(), remarks));
+}
+inline void read_manifest(std::string_view bytes) {
+  static_cast<void>(analysis::manifest_of(bytes, "manifest.json"));
+}
+
+inline void read_checkpoint_file(std::string_view bytes) {
+  static_cast<void>(checkpoint::from_bytes(bytes, "checkpoint.bin"));
+}
+/// What a checkpoint holds of an ecology: bytes behind the checksum, which must not do harm even where they are forged.
+inline void read_ecology(std::string_view bytes) {
+  FuzzedExperiment experiment;
+  experiment.ecology.robots = 4;
+  experiment.rules.community.predators = 2;
+  static const Habitat habitat = load_habitat(experiment.ecology);
+  Ecology<rules::Released, backend::Kinematic> ecology{experiment, habitat};
+  Archive archive{bytes};
+  ecology.persist(archive);
+  archive.finish();
+}
+
+/// A reader and the folder of its corpus.
+struct Reader {
+  std::string_view name;
+  void (*read)(std::string_view bytes);
+};
+inline constexpr std::array readers{Reader{"robot", read_robot},
+                                    Reader{"arena", read_arena},
+                                    Reader{"gait", read_gait},
+                                    Reader{"config", read_config},
+                                    Reader{"assignment", read_assignment},
+                                    Reader{"events", read_events},
+                                    Reader{"agents", read_agents},
+                                    Reader{"manifest", read_manifest},
+                                    Reader{"checkpoint", read_checkpoint_file},
+                                    Reader{"ecology", read_ecology}};
+
+/// Reads bytes that may be anything. What a reader may say of them is std::invalid_argument or std::runtime_error; whatever else it
+/// throws goes on.
+inline void try_reader(const Reader& reader, std::string_view bytes) {
+  try {
+    reader.read(bytes);
+  } catch (const std::invalid_argument&) {  // a sentence for the user
+  } catch (const std::runtime_error&) {     // likewise
+  }
+}
+
+}  // namespace trophic::test

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""bad_input_test.py PREDATOR_PREY TROPHIC: what was once mishandled is refused in one line, at once, and leaves nothing behind."""
+
+import os
+import resource
+import shutil
+import subprocess
+import sys
+import time
+import unittest
+
+from in_folder import InFolder
+
+PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+MEMORY = 2 << 30
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+class BadInput(InFolder):
+    def refused(self, program, *arguments, code=2):
+        before = sorted(os.listdir(self.folder))
+        began = time.monotonic()
+        done = subprocess.run(
+            [program, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limit_memory
+        )
+        self.assertLess(time.monotonic() - began, 30)
+        self.assertEqual(done.returncode, code, f"{arguments}: {done.stdout} {done.stderr[:500]}")
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr[:500])
+        self.assertLess(len(done.stderr), 1000)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        return done.stderr
+
+    def run_refused(self, *arguments, code=2):
+        return self.refused(PREDATOR_PREY, "--backend", "kinematic", "--duration", 10, "--out", "out", *arguments, code=code)
+
+    def test_numbers_that_are_none_or_absurd(self):
+        for argument, must in [
+            ("--replicates=-1", ">= 0"),
+            ("--jobs=-1", ">= 0"),
+            ("--seed=-1", ">= 0"),
+            ("--threads=-1", ">= 0"),
+            ("--seed=0x10", "decimal digits"),
+            ("--replicates=99999999999", "<= 100000"),
+            ("--checkpoint-s=0x10", "decimal digits"),
+            ("--checkpoint-s=-1", ">= 0"),
+            ("--checkpoint-s=nan", ">= 0"),
+            ("--checkpoint-s=", "decimal digits"),
+        ]:
+            with self.subTest(argument=argument):
+                self.assertIn(must, self.run_refused(argument))
+        done = subprocess.run(
+            [PREDATOR_PREY, "--backend", "kinematic", "--duration=0x10", "--out", "out"], cwd=self.folder, capture_output=True, text=True
+        )
+        self.assertEqual((done.returncode, "decimal digits" in done.stderr), (2, True), done.stderr)
+
+    def test_a_key_of_a_million_dots(self):
+        dots = "a" + ".a" * 1_000_000
+        config = self.folder / "dots.toml"
+        config.write_text(dots + " = 1\n")
+        self.assertIn("a key of more than 32 parts", self.run_refused("--config", "dots.toml"))
+        self.assertIn("a key of more than 32 parts", self.run_refused("--set", "ecology.robot=./dots.toml", code=1))
+        self.run_refused("--set", "a" + ".a" * 30_000 + "=1")
+
+    def test_what_breaks_the_parser(self):
+        for number, text in enumerate([b"[# a]\n", b"\xcd\x8b = 1\n", b"a = " + b"[" * 100_000, b"\x00", b"\xff\xfe", b"a = 1e"]):
+            with self.subTest(text=text[:20]):
+                (self.folder / f"{number}.toml").write_bytes(text)
+                self.run_refused("--config", f"{number}.toml")
+
+    def test_a_pipe_in_the_place_of_a_file(self):
+        os.mkfifo(self.folder / "pipe")
+        self.assertIn("is not a regular file", self.run_refused("--config", "pipe"))
+        for model in ("robot", "arena", "gait"):
+            with self.subTest(model=model):
+                self.assertIn("searched: ./pipe", self.run_refused("--set", f"ecology.{model}=./pipe", code=1))
+        for name in ("manifest.json", "events.csv", "agents.csv"):
+            with self.subTest(name=name):
+                shutil.rmtree(self.folder / "run", ignore_errors=True)
+                self.make_run()
+                (self.folder / "run" / name).unlink()
+                os.mkfifo(self.folder / "run" / name)
+                done = subprocess.run([TROPHIC, "analyze", "run", "--out", "new"], cwd=self.folder, capture_output=True, text=True, timeout=20)
+                self.assertIn("is not a regular file", done.stderr)
+                shutil.rmtree(self.folder / "new", ignore_errors=True)
+
+    def make_run(self):
+        command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "300", "--out", "run"]
+        self.assertEqual(subprocess.run(command, cwd=self.folder, capture_output=True).returncode, 0)
+
+    def test_tables_that_are_not_what_the_run_wrote(self):
+        self.make_run()
+        events = self.folder / "run" / "events.csv"
+        rows = events.read_text().splitlines(keepends=True)
+        for name, changed in [
+            ("cut at a line's end", rows[:-3]),
+            ("doubled rows", rows[:5] + rows[4:]),
+            ("doubled", rows + rows[1:]),
+            ("reversed", rows[:1] + rows[:0:-1]),
+            ("header alone", rows[:1]),
+        ]:
+            with self.subTest(name=name):
+                events.write_text("".join(changed))
+                said = self.refused(TROPHIC, "analyze", "run", "--out", "new")
+                self.assertIn("events.csv: has", said)
+                self.assertIn("as its manifest says", said)
+        events.write_text("".join(rows))
+        done = subprocess.run([TROPHIC, "analyze", "run", "--out", "new"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

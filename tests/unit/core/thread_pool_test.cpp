@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <thread>
+#include <trophic/support/faster_way.hpp>
+#include <trophic/support/thread_pool.hpp>
+#include <vector>
+
+using namespace trophic;
+
+TEST_CASE("a pool does each item once in many thousand short jobs, whoever comes late") {
+  ThreadPool pool{4};  // more than there may be processors: some come late
+  std::vector<std::atomic<std::uint32_t>> done(50);
+  for (std::uint32_t job = 1; job <= 5000; ++job) {
+    const std::size_t items = 1 + job % done.size();
+    pool.run(items, [&](std::size_t item, std::size_t) { done[item].fetch_add(job); });
+    for (std::size_t item = 0; item < done.size(); ++item) {
+      const std::uint32_t sum = done[item].exchange(0);
+      REQUIRE(sum == (item < items ? job : 0));
+    }
+  }
+}
+
+TEST_CASE("a pool that goes while its helpers come up does nothing more") {
+  for (int i = 0; i < 300; ++i) {
+    std::atomic<int> done = 0;
+    ThreadPool pool{3};
+    pool.run(5, [&](std::size_t, std::size_t) { ++done; });
+    CHECK(done == 5);
+  }
+}
+
+TEST_CASE("a pool finishes the other items of a job in which one fails, alone or together") {
+  ThreadPool pool{2};
+  for (int job = 0; job < 100; ++job) {  // among so many both ways are taken
+    std::atomic<int> done = 0;
+    CHECK_THROWS_AS(pool.run(10,
+                             [&](std::size_t item, std::size_t) {
+                               ++done;
+                               if (item == 3) throw std::runtime_error{"three"};
+                             }),
+                    std::runtime_error);
+    CHECK(done == 10);
+  }
+}
+
+namespace {
+
+/// How many of so many jobs go the first way, if the ways take so long.
+int first_of(FasterWay& ways, int jobs, double first_s, double second_s) {
+  int firsts = 0;
+  for (int i = 0; i < jobs; ++i) {
+    bool first = false;
+    {
+      const FasterWay::Trial trial = ways.next(1'000'000'000);  // what the clock says counts for nothing beside what is noted
+      first = trial.first();
+    }
+    for (int k = 0; k < 8; ++k) ways.note(first, first ? first_s : second_s);
+    firsts += first ? 1 : 0;
+  }
+  return firsts;
+}
+
+}  // namespace
+
+TEST_CASE("the faster way is taken, the slower one is tried rarely, and a change is noticed") {
+  FasterWay ways;
+  CHECK(first_of(ways, 1000, 1.0, 3.0) > 950);
+  CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'800);
+  CHECK(first_of(ways, 10'000, 9.0, 3.0) < 500);
+  CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'500);
+}
