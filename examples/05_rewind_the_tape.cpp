@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rewinding the tape: from moments of one run, twenty continuations each that differ in their seed alone. What differs more between
-// moments than among the continuations of one was settled by then; what does not was still open.
+// Rewinding the tape: from moments of one run, twenty continuations each that differ in their seed alone. What differs more
+// between moments than among the continuations of one was settled by then; what does not was still open.
 #include <cstddef>
 #include <cstdint>
 #include <iomanip>

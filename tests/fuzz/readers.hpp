@@ -103,19 +103,14 @@ struct Reader {
   std::string_view name;
   void (*read)(std::string_view bytes);
 };
-inline constexpr std::array readers{Reader{"robot", read_robot},
-                                    Reader{"arena", read_arena},
-                                    Reader{"gait", read_gait},
-                                    Reader{"config", read_config},
-                                    Reader{"assignment", read_assignment},
-                                    Reader{"events", read_events},
-                                    Reader{"agents", read_agents},
-                                    Reader{"manifest", read_manifest},
-                                    Reader{"checkpoint", read_checkpoint_file},
-                                    Reader{"ecology", read_ecology}};
+inline constexpr std::array readers{
+    Reader{"robot", read_robot},    Reader{"arena", read_arena},           Reader{"gait", read_gait},
+    Reader{"config", read_config},  Reader{"assignment", read_assignment}, Reader{"events", read_events},
+    Reader{"agents", read_agents},  Reader{"manifest", read_manifest},     Reader{"checkpoint", read_checkpoint_file},
+    Reader{"ecology", read_ecology}};
 
-/// Reads bytes that may be anything. What a reader may say of them is std::invalid_argument or std::runtime_error; whatever else it
-/// throws goes on.
+/// Reads bytes that may be anything. What a reader may say of them is std::invalid_argument or std::runtime_error; whatever else
+/// it throws goes on.
 inline void try_reader(const Reader& reader, std::string_view bytes) {
   try {
     reader.read(bytes);

@@ -21,7 +21,8 @@ using namespace trophic::test;
 
 std::vector<std::string> corpus_of(const Reader& reader) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator{std::filesystem::path{CORPUS} / reader.name}) files.push_back(entry);
+  for (const auto& entry : std::filesystem::directory_iterator{std::filesystem::path{CORPUS} / reader.name})
+    files.push_back(entry);
   std::ranges::sort(files);
   std::vector<std::string> texts;
   for (const auto& path : files) {

@@ -62,8 +62,8 @@ inline void remove_recording(const std::filesystem::path& folder) {
   if (!std::filesystem::remove(folder / "replay.trp")) throw std::runtime_error{folder.string() + ": has no recording"};
 }
 
-/// Takes out of manifest.json what names the version, the compiler and the source rather than the run, and the sums of the tables,
-/// which are compared themselves.
+/// Takes out of manifest.json what names the version, the compiler and the source rather than the run, and the sums of the
+/// tables, which are compared themselves.
 inline void strip_manifest(const std::filesystem::path& folder) {
   std::ifstream file{folder / "manifest.json"};
   auto manifest = nlohmann::ordered_json::parse(file);

@@ -9,8 +9,8 @@
 
 namespace trophic {
 
-/// Chooses for each job one of two ways that give the same result, by how long jobs took lately, and tries the other one again from
-/// time to time: the more rarely, the slower it was, so that trying costs about a thirtieth. Begins with the first.
+/// Chooses for each job one of two ways that give the same result, by how long jobs took lately, and tries the other one again
+/// from time to time: the more rarely, the slower it was, so that trying costs about a thirtieth. Begins with the first.
 class FasterWay {
  public:
   /// One job, from when it was made to its end.

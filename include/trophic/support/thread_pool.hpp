@@ -22,8 +22,8 @@ namespace trophic {
 /// nothing but speed.
 ///
 /// Nobody waits for a helper that has not begun: on a machine with other programs it may come when the caller has done everything
-/// itself. Where helping does not pay, because helpers are often taken off their processor in the middle of an item, most jobs are
-/// done by the caller alone, until it pays again.
+/// itself. Where helping does not pay, because helpers are often taken off their processor in the middle of an item, most jobs
+/// are done by the caller alone, until it pays again.
 ///
 /// Why no library: a job of the MuJoCo backend is the 0.2 ms of a control step. oneTBB 2021.8 wakes its threads too late for such
 /// jobs and gains nothing over one thread; OpenMP's spin long where cores are taken (docs/robustness.md has figures).

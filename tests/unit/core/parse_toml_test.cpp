@@ -31,7 +31,8 @@ std::string repeated(const std::string& text, std::size_t times) {
 }  // namespace
 
 TEST_CASE("what is TOML is read") {
-  const auto table = parse_toml("\xEF\xBB\xBF# a \xCD\x8B comment\na.b = \"\xCD\x8B # no [comment\"\nc = [[1.5, 2.5], [3, 4]]\n'd.\"' = '''x\n[[[['''\n");
+  const auto table = parse_toml(
+      "\xEF\xBB\xBF# a \xCD\x8B comment\na.b = \"\xCD\x8B # no [comment\"\nc = [[1.5, 2.5], [3, 4]]\n'd.\"' = '''x\n[[[['''\n");
   CHECK(table["a"]["b"].value<std::string>() == "\xCD\x8B # no [comment");
   CHECK(table["c"][1][0].value<int>() == 3);
   CHECK(table["d.\""].value<std::string>() == "x\n[[[[");

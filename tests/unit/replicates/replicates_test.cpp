@@ -121,8 +121,10 @@ TEST_CASE("one that fails loses nothing of the others, and --resume runs it and 
   CHECK(resumed.complete == 1);
   CHECK(fs::last_write_time(plan.out / "replicate-02/agents.csv") == untouched);
   CHECK(replicates::status_of(plan.out / "replicate-01.incomplete-1") == "failed");
-  CHECK(out.str().find("replicate-01 was incomplete (status \"failed\"; it has no checkpoint): kept as replicate-01.incomplete-1, run anew") !=
-        std::string::npos);
+  CHECK(
+      out.str().find(
+          "replicate-01 was incomplete (status \"failed\"; it has no checkpoint): kept as replicate-01.incomplete-1, run anew") !=
+      std::string::npos);
 
   const replicates::Plan whole{.out = folder.path() / "whole", .count = 4};
   static_cast<void>(run(whole, out));
