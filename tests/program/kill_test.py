@@ -22,6 +22,7 @@ PARSER.add_argument("--long", type=int, default=3, help="how many runs are kille
 PARSER.add_argument("--backend", default="kinematic")
 PARSER.add_argument("--rules", default="released")
 PARSER.add_argument("--duration", default="30000")
+PARSER.add_argument("--checkpoint-s", default="100")
 PARSER.add_argument("--set", action="append", default=[], dest="numbers", help="PATH=VALUE, as the program takes it")
 OPTIONS, REST = PARSER.parse_known_args()
 TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
@@ -32,7 +33,7 @@ class Killed(InFolder):
     def command(self, out, seed, *arguments, duration=OPTIONS.duration):
         chosen = ["--backend", OPTIONS.backend, "--rules", OPTIONS.rules, "--duration", duration]
         chosen += [word for number in OPTIONS.numbers for word in ("--set", number)]
-        return [OPTIONS.program, *chosen, "--seed", str(seed), "--checkpoint-s", "100", "--out", out, *arguments]
+        return [OPTIONS.program, *chosen, "--seed", str(seed), "--checkpoint-s", OPTIONS.checkpoint_s, "--out", out, *arguments]
 
     def start(self, *command):
         return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

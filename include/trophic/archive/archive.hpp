@@ -119,13 +119,16 @@ class Archive {
       enumerator(value);
     } else if constexpr (Persists<T>) {
       value.persist(*this);
+    } else if constexpr (std::is_empty_v<T>) {
+      std::uint8_t nothing = 0;  // so that a list of them is not longer than its bytes
+      raw(&nothing, 1);
     } else if constexpr (ListsSaved<T>) {
       static_assert(detail::AllListed<detail::member_count<T>(), std::tuple_size_v<decltype(T::saved())>>,
                     "saved() must list every member once; see trophic/archive/archive.hpp");
       std::apply([&](const auto... member) { (exchange(value.*member), ...); }, T::saved());
     } else if constexpr (HasFields<T>) {
       for_each_field(value, [&](const auto&, auto& member) { exchange(member); });
-    } else if constexpr (!std::is_empty_v<T>) {
+    } else {
       container(value);
     }
   }

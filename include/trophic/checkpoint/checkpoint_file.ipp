@@ -22,6 +22,9 @@ namespace trophic::checkpoint {
 
 namespace detail {
 
+/// Room for ten million robots.
+inline constexpr std::uint64_t largest_file = std::uint64_t{64} << 30U;
+
 inline constexpr std::string_view first_line = "trophic checkpoint\n";
 
 [[nodiscard]] inline std::uint32_t crc_of(std::string_view bytes) {
@@ -93,7 +96,7 @@ TROPHIC_INLINE bool exists(const std::filesystem::path& folder) {
 TROPHIC_INLINE Checkpoint read_last(const std::filesystem::path& folder) {
   const auto read = [&](std::string_view name) {
     const std::filesystem::path path = folder / name;
-    return from_bytes(read_whole_file(path), path.string());
+    return from_bytes(read_whole_file(path, detail::largest_file), path.string());
   };
   try {
     return read(file_name);
@@ -111,7 +114,7 @@ TROPHIC_INLINE std::vector<Checkpoint> read_all(const std::filesystem::path& fol
   std::vector<Checkpoint> found;
   for (const std::string_view name : {file_name, predecessor_name}) {
     try {
-      found.push_back(from_bytes(read_whole_file(folder / name), std::string{name}));
+      found.push_back(from_bytes(read_whole_file(folder / name, detail::largest_file), std::string{name}));
     } catch (const std::invalid_argument&) {  // the other one may be whole
       continue;
     }

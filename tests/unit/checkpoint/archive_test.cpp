@@ -104,6 +104,11 @@ TEST_CASE("everything that can be saved comes back with the same bits") {
   CHECK(read<Counter>(bytes_of(Counter{12})).value() == 12);
 }
 
+TEST_CASE("a list of things without content keeps its length") {
+  struct Nothing {};
+  CHECK(read<std::vector<Nothing>>(bytes_of(std::vector<Nothing>(5))).size() == 5);
+}
+
 TEST_CASE("what was there before does not stay") {
   const std::string bytes = bytes_of(Everything{});
   Everything value = full();
