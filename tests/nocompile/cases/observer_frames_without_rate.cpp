@@ -9,7 +9,9 @@
 struct Watcher {
   void on_frame(const trophic::observe::Frame&) {}
 #ifdef VALID
-  double frame_hz() { return 5.0; }
+  double frame_hz() {
+    return 5.0;
+  }
 #endif
 };
 

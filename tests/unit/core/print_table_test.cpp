@@ -61,9 +61,9 @@ TEST_CASE("print table: a line for each slot in order, then world and physics") 
 
 TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
   const std::string markdown = rules::markdown_table<Swapped>();
-  CHECK(
-      markdown.starts_with("| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n"
-                           "| initialization | community | predator\\_prey | predators = 14 | paper, Sec. \"Initialization\" |\n"));
+  CHECK(markdown.starts_with(
+      "| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n"
+      "| initialization | community | predator\\_prey | predators = 14 | paper, Sec. \"Initialization\" |\n"));
   CHECK(line_of(markdown, "| death | senescence |") ==
         R"(| death | senescence | odd\_rule | share = 0.333333, strict\_one = true | )"
         R"(50 % of "A & B" {$5} #1 a\_b ^ \~ \\ \<c\|d\> \* |)");
