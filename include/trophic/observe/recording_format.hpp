@@ -36,7 +36,7 @@ struct Units {
   double tilt_rad = std::numbers::pi / 1024.0;
   double joint_rad = std::numbers::pi / 1024.0;
 
-  static constexpr auto saved() { return std::tuple{&Units::position_m, &Units::yaw_rad, &Units::tilt, &Units::joint_rad}; }
+  static constexpr auto saved() { return std::tuple{&Units::position_m, &Units::yaw_rad, &Units::tilt_rad, &Units::joint_rad}; }
 
   /// For an arena that robots leave nowhere: 1 mm up to 32 m from its centre.
   [[nodiscard]] static Units for_extent(double extent_m) { return {.position_m = std::max(0.001, extent_m / 32000.0)}; }
