@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <mujoco/worlds.hpp>
 #include <support/temporary_folder.hpp>
 
@@ -114,6 +116,12 @@ TEST_CASE("a saved world opens in MuJoCo and goes on as ours") {
     const engine::ModelPtr model = load(file);
     CHECK(std::abs(mj_getTotalmass(model.get()) - 2.0 * robot.mass_kg()) < 1e-12);
     CHECK(model->nu == 4 * static_cast<int>(robot.hinges.size()));
+    CHECK(model->nlight == 1);
+    CHECK(model->ncam == 1);
+    CHECK(model->nmat == 1);
+    std::ifstream text{file};
+    const std::string saved{std::istreambuf_iterator<char>{text}, {}};
+    CHECK(saved.find("collision") == std::string::npos);  // MuJoCo 3 refuses the attribute
     const engine::DataPtr data{mj_makeData(model.get())};
     REQUIRE(model->nkey == 1);
     mj_resetDataKeyframe(model.get(), data.get(), 0);

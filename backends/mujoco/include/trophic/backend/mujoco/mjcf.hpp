@@ -127,7 +127,8 @@ class MjcfWriter {
     set(option, "cone", "pyramidal");
     set(option, "tolerance", 1e-15);
     set(option, "iterations", 100.0);
-    set(option, "collision", scene_.collisions == Collisions::pairs ? "predefined" : "all");
+    // MuJoCo 3 refuses this attribute, MuJoCo 2.2 takes all collisions without it.
+    if (scene_.collisions == Collisions::pairs) set(option, "collision", "predefined");
   }
 
   void write_height_asset(const HeightField& field, const std::string& file) {

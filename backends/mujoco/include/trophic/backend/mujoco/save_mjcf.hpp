@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <span>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include <string>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::backend::mujoco {
@@ -23,6 +25,52 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
   std::ofstream file{path, std::ios::binary};
   file << content << std::flush;
   if (!file) throw std::runtime_error{path.string() + ": cannot be written"};
+}
+
+/// Light, a floor in squares of a metre, colours and a camera, so that robots can be seen in MuJoCo's programs. None of it
+/// changes how they move.
+inline void add_looks(pugi::xml_node root, const Arena& arena) {
+  const auto add = [](pugi::xml_node parent, const char* name,
+                      std::initializer_list<std::pair<const char*, std::string>> attributes) {
+    pugi::xml_node node = parent.append_child(name);
+    for (const auto& [key, value] : attributes) node.append_attribute(key).set_value(value.c_str());
+  };
+  const double half = arena.half_side_m;
+  const auto numbers = [](std::initializer_list<double> values) { return numbers_text({values.begin(), values.size()}); };
+  add(root, "statistic", {{"center", "0 0 0"}, {"extent", number_text(half)}});
+  pugi::xml_node visual = root.append_child("visual");
+  add(visual, "headlight", {{"ambient", "0.45 0.45 0.45"}, {"diffuse", "0.25 0.25 0.25"}, {"specular", "0 0 0"}});
+  add(visual, "map", {{"znear", "0.002"}});
+  add(visual, "global", {{"azimuth", "90"}, {"elevation", "-50"}});
+  pugi::xml_node asset = root.child("asset") ? root.child("asset") : root.insert_child_before("asset", root.child("worldbody"));
+  add(asset, "texture",
+      {{"name", "squares"},
+       {"type", "2d"},
+       {"builtin", "checker"},
+       {"rgb1", "0.93 0.94 0.95"},
+       {"rgb2", "0.86 0.88 0.9"},
+       {"width", "256"},
+       {"height", "256"}});
+  add(asset, "material",
+      {{"name", "squares"}, {"texture", "squares"}, {"texrepeat", "0.5 0.5"}, {"texuniform", "true"}, {"specular", "0"}});
+  pugi::xml_node world = root.child("worldbody");
+  for (pugi::xml_node geom : world.children("geom")) {
+    const std::string name = geom.attribute("name").value();
+    if (name == "floor" || name == "ground") geom.append_attribute("material").set_value("squares");
+  }
+  for (pugi::xml_node robot : world.children("body")) {
+    for (const pugi::xpath_node& geom : robot.select_nodes(".//geom")) {
+      const bool is_root = geom.node().parent() == robot;
+      geom.node().append_attribute("rgba").set_value(is_root ? "0.84 0.37 0 1" : "0.2 0.25 0.31 1");
+    }
+  }
+  add(world, "light",
+      {{"directional", "true"},
+       {"pos", numbers({0.0, 0.0, half})},
+       {"dir", "-0.3 0.5 -1"},
+       {"diffuse", "0.55 0.55 0.55"},
+       {"specular", "0 0 0"}});
+  add(world, "camera", {{"name", "arena"}, {"pos", numbers({0.0, -2.1 * half, 2.3 * half})}, {"xyaxes", "1 0 0 0 0.74 0.67"}});
 }
 
 /// One model of all robots, bodies at their present root poses, and the key frame "now" with the whole state. A height field's
@@ -47,6 +95,7 @@ inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot
 
   pugi::xml_document document = write_mjcf(robot, arena, physics, scene, poses, height_file);
   pugi::xml_node root = document.child("mujoco");
+  add_looks(root, arena);
   auto size = root.append_child("size");
   size.append_attribute("njmax").set_value(compiled.model().njmax);
   size.append_attribute("nconmax").set_value(compiled.model().nconmax);
