@@ -18,6 +18,9 @@ export interface Shown {
 
 const trailTicks = 30;
 const flashSeconds = 6;
+/** Of more robots than that, those that are smaller than so many pixels are drawn without their limbs. */
+const manyRobots = 60;
+const farPixels = 16;
 
 export class World {
   readonly canvas = document.createElement("canvas");
@@ -120,6 +123,13 @@ export class World {
 
   private readonly point = new Vector3();
 
+  /** How large a robot is on the screen. */
+  private pixelsOf(body: number): number {
+    this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]);
+    const focal = (0.5 * this.canvas.clientHeight) / Math.tan((0.5 * this.camera.fov * Math.PI) / 180);
+    return (2 * this.run.recording.head.robot.bounding_radius_m * focal) / this.point.distanceTo(this.camera.position);
+  }
+
   /** Where a robot is drawn in the canvas, CSS pixels. */
   onScreen(body: number): [number, number] {
     this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]).project(this.camera);
@@ -134,7 +144,7 @@ export class World {
     const { agents, recording } = run;
     const { head } = recording;
     const row = run.rowAt(time);
-    const perRobot = this.shape.boxes.length;
+    let boxes = 0;
     const bodyOf = new Map<number, number>();
     for (let body = 0; body < run.robots; ++body) bodyOf.set(agents.id[row + body], body);
     const filledTag = Math.max(...run.index.tags);
@@ -147,11 +157,13 @@ export class World {
       this.colour.set(colour);
       const rootColour = this.colour.getHex();
       const limbColour = this.colour.lerp(new Color(0x2b333d), 0.45).getHex();
-      this.shape.boxes.forEach((box, i) => {
-        const index = body * perRobot + i;
+      const isFar = run.robots > manyRobots && this.pixelsOf(body) < farPixels;
+      for (const box of this.shape.boxes) {
+        if (isFar && box.link > 0) continue;
+        const index = boxes++;
         this.boxes.setMatrixAt(index, this.matrix.multiplyMatrices(links[box.link], box.frame));
         this.boxes.setColorAt(index, this.colour.setHex(box.link === 0 ? rootColour : limbColour));
-      });
+      }
       const [, , , w, x, y, z] = this.pose;
       const yaw = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
       const mark: Mark = {
@@ -165,6 +177,7 @@ export class World {
       const isMarked = highlighted.has(agents.id[row + body]);
       this.marks.set(body, mark, body === selected ? selectedColour : isMarked ? "#e8b400" : null);
     }
+    this.boxes.count = boxes;
     this.flash(time);
     this.marks.done();
     this.boxes.instanceMatrix.needsUpdate = true;

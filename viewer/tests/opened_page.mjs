@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A page in a real browser, and what it must never do: ask for anything, or complain.
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { chromium } from "playwright-core";
 
 const flags = [
@@ -12,18 +9,12 @@ const flags = [
 
 export class Browser {
   static async start() {
-    const profile = mkdtempSync(join(tmpdir(), "trophic-browser-"));
-    const context = await chromium.launchPersistentContext(profile, {
-      executablePath: process.env.CHROMIUM,
-      headless: true,
-      args: flags,
-      viewport: { width: 1280, height: 800 },
-    });
-    return new Browser(profile, context);
+    const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
+    return new Browser(browser, await browser.newContext({ viewport: { width: 1280, height: 800 } }));
   }
 
-  constructor(profile, context) {
-    this.profile = profile;
+  constructor(browser, context) {
+    this.browser = browser;
     this.context = context;
   }
 
@@ -39,8 +30,7 @@ export class Browser {
   }
 
   async close() {
-    await this.context.close();
-    rmSync(this.profile, { recursive: true, force: true });
+    await this.browser.close();
   }
 }
 
