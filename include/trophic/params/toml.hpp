@@ -117,7 +117,8 @@ void read_numbers(P& params, const toml::table& table) {
 [[nodiscard]] inline toml::table read_assignment(std::string_view assignment) {
   const auto equals = assignment.find('=');
   const auto bad = [&] {
-    return std::invalid_argument{"\"" + std::string{assignment} + "\": must be PATH=VALUE, e.g. rules.mutation.sd=0.1"};
+    const std::string said = assignment.size() <= 80 ? std::string{assignment} : std::string{assignment.substr(0, 77)} + "...";
+    return std::invalid_argument{"\"" + said + "\": must be PATH=VALUE, e.g. rules.mutation.sd=0.1"};
   };
   if (equals == std::string_view::npos || equals == 0) throw bad();
   try {
