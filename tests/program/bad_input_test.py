@@ -72,7 +72,7 @@ class BadInput(InFolder):
 
     def test_a_pipe_in_the_place_of_a_file(self):
         os.mkfifo(self.folder / "pipe")
-        self.assertIn("is not a regular file", self.run_refused("--config", "pipe"))
+        self.assertIn("is not a regular file", self.run_refused("--config", "pipe", code=1))
         for model in ("robot", "arena", "gait"):
             with self.subTest(model=model):
                 self.assertIn("searched: ./pipe", self.run_refused("--set", f"ecology.{model}=./pipe", code=1))

@@ -35,8 +35,8 @@ class TomlError : public std::invalid_argument {
 /// character that is not ASCII.
 [[nodiscard]] toml::table parse_toml(std::string_view text);
 
-/// The same of a file, in one call for every reader. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, where there is no
-/// such file, "FILE: ...".
+/// The same of a file. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, where it cannot be read, std::runtime_error
+/// "FILE: ...".
 [[nodiscard]] toml::table parse_toml_file(const std::string& path);
 
 }  // namespace trophic

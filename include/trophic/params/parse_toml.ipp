@@ -109,8 +109,14 @@ TROPHIC_INLINE toml::table parse_toml(std::string_view text) {
 }
 
 TROPHIC_INLINE toml::table parse_toml_file(const std::string& path) {
+  std::string text;
   try {
-    return parse_toml(read_whole_file(path, detail::most_toml_bytes));
+    text = read_whole_file(path, detail::most_toml_bytes);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error{error.what()};
+  }
+  try {
+    return parse_toml(text);
   } catch (const TomlError& error) {
     throw std::invalid_argument{path + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
                                 error.what()};
