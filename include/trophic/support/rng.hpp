@@ -42,7 +42,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// A stream of random numbers (Philox 4x64, 10 rounds: Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3").
+/// A stream of random numbers (Philox 4x64, 10 rounds [salmon2011]).
 /// The same four names give the same numbers on every platform; uniform and normal are the library's own transforms because
 /// those of <random> differ between standard libraries. Cheap to make, copy and throw away. Not for cryptography.
 class Rng {
