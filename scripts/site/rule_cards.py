@@ -8,7 +8,7 @@ import re
 import references
 from documents import parse
 
-KINDS = ("perception", "control", "reproduction", "death", "community", "placement")
+KINDS = ("perception", "control", "reproduction", "death", "initialization")
 
 
 @dataclasses.dataclass

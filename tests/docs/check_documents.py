@@ -11,7 +11,8 @@ readme    README has its two commands, continuous integration calls the second, 
           and each word of the glossary is linked where it is first used
 
 What a document tells its test stands in comments: <!-- former: NAMES -->, <!-- example: NAMES --> (names that a reader chooses),
-<!-- given: why --> (figures of the next table that nobody measured), <!-- from FILE --> (above a block).
+<!-- given: why --> (figures of the next table that nobody measured), <!-- from FILE --> (above a block). Those that a test follows (follow.py): <!-- file NAME -->,
+<!-- append NAME -->, <!-- run -->, <!-- skipped: why -->.
 Prints each offence; exit 0 none, 1 some."""
 
 import argparse
@@ -139,12 +140,11 @@ def links(tree: Tree, document: Document, anchors: dict[pathlib.Path, set[str]])
 def excerpts(tree: Tree, document: Document) -> list[str]:
     offences = []
     for block in document.blocks:
-        if block.taken_from:
-            source = tree.root / block.taken_from
-            if not source.is_file():
-                offences.append(f"{block.line}: taken from {block.taken_from}, which does not exist")
-            elif block.code not in source.read_text():
-                offences.append(f"{block.line}: these lines do not stand in {block.taken_from}:\n{block.code}")
+        key, name = block.note
+        if key == "from" and not (tree.root / name).is_file():
+            offences.append(f"{block.line}: taken from {name}, which does not exist")
+        elif key == "from" and block.code not in (tree.root / name).read_text():
+            offences.append(f"{block.line}: these lines do not stand in {name}:\n{block.code}")
     return offences
 
 

@@ -98,19 +98,20 @@ def value_after(words: list[str], flag: str) -> str | None:
     return words[words.index(flag) + 1] if flag in words and words.index(flag) + 1 < len(words) else None
 
 
-def check_cmake(tree, words: list[str]) -> list[str]:
+def check_cmake(tree, own: str, words: list[str]) -> list[str]:
     if "--list-presets" in words or "--install" in words:
         return []
     kind = "buildPresets" if "--build" in words else "configurePresets"
     preset = value_after(words, "--preset")
     offences = [f"no {kind[:-7]} preset '{preset}'"] if preset and not PLACEHOLDER.match(preset) and preset not in presets(tree, kind) else []
+    text = cmake_text(tree) + own
     for target in words[words.index("--target") + 1 :] if "--target" in words else []:
         if target.startswith("-"):
             break
-        if not PLACEHOLDER.match(target) and not re.search(rf"(?<![\w-]){re.escape(target)}(?![\w-])", cmake_text(tree)):
+        if not PLACEHOLDER.match(target) and not re.search(rf"(?<![\w-]){re.escape(target)}(?![\w-])", text):
             offences.append(f"CMake has no target '{target}'")
     for option in re.findall(r"^-D(\w+)", "\n".join(words), re.MULTILINE):
-        if not option.startswith("CMAKE_") and not re.search(rf"\b{option}\b", cmake_text(tree)):
+        if not option.startswith("CMAKE_") and not re.search(rf"\b{option}\b", text):
             offences.append(f"CMake reads no '{option}'")
     return offences
 
@@ -139,6 +140,8 @@ def check_script(tree, words: list[str]) -> list[str]:
 
 def check_built(tree, words: list[str]) -> list[str]:
     """build/PRESET/FOLDER/PROGRAM that is none of the installed ones."""
+    if words[0].count("/") < 2:
+        return [f"nothing is called '{words[0]}'"]
     preset, *folders, name = pathlib.PurePath(words[0]).parts[1:]
     offences = [] if preset in presets(tree, "configurePresets") else [f"no configure preset '{preset}'"]
     lists = tree.root.joinpath(*folders) / "CMakeLists.txt"
@@ -179,8 +182,8 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         offences = check_flags(programs.help(executable), arguments, name)
         if offences:
             return offences
-    if any(PLACEHOLDER.match(word.split("=")[-1]) for word in arguments):
-        return []  # what a placeholder stands for is the reader's
+    if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments):
+        return []  # what a placeholder stands for, and a run to go on with, are the reader's
     ask = "--list" if name == "trophic-ablations" else "--print-config"
     if ask not in programs.help(executable, *(arguments[:1] if name == "trophic" else [])):
         return []
@@ -190,7 +193,8 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
     return [] if done.returncode == 0 else [f"refused: {done.stderr.strip()}"]
 
 
-def check_command(tree, programs: Programs, words: list[str], every_word_known: bool) -> list[str]:
+def check_command(tree, programs: Programs, own: str, words: list[str], every_word_known: bool) -> list[str]:
+    """`own`: the code of the document, in which a reader's programs are declared in CMake."""
     while words and re.match(r"[A-Z_]+=", words[0]):
         words = words[1:]
     if not words:
@@ -198,15 +202,20 @@ def check_command(tree, programs: Programs, words: list[str], every_word_known: 
     first = words[0]
     name = pathlib.PurePath(first).name
     if first == "cmake":
-        return check_cmake(tree, words)
+        return check_cmake(tree, own, words)
     if first == "ctest":
         return check_ctest(tree, words)
     if first == "python3" and len(words) > 1 and words[1].endswith(".py"):
-        return check_script(tree, words[1:])
+        return [] if f"file {words[1]}" in own else check_script(tree, words[1:])
     if name in INSTALLED or name in programs.named:
         if first.startswith("build/") and pathlib.PurePath(first).parts[1] not in presets(tree, "configurePresets"):
             return [f"no configure preset '{pathlib.PurePath(first).parts[1]}'"]
         return check_ours(tree, programs, name, words)
+    if re.search(rf"trophic_add_experiment\({re.escape(name)} ", own):
+        reference = programs.find("trophic-predator-prey")
+        return check_flags(programs.help(reference), words[1:], name) if reference else []
+    if re.search(rf"add_executable\({re.escape(name)} ", own):
+        return []
     if first.startswith("build/"):
         return check_built(tree, words)
     if first.startswith(("scripts/", "examples/", "docs/", "tests/")):
@@ -220,15 +229,16 @@ def check(tree, document, programs: Programs) -> list[str]:
     if document.path.name == "CHANGELOG.md":
         return []
     offences = []
+    own = "\n".join(f"{' '.join(block.note)}\n{block.code}" for block in document.blocks)
     for block in document.blocks:
         if block.language in ("sh", "text", ""):
             for offset, line in lines_of(block.code):
                 for words in split(line):
-                    offences += [f"{block.line + 1 + offset}: {text}" for text in check_command(tree, programs, words, block.language == "sh")]
+                    offences += [f"{block.line + 1 + offset}: {text}" for text in check_command(tree, programs, own, words, block.language == "sh")]
     for line, span in document.spans:
         if is_command(span):
             for words in split(span):
-                offences += [f"{line}: {text}" for text in check_command(tree, programs, words, False)]
+                offences += [f"{line}: {text}" for text in check_command(tree, programs, own, words, False)]
         elif re.match(r"--?[a-z][\w-]+", span) and programs.folder:
             offences += [f"{line}: {text}" for text in check_flag_alone(tree, programs, span)]
     return offences

@@ -21,7 +21,7 @@ class Block:
     line: int
     language: str
     code: str
-    taken_from: str = ""  # the file that a comment above the block names: <!-- from FILE -->
+    note: tuple[str, str] = ("", "")  # of a comment above it: <!-- from FILE -->, <!-- file FILE -->, <!-- run -->
 
 
 @dataclasses.dataclass
@@ -56,7 +56,7 @@ def slug(text: str) -> str:
 
 def parse(path: pathlib.Path) -> Document:
     document = Document(path, [], [], [], [], [], [], [])
-    taken, paragraph, paragraph_line, fence, taken_from, in_comment = {}, [], 0, None, "", False
+    taken, paragraph, paragraph_line, fence, above, in_comment = {}, [], 0, None, ("", ""), False
 
     def end_paragraph():
         nonlocal paragraph
@@ -75,16 +75,17 @@ def parse(path: pathlib.Path) -> Document:
         if opened:
             end_paragraph()
             fence = opened[1]
-            document.blocks.append(Block(number, opened[1], "", taken_from))
-            taken_from = ""
+            document.blocks.append(Block(number, opened[1], "", above))
+            above = ("", "")
             continue
         if in_comment or line.lstrip().startswith("<!--"):
-            if note := re.match(r"\s*<!--\s*(\w+):? (.*?)\s*-->\s*$", line):
+            if note := re.match(r"\s*<!--\s*(\w+):? ?(.*?)\s*-->\s*$", line):
                 document.notes.append((number, note[1], note[2]))
-                if note[1] == "from":
-                    taken_from = note[2]
+                above = (note[1], note[2])
             in_comment = "-->" not in line
             continue
+        if line.strip():
+            above = ("", "")
         for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", line):
             document.spans.append((number, span))
         bare = re.sub(r"`[^`]*`", "`", line)
