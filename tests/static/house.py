@@ -112,6 +112,13 @@ def sources_cited():
     return offences + [f"references.bib: nobody cites {key}" for key in entries if key not in cited and f"@{key}" not in documented]
 
 
+def pure_policies():
+    """A policy remembers nothing by itself, reads no clock and draws from no engine but the stream that it is given."""
+    kinds = [f"include/trophic/{kind}" for kind in ("perception", "control", "reproduction", "death", "initialization")]
+    impure = r"\bmutable\b|\bthread_local\b|^\s*static (?!constexpr|consteval|_assert|bool|auto|std::|double|void|State\b|Params\b)\w|#include <(random|chrono|ctime|thread|mutex|atomic|fstream|iostream)>|\bextern\b|\bvolatile\b"
+    return lines_with(impure, sources(*kinds))
+
+
 def complete_umbrella():
     """trophic.hpp reaches every public header of the core; the command line, which needs CLI11, stands apart."""
     reached, waiting = set(), [CORE / "trophic/trophic.hpp"]
