@@ -41,7 +41,7 @@ def main() -> int:
 
 def gait_of_three_legs(folder: pathlib.Path) -> str:
     """The gait that my-body.md evolves takes a minute; any one with its hinges shows that the robot is accepted."""
-    (folder / "tripod_gait.toml").write_text('name = "tripod_gait"\nhinges = ["back", "left", "right"]\ninternal = [0.5, 0.5, 0.5]\n')
+    (folder / "tripod_gait.toml").write_text('name = "tripod_gait"\nrobot = "tripod"\nhinges = ["back", "left", "right"]\ninternal = [0.5, 0.5, 0.5]\n')
     return "tripod_gait.toml"
 
 
