@@ -79,6 +79,7 @@ def converted(root: pathlib.Path, path: str, names: set[str], images: pathlib.Pa
             return f"\x00{len(spans) - 1}\x00"
 
         text = re.sub(r"`[^`]*`", keep, text)
+        text = re.sub(r'<a id="([^"]+)"></a>', lambda m: f"@anchor {anchor_label(path, m[1])} ", text)
         text = references.linked(re.sub(r"<(?=[a-z])", "&lt;", text), keys)
         text = re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", linked, text)
         return re.sub(r"\x00(\d+)\x00", lambda match: spans[int(match[1])], text)

@@ -197,6 +197,24 @@ def readme(tree: Tree, document: Document) -> list[str]:
             words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
             if words > LONGEST_SENTENCE:
                 offences.append(f"{line}: a sentence of {words} words (at most {LONGEST_SENTENCE}): {sentence}")
+    return offences + unexplained(tree, document)
+
+
+def unexplained(tree: Tree, document: Document) -> list[str]:
+    """Words of the glossary that are not linked to it where they are first used; <!-- plain: WORDS --> are meant as everybody does."""
+    plain = set(document.noted("plain").split())
+    offences = []
+    for term in sorted(re.findall(r'<a id="([^"]+)">', (tree.root / "GLOSSARY.md").read_text())):
+        plural = term[:-1] + "(y|ies)" if term.endswith("y") else term + "s?"
+        word = re.compile(rf"\b{plural.replace('-', '[ -]')}\b", re.IGNORECASE)
+        for line, text in document.paragraphs:
+            text = re.sub(r"`[^`]*`|!\[[^\]]*\]\([^)]*\)", "", text)
+            if not (first := word.search(re.sub(r"\]\([^)]*\)", lambda m: "]" + " " * (len(m[0]) - 1), text))):
+                continue
+            link = next((m for m in re.finditer(r"\[[^\]]*\]\(([^)]*)\)", text) if m.start() <= first.start() < m.end()), None)
+            if term not in plain and not (link and link[1] == f"GLOSSARY.md#{term}"):
+                offences.append(f"{line}: '{first[0]}' is a word of the glossary, and its first use is not linked to GLOSSARY.md#{term}")
+            break
     return offences
 
 
@@ -216,7 +234,7 @@ def main() -> int:
     documents = all_documents(root)
     extra = ()
     if chosen.check == "links":
-        extra = ({document.path.resolve(): {heading.anchor for heading in document.headings} for document in documents},)
+        extra = ({document.path.resolve(): document.anchors for document in documents},)
     elif chosen.check == "commands":
         extra = (commands.Programs(chosen.programs, dict(pair.split("=", 1) for pair in chosen.program)),)
     offences = 0

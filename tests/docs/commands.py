@@ -229,7 +229,7 @@ def check(tree, document, programs: Programs) -> list[str]:
     if document.path.name == "CHANGELOG.md":
         return []
     offences = []
-    own = "\n".join(f"{' '.join(block.note)}\n{block.code}" for block in document.blocks)
+    own = "\n".join(f"{' '.join(block.note)}\n{block.code}" for block in document.blocks if block.language != "sh")
     for block in document.blocks:
         if block.language in ("sh", "text", ""):
             for offset, line in lines_of(block.code):

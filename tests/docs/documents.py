@@ -40,6 +40,7 @@ class Document:
     tables: list[Table]
     paragraphs: list[tuple[int, str]]  # prose only: no code, tables, headings, comments
     notes: list[tuple[int, str, str]]  # <!-- KEY: VALUE -->, what a document tells its test
+    anchors: set[str]  # of headings, and those written <a id="...">
 
     def section_start(self, line: int) -> int:
         return max((heading.line for heading in self.headings if heading.line <= line), default=1)
@@ -55,7 +56,7 @@ def slug(text: str) -> str:
 
 
 def parse(path: pathlib.Path) -> Document:
-    document = Document(path, [], [], [], [], [], [], [])
+    document = Document(path, [], [], [], [], [], [], [], set())
     taken, paragraph, paragraph_line, fence, above, in_comment = {}, [], 0, None, ("", ""), False
 
     def end_paragraph():
@@ -89,6 +90,7 @@ def parse(path: pathlib.Path) -> Document:
         for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", line):
             document.spans.append((number, span))
         bare = re.sub(r"`[^`]*`", "`", line)
+        document.anchors |= set(re.findall(r'<a id="([^"]+)">', bare))
         for target in re.findall(r"\]\(([^)\s]+)\)", bare):
             document.links.append((number, target))
         if heading := re.match(r"^(#+) (.*)$", line):
@@ -97,6 +99,7 @@ def parse(path: pathlib.Path) -> Document:
             taken[anchor] = taken.get(anchor, -1) + 1
             anchor += f"-{taken[anchor]}" if taken[anchor] else ""
             document.headings.append(Heading(number, len(heading[1]), heading[2], anchor))
+            document.anchors.add(anchor)
         elif line.lstrip().startswith("|"):
             end_paragraph()
             row = [cell.strip() for cell in line.strip().strip("|").split("|")]

@@ -20,7 +20,7 @@ def main() -> int:
     failures = []
     with tempfile.TemporaryDirectory() as folder:
         copy, build = pathlib.Path(folder) / "trophic", pathlib.Path(folder) / "build"
-        shutil.copytree(ROOT, copy, symlinks=True, ignore=shutil.ignore_patterns("build*", ".git", ".cache", "runs", "node_modules"))
+        shutil.copytree(ROOT, copy, symlinks=True, ignore=shutil.ignore_patterns("build", ".git", ".cache", "runs", "node_modules"))
 
         def refused(sentence: str) -> None:
             done = configured(copy, build)
