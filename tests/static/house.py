@@ -63,9 +63,9 @@ def header_start():
 
 
 def policies_have_tests():
-    """Each policy and each metric has a test file of its name."""
+    """Each policy, each metric and each observer has a test file of its name."""
     tests = {path.name for path in (ROOT / "tests").rglob("*_test.cpp")}
-    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "analysis")]
+    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "analysis", "observe")]
     policies = [path for path in sources(*folders) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
     return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
 
