@@ -26,7 +26,7 @@ def main() -> int:
             # The shell sees the quotes in TROPHIC_MODEL_DIR as any Makefile does.
             subprocess.run(["bash", "-c", f'eval "{command.replace(chr(34), chr(92) + chr(34))}"'], env=environment, check=True)
             done = subprocess.run([program], cwd=folder, capture_output=True, text=True, check=True)
-            assert "deaths" in done.stdout or "births" in done.stdout or done.stdout, done.stdout
+            assert "\ndeaths  " in done.stdout and "\nalive  " in done.stdout, done.stdout
     return 0
 
 
