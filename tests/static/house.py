@@ -101,15 +101,14 @@ def sources_cited():
             if not 1 <= int(number) <= equations:
                 offences.append(f"{name}: the paper has no equation {number}")
         offences += [f"{name}: Eq. {label}: cite an equation by its number" for label in re.findall(r'Eq\. (\\?"\w+)', text)]
-        for key in re.findall(r"\[([a-z]+(?:1[89]|20)\d\d[a-z]?)\]", text):
+        for key in re.findall(r"(?:\[|@)([a-z]+(?:1[89]|20)\d\d[a-z]?)\b", text):
             cited.add(key)
             if key not in entries:
                 offences.append(f"{name}: [{key}] is not in references.bib")
         for author in re.findall(r"\b[A-Z][a-z]+(?: et al\.| and [A-Z]\w+)?,? \(?(?:1[89]\d\d|20[0-3]\d)\b", prose if path.suffix != ".md" else ""):
             if not author.startswith("June"):
                 offences.append(f"{name}: '{author}': cite the key of references.bib")
-    documented = " ".join(path.read_text() for path in documents)
-    return offences + [f"references.bib: nobody cites {key}" for key in entries if key not in cited and f"@{key}" not in documented]
+    return offences + [f"references.bib: nobody cites {key}" for key in entries if key not in cited]
 
 
 def pure_policies():
