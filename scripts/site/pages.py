@@ -113,7 +113,8 @@ def converted(root: pathlib.Path, path: str, names: set[str], images: pathlib.Pa
             name = label(path) if first else anchor_label(path, heading.anchor)
             if first:
                 lines.append(f"{text} {{#{name}}}\n{'=' * 20}\n")
-                lines.append("@tableofcontents\n")
+                if path != "README.md":  # the front page begins with what trophic is; the tree has its sections
+                    lines.append("@tableofcontents\n")
             else:
                 lines.append(f"{'#' * heading.level} {text} {{#{name}}}")
             first = False
