@@ -42,3 +42,10 @@ install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/t
               ${PROJECT_SOURCE_DIR}/cmake/FindODE.cmake ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
               ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-existing-includes.cmake
         DESTINATION ${trophic_cmake_dir})
+
+# For builds without CMake: pkg-config --cflags --libs trophic (or trophic-compiled). The files find their prefix from where they lie.
+file(RELATIVE_PATH TROPHIC_PC_TO_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+foreach(name trophic trophic-compiled)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()

@@ -9,7 +9,6 @@ width of an article's column; of a comparison, each set gets its own. A figure w
 that says so. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
 """
 import argparse
-import json
 import pathlib
 import re
 import sys
@@ -20,6 +19,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from trophic.runs import RunError, read_analysis  # noqa: E402
 
 COLUMN_IN = 3.5
 # Okabe and Ito's colours, told apart with every common colour blindness and, with the line styles, in grey.
@@ -306,10 +308,10 @@ def main():
     parser.add_argument("--run", type=int, default=0, help="whose phylogeny is drawn: the K-th run of a set (0)")
     options = parser.parse_args()
     try:
-        metrics = pd.read_csv(options.analysis / "metrics.csv", keep_default_na=False,
-                              na_values={"value": [""], "time_s": [""]}, dtype={"baseline": str, "run": str})
-        summary = json.loads((options.analysis / "summary.json").read_text())
-        sets = [Data(metrics[metrics["set"] == s["set"]], s, options.run) for s in summary["sets"]]
+        analysis = read_analysis(options.analysis)
+        sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, options.run) for s in analysis.summary["sets"]]
+    except RunError as error:
+        sys.exit(f"plot.py: {error}")
     except (OSError, ValueError, KeyError, AttributeError) as error:
         sys.exit(f"plot.py: {options.analysis}: not what trophic analyze writes: {error}")
     if any(not 0 <= options.run < len(data.folders) for data in sets):

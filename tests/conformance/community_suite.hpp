@@ -19,4 +19,12 @@ TEST_CASE_TEMPLATE_DEFINE("community", Policy, trophic_community_suite) {
     CHECK(founders == policy.founders(robots));
     for (const Species species : founders) CHECK(species < web.size());
   }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    const FoodWeb links_of = made.web();
+    for (const Feeding& link : links_of.links()) answers.add(std::pair{link.hunter, link.victim});
+    answers.add(made.founders(30));
+    answers.add(made.founders(100));
+    return answers;
+  });
 }

@@ -39,6 +39,25 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
     CHECK((control::ask::decide(policy, same, std::span{inputs}, std::span{genome}) == decision));
     if constexpr (Stateful<Policy>) CHECK(first_difference(own, same) == "");
   }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    for (const std::uint64_t seed : conformance::seeds) {
+      Rng rng{seed, Stream::user};
+      std::vector<double> weights(made.genome_size(given, control::Decision::outputs));
+      for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
+      const std::vector<double> genome = weights;
+      auto own = born_with(seed);
+      for (int tick = 0; tick < 20; ++tick) {
+        std::vector<double> inputs(given);
+        for (double& input : inputs) input = rng.uniform(-1.0, 1.0);
+        const control::Decision decision = control::ask::decide(made, own, std::span{inputs}, std::span{genome});
+        answers.add(decision.target_angle_rad);
+        answers.add(decision.tag);
+      }
+      answers.add(own);
+    }
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("decision order", Policy, trophic_decision_order_suite) {
@@ -46,7 +65,13 @@ TEST_CASE_TEMPLATE_DEFINE("decision order", Policy, trophic_decision_order_suite
   static_assert(control::DecisionOrder<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  CHECK(policy.in_turn() == conformance::defaulted<Policy>().in_turn());
+  const bool in_turn = policy.in_turn();
+  for (int again = 0; again < 100; ++again) CHECK(policy.in_turn() == in_turn);  // a fact of the rule: it counts nothing
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    answers.add(made.in_turn());
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
@@ -74,4 +99,13 @@ TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
     CHECK(std::vector<double>{backwards.rbegin(), backwards.rend()} == steered);
   }
   policy.steer(0.7, {}, {});
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    for (const double target_angle_rad : {-2.0, -0.7, 0.3, 0.7}) {
+      std::vector<double> steered = targets_rad;
+      made.steer(target_angle_rad, sides, steered);
+      answers.add(steered);
+    }
+    return answers;
+  });
 }

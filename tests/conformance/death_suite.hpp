@@ -30,6 +30,17 @@ TEST_CASE_TEMPLATE_DEFINE("activation", Policy, trophic_activation_suite) {
       return death::ask::activates(policy, own, body, any.view());
     });
   });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+        const auto own = conformance::own_state(made, robots.individuals[body], seed);
+        answers.add(death::ask::activates(made, own, body, robots.view()));
+      }
+    });
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
@@ -61,6 +72,19 @@ TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
       CHECK(victims.insert(capture.victim).second);
     }
   });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      Rng rng{seed, Stream::user};
+      const auto kept = conformance::own_states(made, robots, seed);
+      const std::span<const StateOf<Policy>> states{kept};
+      for (const auto& capture : death::ask::captures(made, states, robots.view(), rng)) {
+        answers.add(std::pair{capture.hunter, capture.victim});
+      }
+    });
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("floor", Policy, trophic_floor_suite) {
@@ -73,6 +97,13 @@ TEST_CASE_TEMPLATE_DEFINE("floor", Policy, trophic_floor_suite) {
       conformance::check_all_robots(robots, seed,
                                     [&](const test::HandPopulation& any) { return policy.may_die(species, any.view()); });
     }
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
+      for (Species species = 0; species < robots.web.size(); ++species) answers.add(made.may_die(species, robots.view()));
+    });
+    return answers;
   });
 }
 
@@ -89,6 +120,16 @@ TEST_CASE_TEMPLATE_DEFINE("starvation schedule", Policy, trophic_starvation_sche
     const death::StarvationClock clock{.last_tick = robots.tick, .interval_ticks = interval_ticks};
     CHECK_FALSE(policy.due(clock, robots.view()));  // not twice in a tick
   });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
+      answers.add(made.interval_ticks(robots.view()));
+      for (std::int64_t last_tick = 0; last_tick < robots.tick; last_tick += 3) {
+        answers.add(made.due({.last_tick = last_tick, .interval_ticks = 10}, robots.view()));
+      }
+    });
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("reprieve", Policy, trophic_reprieve_suite) {
@@ -101,6 +142,17 @@ TEST_CASE_TEMPLATE_DEFINE("reprieve", Policy, trophic_reprieve_suite) {
       const auto own = conformance::own_state(policy, any.individuals[body], seed);
       return death::ask::spared(policy, own, body, any.view(), any.perceives());
     });
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+        const auto own = conformance::own_state(made, robots.individuals[body], seed);
+        answers.add(death::ask::spared(made, own, body, robots.view(), robots.perceives()));
+      }
+    });
+    return answers;
   });
 }
 
@@ -125,6 +177,17 @@ TEST_CASE_TEMPLATE_DEFINE("starvation", Policy, trophic_starvation_suite) {
     CHECK(order[*moved] == *victim);
     REQUIRE(*victim < robots.individuals.size());
     CHECK(robots.web.hunts(robots.individuals[*victim].species));
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      const std::function<bool(BodyIndex)> spared = [&](BodyIndex body) { return robots.individuals[body].tag == 1; };
+      const auto kept = conformance::own_states(made, robots, seed);
+      const std::span<const StateOf<Policy>> states{kept};
+      answers.add(death::ask::victim(made, states, robots.view(), spared));
+    });
+    return answers;
   });
 }
 
@@ -157,6 +220,19 @@ TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
       CHECK(victims.insert(sacrifice.victim).second);
     }
   });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      Rng rng{seed, Stream::user};
+      const auto kept = conformance::own_states(made, robots, seed);
+      const std::span<const StateOf<Policy>> states{kept};
+      for (const auto& sacrifice : death::ask::sacrifices(made, states, robots.view(), rng)) {
+        answers.add(std::pair{sacrifice.victim, sacrifice.heir});
+      }
+    });
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("senescence", Policy, trophic_senescence_suite) {
@@ -174,5 +250,19 @@ TEST_CASE_TEMPLATE_DEFINE("senescence", Policy, trophic_senescence_suite) {
       const auto own = conformance::own_state(policy, any.individuals[body], seed);
       return death::ask::dies(policy, own, any.individuals[body], any.view(), rng);
     });
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      for (const Individual& individual : robots.individuals) {
+        const auto own = conformance::own_state(made, individual, seed);
+        for (std::uint64_t event = 0; event < 20; ++event) {
+          Rng rng{seed, Stream::user, individual.id, event};
+          answers.add(death::ask::dies(made, own, individual, robots.view(), rng));
+        }
+      }
+    });
+    return answers;
   });
 }

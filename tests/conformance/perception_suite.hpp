@@ -36,6 +36,15 @@ TEST_CASE_TEMPLATE_DEFINE("heading", Policy, trophic_heading_suite) {
     CHECK(std::abs(before_rad) <= std::numbers::pi);
     CHECK(wrap_angle(heading_rad(about_z * any.normalized()) - before_rad - turn_rad) == doctest::Approx(0.0).epsilon(1e-9));
   }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    for (const std::uint64_t seed : conformance::seeds) {
+      Rng rng{seed, Stream::user};
+      const Eigen::Quaterniond any{rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), rng.normal(0.0, 1.0), rng.normal(0.0, 1.0)};
+      answers.add(made.heading_rad({.position_m = {1.0, -2.0, 0.1}, .orientation = any.normalized()}, 0.3));
+    }
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
@@ -63,6 +72,20 @@ TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
             robots, [&](const test::HandPopulation& same) { CHECK(says(same, order[self], order[other]) == seen); });
       }
     }
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
+        const auto own = conformance::own_state(made, robots.individuals[self], seed);
+        for (BodyIndex other = 0; other < robots.individuals.size(); ++other) {
+          Rng rng{seed, Stream::user, self, other};
+          answers.add(perception::ask::perceives(made, own, self, other, robots.view(), rng));
+        }
+      }
+    });
+    return answers;
   });
 }
 
@@ -96,9 +119,42 @@ TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
             Rng rng{seed, Stream::user};
             CHECK((ask(same, rng) == values));
           }
+          // in a mirror left and right change places, and nothing else does
+          auto seen_in_mirror = sighting;
+          if (seen_in_mirror) seen_in_mirror->bearing_rad = -seen_in_mirror->bearing_rad;
+          Rng rng{seed, Stream::user};
+          const test::HandPopulation mirror = conformance::mirrored(robots);
+          const auto there = policy.sense(self, seen_in_mirror, mirror.view(), rng);
+          for (std::size_t n = 0; n < there.size(); ++n) CHECK(std::abs(there[n]) == std::abs(values[n]));
+          // nor does it matter which bodies the two live in
+          const auto order = test::random_order(seed, robots.individuals.size());
+          const test::HandPopulation moved = robots.reordered(order);
+          const auto body_of = [&](BodyIndex before) {
+            return static_cast<BodyIndex>(std::ranges::find(order, before) - order.begin());
+          };
+          auto seen_by_moved = sighting;
+          if (seen_by_moved) seen_by_moved->self = body_of(self), seen_by_moved->adversary = body_of(sighting->adversary);
+          Rng again{seed, Stream::user};
+          CHECK((policy.sense(body_of(self), seen_by_moved, moved.view(), again) == values));
         }
       }
     }
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      if (robots.individuals.empty()) return;
+      if constexpr (perception::CommonSensor<Policy>) {
+        answers.add(made.sense(robots.view()));
+      } else {
+        Rng drawn{seed, Stream::user};
+        for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
+          const Sighting seen{.self = self, .adversary = 0, .distance_m = drawn.uniform(0.0, 30.0), .bearing_rad = 0.5};
+          answers.add(made.sense(self, seen, robots.view(), drawn));
+        }
+      }
+    });
+    return answers;
   });
 }
 
@@ -107,7 +163,13 @@ TEST_CASE_TEMPLATE_DEFINE("rule for who sees nobody", Policy, trophic_blind_rule
   static_assert(perception::BlindRule<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  CHECK(policy.decides() == conformance::defaulted<Policy>().decides());
+  const bool decides = policy.decides();
+  for (int again = 0; again < 100; ++again) CHECK(policy.decides() == decides);  // a fact of the rule: it counts nothing
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    answers.add(made.decides());
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("tag of a newborn", Policy, trophic_newborn_tag_suite) {
@@ -123,6 +185,17 @@ TEST_CASE_TEMPLATE_DEFINE("tag of a newborn", Policy, trophic_newborn_tag_suite)
       }
     }
   }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    const std::vector<int> tags{-1, 1};
+    for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{-1}, std::optional{1}}) {
+      for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        Rng rng{seed, Stream::user};
+        answers.add(made.tag(body_tag, tags, rng));
+      }
+    }
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
@@ -135,6 +208,21 @@ TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
       const auto own = conformance::own_state(policy, any.individuals[body], seed);
       return perception::ask::may_switch(policy, own, any.individuals[body], any.view());
     });
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      for (std::int64_t later = 0; later < 60; later += 7) {
+        test::HandPopulation then = robots;
+        then.at_tick(robots.tick + later);
+        for (const Individual& individual : then.individuals) {
+          const auto own = conformance::own_state(made, individual, seed);
+          answers.add(perception::ask::may_switch(made, own, individual, then.view()));
+        }
+      }
+    });
+    return answers;
   });
   CHECK(policy.restarts(true));  // or a switched tag could be switched again at once
 }

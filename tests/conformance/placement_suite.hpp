@@ -29,4 +29,15 @@ TEST_CASE_TEMPLATE_DEFINE("placement", Policy, trophic_placement_suite) {
       }
     }
   }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    for (const std::uint64_t seed : conformance::seeds) {
+      Rng rng{seed, Stream::user};
+      for (const GroundPose& pose : made.place(30, arena, 0.2, rng)) {
+        answers.add(std::pair{pose.x_m, pose.y_m});
+        answers.add(pose.heading_rad);
+      }
+    }
+    return answers;
+  });
 }

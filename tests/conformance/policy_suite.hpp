@@ -10,12 +10,15 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <support/hand_population.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/population/sighting.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
@@ -50,6 +53,16 @@ void on_populations(Check&& check) {
   return robots;
 }
 
+/// The same robots after any turn of the world: distances change by rounding.
+[[nodiscard]] inline test::HandPopulation turned_by(test::HandPopulation robots, double angle_rad) {
+  for (GroundPose& pose : robots.poses) {
+    pose = {.x_m = std::cos(angle_rad) * pose.x_m - std::sin(angle_rad) * pose.y_m,
+            .y_m = std::sin(angle_rad) * pose.x_m + std::cos(angle_rad) * pose.y_m,
+            .heading_rad = wrap_angle(pose.heading_rad + angle_rad)};
+  }
+  return robots;
+}
+
 /// The same robots in a mirror.
 [[nodiscard]] inline test::HandPopulation mirrored(test::HandPopulation robots) {
   for (GroundPose& pose : robots.poses) pose = {.x_m = pose.x_m, .y_m = -pose.y_m, .heading_rad = -pose.heading_rad};
@@ -58,7 +71,7 @@ void on_populations(Check&& check) {
 
 /// The same robots with other ids, in the same order of birth.
 [[nodiscard]] inline test::HandPopulation renamed(test::HandPopulation robots) {
-  constexpr IndividualId shift = 5000;
+  constexpr IndividualId shift = 5001;  // odd, so that nothing hangs on an even id
   for (Individual& one : robots.individuals) {
     one.id += shift;
   }
@@ -195,6 +208,101 @@ void check_kept() {
     CHECK(first_difference(make_policy<Policy>(params).params, params) == "");
     CHECK(first_difference(make_policy<Policy>({}).params, ParamsOf<Policy>{}) == "");
   }
+}
+
+/// All that a policy says, number by number, so that two policies can be told apart.
+class Answers {
+ public:
+  template <class T>
+  void add(const T& said) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+      numbers_.push_back(static_cast<double>(said));
+    } else if constexpr (std::same_as<T, Ancestor>) {
+      add(said.id);
+    } else if constexpr (HasFields<T>) {
+      for_each_field(said, [&](const auto&, const auto& member) { add(member); });
+    } else if constexpr (requires { said.has_value(); }) {
+      add(said.has_value());
+      if (said) add(*said);
+    } else if constexpr (requires { said.begin(); }) {
+      add(said.size());
+      for (const auto& one : said) add(one);
+    } else if constexpr (requires { said.first; }) {
+      add(said.first);
+      add(said.second);
+    }
+  }
+  friend bool operator==(const Answers&, const Answers&) = default;
+
+ private:
+  std::vector<double> numbers_;
+};
+
+/// What a policy with a State keeps for individuals that are born, walk, catch, are caught and see somebody.
+template <class Policy>
+void add_states(Answers& answers, const Policy& policy, const test::HandPopulation& robots) {
+  if constexpr (Stateful<Policy>) {
+    const View view = robots.view();
+    for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+      auto own = policy.born(robots.individuals[body], nullptr, StateOf<Policy>{});
+      answers.add(own);
+      if constexpr (requires { policy.on_walk(own, body, 1.0, view); }) policy.on_walk(own, body, 1.0, view);
+      answers.add(own);
+      if constexpr (requires { policy.on_catch(own, body, body, view); }) policy.on_catch(own, body, body, view);
+      if constexpr (requires { policy.on_caught(own, body, body, view); }) policy.on_caught(own, body, body, view);
+      const std::optional<Sighting> seen = Sighting{.self = body, .adversary = 0, .distance_m = 2.0, .bearing_rad = 0.5};
+      if constexpr (requires { policy.on_sighting(own, body, seen, view); }) policy.on_sighting(own, body, seen, view);
+      answers.add(own);
+    }
+  }
+}
+
+/// Other values of a number, near and far, within its bound.
+template <class T>
+[[nodiscard]] std::vector<T> other_values(const T& value, const Bound& bound) {
+  std::vector<T> others;
+  if constexpr (std::same_as<T, bool>) {
+    others.push_back(!value);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    const auto number = static_cast<double>(value);
+    for (const double other : {number / 2.0, number * 2.0, number + 1.0, number - 1.0, number / 10.0, number * 10.0,
+                               number + 100.0, -number, bound.upper, bound.lower}) {
+      const bool inside = (bound.lower_excluded ? other > bound.lower : other >= bound.lower) && other <= bound.upper;
+      if (std::isfinite(other) && inside && std::abs(other) < 1e6 && static_cast<T>(other) != value) {
+        others.push_back(static_cast<T>(other));
+      }
+    }
+  } else if constexpr (NamedEnum<T>) {
+    for (std::size_t one = 0; one < enum_names(value).size(); ++one) {
+      if (static_cast<T>(one) != value) others.push_back(static_cast<T>(one));
+    }
+  }
+  return others;
+}
+
+/// Each number of a policy changes what it says, for some other value: a manifest names none that nothing hangs on.
+/// `answers_of(policy)`: all that it says.
+template <class Policy, class AnswersOf>
+void check_params_used(AnswersOf&& answers_of) {
+  const Answers usual = answers_of(defaulted<Policy>());
+  CHECK((answers_of(defaulted<Policy>()) == usual));  // and another one of the same numbers says the same
+  ParamsOf<Policy> params{};
+  for_each_field(params, [&](const auto& f, auto& value) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    const T before = value;
+    const std::vector<T> others = other_values(before, f.bound);
+    bool used = others.empty();
+    for (auto other = others.begin(); !used && other != others.end(); ++other) {
+      value = *other;
+      try {
+        used = !(answers_of(make_policy<Policy>(params)) == usual);
+      } catch (const std::exception&) {  // a value that does not go with the others is used, too, but shows no answer
+      }
+    }
+    value = before;
+    CAPTURE(f.name);
+    CHECK(used);
+  });
 }
 
 /// Its name is written as in configuration files, it lists all its numbers and holds those it is made from, its default numbers

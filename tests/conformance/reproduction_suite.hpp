@@ -27,6 +27,14 @@ TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite
     });
     for (const double weight : weights) CHECK(std::isfinite(weight));
   }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    std::vector<double> drawn(20);
+    Rng rng{1, Stream::user};
+    made.draw(drawn, rng);
+    conformance::Answers answers;
+    answers.add(drawn);
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("genome source", Policy, trophic_genome_source_suite) {
@@ -37,7 +45,16 @@ TEST_CASE_TEMPLATE_DEFINE("genome source", Policy, trophic_genome_source_suite) 
   for (const std::uint64_t seed : conformance::seeds) {
     conformance::asked_twice(seed, [&](Rng& rng) { return policy.inherits(rng); });
   }
-  CHECK(policy.without_parent() == conformance::defaulted<Policy>().without_parent());
+  const auto without = policy.without_parent();
+  for (int again = 0; again < 100; ++again) CHECK((policy.without_parent() == without));  // a fact of the rule: it counts nothing
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      Rng rng{seed, Stream::user};
+      answers.add(made.inherits(rng));
+    }
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
@@ -62,11 +79,36 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
           const auto there = reproduction::ask::parent(policy, own, vacancy, same.view(), rng);
           CHECK((there ? std::optional{there->id} : std::nullopt) == (parent ? std::optional{parent->id} : std::nullopt));
         }
+        // nor does it matter which bodies they all live in
+        const auto order = test::random_order(seed, size);
+        const auto body_of = [&](BodyIndex before) {
+          return static_cast<BodyIndex>(std::ranges::find(order, before) - order.begin());
+        };
+        const test::HandPopulation moved = robots.reordered(order);
+        auto moved_vacancy = vacancy;
+        moved_vacancy.body = body_of(body);
+        if (vacancy.killer) moved_vacancy.killer = body_of(*vacancy.killer);
+        Rng rng{seed, Stream::user};
+        const auto there = reproduction::ask::parent(policy, own, moved_vacancy, moved.view(), rng);
+        CHECK((there ? std::optional{there->id} : std::nullopt) == (parent ? std::optional{parent->id} : std::nullopt));
         if (!parent) continue;
         CHECK(parent->species < robots.web.size());
         CHECK(parent->genome != nullptr);
       }
     }
+  });
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      conformance::add_states(answers, made, robots);
+      for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+        const auto own = conformance::own_state(made, robots.individuals[body], seed);
+        Rng rng{seed, Stream::user, body};
+        const reproduction::Vacancy starved{.body = body, .cause = Cause::starved};
+        answers.add(reproduction::ask::parent(made, own, starved, robots.view(), rng));
+      }
+    });
+    return answers;
   });
 }
 
@@ -122,4 +164,16 @@ TEST_CASE_TEMPLATE_DEFINE("mutation", Policy, trophic_mutation_suite) {
     auto own = conformance::own_state(policy, offspring, seed);
     reproduction::ask::mutate(policy, own, std::span<double>{}, offspring, rng);
   }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    for (const std::uint64_t seed : conformance::seeds) {
+      std::vector<double> mutated(20, 0.5);
+      auto own = conformance::own_state(made, offspring, seed);
+      Rng rng{seed, Stream::user};
+      reproduction::ask::mutate(made, own, std::span{mutated}, offspring, rng);
+      answers.add(mutated);
+      answers.add(own);
+    }
+    return answers;
+  });
 }

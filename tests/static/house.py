@@ -64,11 +64,59 @@ def header_start():
 
 
 def policies_have_tests():
-    """Each policy and each metric has a test file of its name."""
+    """Each policy, each metric and each observer has a test file of its name."""
     tests = {path.name for path in (ROOT / "tests").rglob("*_test.cpp")}
-    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "analysis")]
+    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "analysis", "observe")]
     policies = [path for path in sources(*folders) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
     return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
+
+
+def references() -> dict[str, str]:
+    """Key -> entry of references.bib."""
+    entries = re.split(r"^@\w+\{", (ROOT / "references.bib").read_text(), flags=re.MULTILINE)[1:]
+    return {entry.split(",", 1)[0]: entry for entry in entries}
+
+
+def sources_cited():
+    """Every policy's `source`, and every citation of code and documents, names a section and equation of the paper or a key of
+    references.bib; an entry has a DOI, an address or says that it has none, and somebody cites it."""
+    entries = references()
+    offences = [f"references.bib: {key} needs a doi or a url" for key, text in entries.items() if not re.search(r"doi = |url = |no DOI", text)]
+    paper = entries["kachler2023"]
+    sections = {" ".join(title.split()) for title in re.search(r"sections = \{([^}]*)\}", paper)[1].split(";")}
+    equations = int(re.search(r"equations = \{(\d+)\}", paper)[1])
+    own = r"control|released code|not in the paper|paper: silent|paper: no such rule"
+    form = re.compile(rf'({own}|paper, Sec\. "[^"]*"(, Eq\. \d+)?)([;:].*)?')
+    cited = {"kachler2023"}
+    documents = [path for path in ROOT.rglob("*.md") if not any(part.startswith(("build", ".")) for part in path.relative_to(ROOT).parts)]
+    for path in [*sources("include", "backends", "examples", suffixes=(".hpp", ".ipp", ".cpp")), *documents]:
+        name, text = path.relative_to(ROOT), path.read_text()
+        prose = text if path.suffix == ".md" else " ".join(re.findall(r"//.*|\"(?:[^\"\\\n]|\\.)*\"", text))
+        for source in re.findall(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', text):
+            if not form.fullmatch(source.replace('\\"', '"')):
+                offences.append(f"{name}: source \"{source}\" names neither a section of the paper nor one of: {own}")
+        for title in re.findall(r'Sec\. \\?"([^"\\]*)\\?"', re.sub(r"\s*\n\s*(///?)? *", " ", text)):
+            if title not in sections:
+                offences.append(f"{name}: the paper has no section \"{title}\"")
+        for number in re.findall(r"\bEq\. (\d+)", text):
+            if not 1 <= int(number) <= equations:
+                offences.append(f"{name}: the paper has no equation {number}")
+        offences += [f"{name}: Eq. {label}: cite an equation by its number" for label in re.findall(r'Eq\. (\\?"\w+)', text)]
+        for key in re.findall(r"(?:\[|@)([a-z]+(?:1[89]|20)\d\d[a-z]?)\b", text):
+            cited.add(key)
+            if key not in entries:
+                offences.append(f"{name}: [{key}] is not in references.bib")
+        for author in re.findall(r"\b[A-Z][a-z]+(?: et al\.| and [A-Z]\w+)?,? \(?(?:1[89]\d\d|20[0-3]\d)\b", prose if path.suffix != ".md" else ""):
+            if not author.startswith("June"):
+                offences.append(f"{name}: '{author}': cite the key of references.bib")
+    return offences + [f"references.bib: nobody cites {key}" for key in entries if key not in cited]
+
+
+def pure_policies():
+    """A policy remembers nothing by itself, reads no clock and draws from no engine but the stream that it is given."""
+    kinds = [f"include/trophic/{kind}" for kind in ("perception", "control", "reproduction", "death", "initialization")]
+    impure = r"\bmutable\b|\bthread_local\b|^\s*static (?!constexpr|consteval|_assert|bool|auto|std::|double|void|State\b|Params\b)\w|#include <(random|chrono|ctime|thread|mutex|atomic|fstream|iostream)>|\bextern\b|\bvolatile\b"
+    return lines_with(impure, sources(*kinds))
 
 
 def complete_umbrella():

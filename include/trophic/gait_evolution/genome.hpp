@@ -42,8 +42,8 @@ struct LinkGene {
   }
 };
 
-/// A compositional pattern producing network (Sec. "Targeted Steering": CPPNs; genes as in Stanley and Miikkulainen 2002,
-/// "Evolving neural networks through augmenting topologies"). Seven inputs, nodes 0 to 6: the constant 1, then x, y, z of two
+/// A compositional pattern producing network [stanley2007] (Sec. "Targeted Steering": CPPNs), whose genes are those
+/// of networks that grow [stanley2002]. Seven inputs, nodes 0 to 6: the constant 1, then x, y, z of two
 /// modules' grid cells; one output, node 7; hidden nodes from 8 on. Invariants: see `validate`.
 struct Genome {
   static constexpr std::uint32_t inputs = 7;

@@ -14,7 +14,7 @@
 
 namespace trophic::gait_evolution {
 
-/// The paper is silent about all of these; the defaults are in the range of Stanley and Miikkulainen 2002.
+/// The paper is silent about all of these; the defaults are in the range of [stanley2002].
 struct Variation {
   double initial_weight_limit = 1.0;
   double crossover_probability = 0.75;

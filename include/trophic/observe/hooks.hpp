@@ -10,6 +10,7 @@
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 /// Every hook: (name, what it needs to look like, the arguments it is called with).
@@ -29,21 +30,24 @@ namespace trophic::observe {
 
 namespace detail {
 
+// What is probed in the place of a final class, which nobody inherits and CheckObserver refuses.
+struct NotProbed {};
+
 // A name is ambiguous in a class that inherits it twice: so `&Probe::on_tick` is ill-formed exactly if Observer has an on_tick of
 // any kind.
-#define TROPHIC_PROBE(hook, signature, ...)              \
-  struct Has_##hook {                                    \
-    int hook;                                            \
-  };                                                     \
-  template <class Observer>                              \
-  struct Probe_##hook : Observer, Has_##hook {};         \
-  template <class Observer>                              \
-  concept Names_##hook = !requires {                     \
-    &Probe_##hook<Observer>::hook;                       \
-  };                                                     \
-  template <class Observer>                              \
-  concept Takes_##hook = requires(Observer & observer) { \
-    observer.hook(__VA_ARGS__);                          \
+#define TROPHIC_PROBE(hook, signature, ...)                                                                \
+  struct Has_##hook {                                                                                      \
+    int hook;                                                                                              \
+  };                                                                                                       \
+  template <class Observer>                                                                                \
+  struct Probe_##hook : std::conditional_t<std::is_final_v<Observer>, NotProbed, Observer>, Has_##hook {}; \
+  template <class Observer>                                                                                \
+  concept Names_##hook = !requires {                                                                       \
+    &Probe_##hook<Observer>::hook;                                                                         \
+  };                                                                                                       \
+  template <class Observer>                                                                                \
+  concept Takes_##hook = requires(Observer & observer) {                                                   \
+    observer.hook(__VA_ARGS__);                                                                            \
   };
 TROPHIC_OBSERVER_HOOKS(TROPHIC_PROBE)
 #undef TROPHIC_PROBE
@@ -51,13 +55,16 @@ TROPHIC_OBSERVER_HOOKS(TROPHIC_PROBE)
 /// Fails to compile, with one sentence, if a hook has a wrong signature or if there is none at all.
 template <class Observer>
 struct CheckObserver {
+  static_assert(!std::is_final_v<Observer>,
+                "an observer must not be final: whether its hooks have the right signatures could not be told; see "
+                "trophic/observe/hooks.hpp");
 #define TROPHIC_CHECK_HOOK(hook, signature, ...)                   \
   static_assert(!Names_##hook<Observer> || Takes_##hook<Observer>, \
                 "the observer's " #hook " must be callable as " signature "; see trophic/observe/hooks.hpp");
   TROPHIC_OBSERVER_HOOKS(TROPHIC_CHECK_HOOK)
 #undef TROPHIC_CHECK_HOOK
 #define TROPHIC_ANY_HOOK(hook, signature, ...) || Names_##hook<Observer>
-  static_assert(false TROPHIC_OBSERVER_HOOKS(TROPHIC_ANY_HOOK),
+  static_assert(std::is_final_v<Observer> TROPHIC_OBSERVER_HOOKS(TROPHIC_ANY_HOOK),
                 "an observer needs at least one hook; see trophic/observe/hooks.hpp");
 #undef TROPHIC_ANY_HOOK
   static_assert(Names_on_frame<Observer> == Names_frame_hz<Observer>,

@@ -83,6 +83,29 @@ struct with_rule final {
 TROPHIC_RULE_SLOTS(TROPHIC_WITH)
 #undef TROPHIC_WITH
 
+// A kind of rules is no slot: with_death names none of death's eight.
+#define TROPHIC_NO_SLOT(kind, slots)                                                                                \
+  namespace detail {                                                                                                \
+  template <class Rules>                                                                                            \
+  struct kind##_is_no_slot {                                                                                        \
+    static_assert(std::is_void_v<Rules>, #kind " is no slot but a kind of rules; its slots are swapped by " slots); \
+    using type = Rules;                                                                                             \
+  };                                                                                                                \
+  }                                                                                                                 \
+  template <class Rules, class Policy>                                                                              \
+  using with_##kind = typename detail::kind##_is_no_slot<Rules>::type;
+TROPHIC_NO_SLOT(initialization, "with_community and with_placement")
+TROPHIC_NO_SLOT(perception, "with_heading, with_visibility, with_sensors, with_blind_rule, with_newborn_tag and with_tag_switch")
+TROPHIC_NO_SLOT(control, "with_brain, with_decision_order and with_steering")
+TROPHIC_NO_SLOT(reproduction,
+                "with_initial_genome, with_genome_source, with_heredity, with_mutation, with_capture_parent, "
+                "with_starvation_parent, with_rescue_parent and with_senescence_parent")
+TROPHIC_NO_SLOT(
+    death,
+    "with_activation, with_capture, with_floor, with_starvation_schedule, with_starvation, with_reprieve, with_rescue "
+    "and with_senescence")
+#undef TROPHIC_NO_SLOT
+
 /// A table with other numbers: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as a table
 /// does whose numbers are set at run time; a manifest lists them.
 template <class Rules, auto change>

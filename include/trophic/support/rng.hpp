@@ -42,9 +42,9 @@ namespace detail {
 
 }  // namespace detail
 
-/// A stream of random numbers (Philox 4x64, 10 rounds: Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3").
+/// A stream of random numbers (Philox 4x64, 10 rounds [salmon2011]).
 /// The same four names give the same numbers on every platform; uniform and normal are the library's own transforms because
-/// those of <random> differ between standard libraries. Cheap to make, copy and throw away. Not for cryptography.
+/// those of `<random>` differ between standard libraries. Cheap to make, copy and throw away. Not for cryptography.
 class Rng {
  public:
   /// `other` tells streams of one individual and event apart: whom it looks at, which of its sensors.

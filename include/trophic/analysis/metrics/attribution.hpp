@@ -13,7 +13,7 @@ namespace trophic::analysis {
 /// The baseline that the paper compares both attributions with: the share of newborn that inherit (Sec. "Attribution").
 inline constexpr double attribution_paper_baseline = 2.0 / 3.0;
 
-/// Members of `species` that were caught and had inherited, among those caught: Eq. "sucprey" of Sec. "Metrics for system
+/// Members of `species` that were caught and had inherited, among those caught: Eq. 4 of Sec. "Metrics for system
 /// dynamics". Lower is better. None without a catch.
 [[nodiscard]] inline std::optional<double> attribution_caught(Events events, Species species) {
   Mean share;
@@ -34,7 +34,7 @@ inline constexpr double attribution_paper_baseline = 2.0 / 3.0;
   return share.value();
 }
 
-/// Inherited members of `species` that ever caught anybody, among its members that did: Eq. "sucpred", as the paper's text says.
+/// Inherited members of `species` that ever caught anybody, among its members that did: Eq. 5, as the paper's text says.
 [[nodiscard]] inline std::optional<double> attribution_catchers(Events events, Species species) {
   std::map<IndividualId, Origin> catchers;
   for (const EventRow& row : events) {

@@ -12,8 +12,8 @@
 namespace trophic::analysis {
 
 /// One robot over one stretch of time: (dist(P1, A1) - dist(P2, A1)) / duration with P1, P2 its own position at the start and the
-/// end and A1 its adversary's at the start (Eq. "eqvelo"); positive towards the adversary. A walk past something close ends
-/// farther away on average, so zero is no null: the neutral shadow is.
+/// end and A1 its adversary's at the start; positive towards the adversary (Eq. 6 of Sec. "Metrics for system dynamics"). A walk
+/// past something close ends farther away on average, so zero is no null: the neutral shadow is.
 struct VelocitySample {
   double time_s = 0.0;  ///< start
   Species species = 0;

@@ -37,7 +37,7 @@ struct Claim {
 /// Margins are one standard deviation between the authors' own runs: what differs by less could be two runs of one system.
 /// - Counted in the ten logs: attributions 0.032 (credited), 0.034 (catches), 0.037 (caught), 0.028 (died); deaths 7.9 caught,
 ///   4.9 sacrificed, 3.9 starved a run; share of time with 8 predators 0.029.
-/// - Tag symmetry 0.065: from the published range of ten runs, 0.33 to 0.53, over 3.08 (Tippett 1925).
+/// - Tag symmetry 0.065: from the published range of ten runs, 0.33 to 0.53, over 3.08 [tippett1925].
 /// - Velocities and walls: no log of positions can be had, so 15 % of the value, the spread of tag symmetry and of sacrifices and
 ///   the largest of those above. The walls' difference 0.11: both margins in quadrature.
 ///

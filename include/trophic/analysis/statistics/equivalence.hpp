@@ -29,7 +29,7 @@ struct EquivalenceTest {
   Equivalence verdict = Equivalence::unknown;
 };
 
-/// Two one-sided tests (Schuirmann 1987), each at level `alpha`: equivalent iff the interval of the difference at 1 - 2 alpha
+/// Two one-sided tests [schuirmann1987], each at level `alpha`: equivalent iff the interval of the difference at 1 - 2 alpha
 /// lies within +-margin; different iff it does not and the interval at 1 - alpha leaves out zero. Intervals as interval_of.
 /// Throws std::invalid_argument unless margin > 0 and alpha lies between 0 and 0.5.
 [[nodiscard]] inline EquivalenceTest test_equivalence(const std::optional<Contrast>& difference, double margin,

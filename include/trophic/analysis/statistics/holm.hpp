@@ -10,8 +10,9 @@
 
 namespace trophic::analysis {
 
-/// Holm's (1979) step-down correction. An adjusted value <= 0.05 is found in at most 5 % of analyses in which nothing differs,
-/// however the comparisons hang together. The k-th smallest of m values becomes the largest (m - j + 1) p_j of j = 1, ..., k.
+/// Holm's step-down correction [holm1979]. An adjusted value <= 0.05 is found in at most 5 % of analyses in which nothing
+/// differs, however the comparisons hang together. The k-th smallest of m values becomes the largest (m - j + 1) p_j of j = 1,
+/// ..., k.
 [[nodiscard]] inline std::vector<double> holm(std::span<const double> p_values) {
   std::vector<std::size_t> order(p_values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

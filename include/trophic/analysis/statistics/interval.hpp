@@ -49,8 +49,8 @@ struct Contrast {
   double freedom = 0.0;
 };
 
-/// Of one set: Student's t (n - 1 degrees of freedom). Of several: Welch's (1947) approximation, which lets every set have its
-/// own spread. None if a set has fewer than `runs_for_verdict` values.
+/// Of one set: Student's t (n - 1 degrees of freedom). Of several: Welch's approximation [welch1947], which lets every set have
+/// its own spread. None if a set has fewer than `runs_for_verdict` values.
 [[nodiscard]] inline std::optional<Contrast> contrast(std::initializer_list<Term> terms) {
   Contrast sum;
   double variance = 0.0;

@@ -14,13 +14,13 @@
 namespace trophic::control::brain {
 
 /// Rule: CognitiveBrain whose weights learn. The genome g is what a brain is born with; after each decision every weight
-/// w = g + learnt changes by Oja's rule, a Hebbian rule that stays bounded:
-///   learnt <- learnt + rate * y * (x - y * w), with x the neuron before and y the one after the weight
-/// (Oja 1982, "A simplified neuron model as a principal component analyzer"). What is learnt dies with the individual; its
-/// offspring inherit the genome as it was.   Random draws: 0.
+/// w = g + learnt changes by Oja's rule [oja1982], a Hebbian rule that stays bounded:
+///   learnt <- learnt + rate * y * (x - y * w), with x the neuron before and y the one after the weight.
+/// What is learnt dies with the individual; its offspring inherit the genome as it was.
+/// Reads: what the sensors say.   Random draws: 0.
 struct HebbianBrain {
   static constexpr std::string_view name = "hebbian_brain";
-  static constexpr std::string_view source = "not in the paper";
+  static constexpr std::string_view source = "not in the paper; learning by [oja1982]";
   static constexpr std::size_t hidden = 3;
   using Network = TanhNetwork<hidden, Decision::outputs, Biases::none>;
 

@@ -14,11 +14,11 @@ namespace trophic::death::senescence {
 ///   E <- min(capacity, E + meal) at each catch,
 ///   E <- min(capacity, E - walking * distance - (resting - grazing) * tick) at each tick, grazing only for who hunts nobody.
 /// A newborn starts with `start`, whatever its parent and its body had. An alternative to the paper's hunger, which counts ticks
-/// alike for who walks and who waits (Sec. "Predator Death"); bookkeeping of energy as in Polyworld (Yaeger 1994). All its
+/// alike for who walks and who waits (Sec. "Predator Death"); bookkeeping of energy as in Polyworld [yaeger1994]. All its
 /// numbers are free. Reads: its own state, the distance walked, catches.   Random draws: 0.
 struct EnergyStore {
   static constexpr std::string_view name = "energy_store";
-  static constexpr std::string_view source = "not in the paper";
+  static constexpr std::string_view source = "not in the paper; after [yaeger1994]";
 
   struct Params {
     double start_J = 100.0;

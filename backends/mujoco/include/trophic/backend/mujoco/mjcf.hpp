@@ -34,7 +34,7 @@ enum class Collisions {
 /// cost most in a large model.
 enum class Servos {
   combined,              ///< one general actuator with an affine bias
-  position_and_velocity  ///< as people write it: <position> takes the target, <velocity> brakes
+  position_and_velocity  ///< as people write it: `<position>` takes the target, `<velocity>` brakes
 };
 
 /// What is in one MJCF model beside the robots.

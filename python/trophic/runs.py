@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""Reads the folders that runs and sets of runs leave, and what `trophic analyze` and `trophic flip-table` made of them, as pandas frames.
+
+docs/files.md says which files there are, docs/tables.md has the columns. Needs pandas."""
+
+import dataclasses
+import functools
+import json
+import os
+import pathlib
+
+import pandas
+
+TABLES = ("events", "agents", "phylogeny", "genomes", "states")
+# Ids and counts may be absent; what is empty in a text column is an empty text.
+_TEXT = ("event", "species", "cause", "origin", "unit", "metric", "group", "baseline", "set", "flip")
+
+
+class RunError(ValueError):
+    """A folder that is no run, or no set of runs; the message names it."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """A folder of one run. Tables are read when they are first asked for."""
+
+    path: pathlib.Path
+    manifest: dict
+    """manifest.json: rules, numbers, seed, versions, and how the run ended."""
+
+    @property
+    def complete(self) -> bool:
+        return self.manifest["status"] == "complete"
+
+    @property
+    def seed(self) -> int:
+        return self.manifest["seed"]
+
+    @property
+    def fingerprint(self) -> str:
+        """Runs that share it have the same rules, numbers, models and backend."""
+        return self.manifest["fingerprint"]
+
+    def table(self, name: str, columns: list[str] | None = None) -> pandas.DataFrame:
+        """events, agents, phylogeny, genomes, or states where a StateLog wrote them; only these columns, if given."""
+        return _table(self.path / f"{name}.csv", columns)
+
+    @functools.cached_property
+    def events(self) -> pandas.DataFrame:
+        """Births, activations, tag switches, catches and deaths, one a row."""
+        return self.table("events")
+
+    @functools.cached_property
+    def agents(self) -> pandas.DataFrame:
+        """Every robot at every tick."""
+        return self.table("agents")
+
+    @functools.cached_property
+    def phylogeny(self) -> pandas.DataFrame:
+        """Every individual, in the ALife data standard."""
+        return self.table("phylogeny")
+
+    @functools.cached_property
+    def genomes(self) -> pandas.DataFrame:
+        """A row a birth."""
+        return self.table("genomes")
+
+
+@dataclasses.dataclass(frozen=True)
+class Runs:
+    """Replicates: runs that differ in their seeds only, and the runs of their neutral shadow, if there is one."""
+
+    path: pathlib.Path
+    runs: list[Run]
+    shadow: "Runs | None" = None
+
+    def __len__(self) -> int:
+        return len(self.runs)
+
+    def __iter__(self):
+        return iter(self.runs)
+
+    def __getitem__(self, index: int) -> Run:
+        return self.runs[index]
+
+    def table(self, name: str, columns: list[str] | None = None) -> pandas.DataFrame:
+        """That table of all runs, with the columns `run` (the folder's name) and `seed` in front."""
+        tables = []
+        for run in self.runs:
+            table = run.table(name, columns)
+            table.insert(0, "run", run.path.name)
+            table.insert(1, "seed", run.seed)
+            tables.append(table)
+        return pandas.concat(tables, ignore_index=True)
+
+
+@dataclasses.dataclass(frozen=True)
+class Analysis:
+    """What `trophic analyze` wrote."""
+
+    path: pathlib.Path
+    metrics: pandas.DataFrame
+    """metrics.csv: every value and every curve of every run, one value a row. Texts that are empty stay empty texts."""
+    summary: dict
+    """summary.json: means, intervals and verdicts of each set."""
+
+
+def read_run(path: str | os.PathLike) -> Run:
+    """The run in this folder. Raises RunError for a folder that is none."""
+    path = pathlib.Path(path)
+    try:
+        manifest = json.loads((path / "manifest.json").read_text())
+        if not {"status", "seed", "fingerprint", "rule_table"} <= manifest.keys():
+            raise RunError(f"{path}/manifest.json: not a run's")
+    except FileNotFoundError:
+        raise RunError(f"{path}: no run: it has no manifest.json") from None
+    except json.JSONDecodeError as error:
+        raise RunError(f"{path}/manifest.json: broken: {error}") from None
+    return Run(path, manifest)
+
+
+def read_runs(path: str | os.PathLike, *, incomplete: bool = False) -> Runs:
+    """The replicates in this folder, in order, and those of its shadow. Incomplete ones are left out unless they are asked for.
+
+    Raises RunError for a folder without replicates, and for runs of different fingerprints, which are no replicates.
+    """
+    path = pathlib.Path(path)
+    folders = sorted(folder for folder in path.glob("replicate-*") if folder.name.removeprefix("replicate-").isdigit())
+    runs = [run for folder in folders if (folder / "manifest.json").exists() and ((run := read_run(folder)).complete or incomplete)]
+    if not runs:
+        raise RunError(f"{path}: no {'' if incomplete else 'complete '}replicates")
+    fingerprints = {run.fingerprint for run in runs}
+    if len(fingerprints) > 1:
+        raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(fingerprints))}")
+    shadow = read_runs(path / "shadow", incomplete=incomplete) if (path / "shadow").is_dir() else None
+    return Runs(path, runs, shadow)
+
+
+def read_study(path: str | os.PathLike, *, incomplete: bool = False) -> dict[str, Runs]:
+    """Every set of runs below this folder, by its path from there: a sweep, or the flips of an ablation study."""
+    path = pathlib.Path(path)
+    folders = sorted(file.parent for file in path.rglob("replicates.json") if file.parent.name != "shadow")
+    if not folders:
+        raise RunError(f"{path}: no set of runs (replicates.json) below it")
+    return {str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete) for folder in folders}
+
+
+def read_analysis(path: str | os.PathLike) -> Analysis:
+    """The folder that `trophic analyze --out` made. Raises RunError for another."""
+    path = pathlib.Path(path)
+    try:
+        return Analysis(path, _table(path / "metrics.csv"), json.loads((path / "summary.json").read_text()))
+    except (FileNotFoundError, json.JSONDecodeError, pandas.errors.ParserError, KeyError) as error:
+        raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
+
+
+def _table(path: pathlib.Path, columns: list[str] | None = None) -> pandas.DataFrame:
+    header = pandas.read_csv(path, nrows=0).columns
+    texts = {name: str for name in header if name in _TEXT or name == "run"}
+    numbers = {name: [""] for name in header if name not in texts}
+    return pandas.read_csv(path, usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
+                           float_precision="round_trip")  # else the last bit of a number may be another

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""A card for each policy: what its doc block and its Params say, which tables use it, and what flipping it did (RESULTS.md)."""
+
+import dataclasses
+import pathlib
+import re
+
+import references
+from documents import parse
+
+KINDS = ("perception", "control", "reproduction", "death", "initialization")
+
+
+@dataclasses.dataclass
+class Card:
+    header: str  # trophic/death/floor/no_floor.hpp
+    slot: str  # its folder
+    kind: str
+    type: str
+    name: str
+    source: str
+    doc: list[str]
+    params: list[tuple[str, str, str, str]]  # name, default, bounds, meaning
+    state: bool
+
+
+def params_of(body: str) -> list[tuple[str, str, str, str]]:
+    """Name, default, bounds and meaning of each number that fields() lists."""
+    if "Params params;" not in body:
+        return []
+    params = []
+    fields = body[body.find("fields()") : body.find("Params params;")]
+    for name, bounds, meaning in re.findall(r'field\("(\w+)", &Params::\w+,\s*(.*?),\s*"([^"]*)"\)', fields, re.DOTALL):
+        default = re.search(rf"\b{name} = ([^;]+);", body)
+        params.append((name, default[1] if default else "", " ".join(bounds.split()), meaning))
+    return params
+
+
+def doc_lines(comment: str) -> list[str]:
+    return [line.removeprefix("///").removeprefix(" ") for line in comment.splitlines()]
+
+
+def read_alias(path: pathlib.Path, include: pathlib.Path) -> Card | None:
+    """A policy that is a template of its folder with its arguments: its doc block, then the template's."""
+    header = path.relative_to(include)
+    alias = re.search(r"((?:^///.*\n)+)using (\w+) = (\w+)<[^;]*>;\nstatic_assert", path.read_text(), re.MULTILINE)
+    if not alias:
+        return None
+    general = next(other for other in path.parent.glob("*.hpp") if re.search(rf"^struct {alias[3]}\b", other.read_text(), re.MULTILINE))
+    text = general.read_text()
+    base = re.search(rf"((?:^///.*\n)+)template <[^\n]*>\nstruct {alias[3]}\b", text, re.MULTILINE)
+    kind, slot = header.parts[1:3]
+    doc = [*doc_lines(alias[1]), "", *doc_lines(base[1])]
+    return Card(str(header), slot, kind, alias[2], snake(alias[2]), "", doc, params_of(text[base.start() :]), False)
+
+
+def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
+    text = path.read_text()
+    header = str(path.relative_to(include))
+    struct = re.search(r"((?:^///.*\n)+)(?:template <[^\n]*>\n)?^struct (\w+) (?:final )?(?::[^{]*)?\{\n  static constexpr std::string_view name\b", text, re.M)
+    if not struct:
+        return read_alias(path, include)
+    doc = doc_lines(struct[1])
+    body = text[struct.start() :]
+    kind, *folders = pathlib.PurePath(header).parts[1:-1]
+    name = re.search(r'string_view name = "([^"]*)"', body)
+    source = re.search(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', body)
+    if not name or not source:
+        return None
+    prose = " ".join(doc)
+    if not re.search(r"Random draws?:", prose):
+        raise SystemExit(f"rule cards: {header}: the doc block of {struct[2]} does not say how many random numbers it draws")
+    if not re.search(r"\bRules?\b[^:.]*:", prose):
+        raise SystemExit(f"rule cards: {header}: the doc block of {struct[2]} has no 'Rule:'")
+    return Card(header, folders[0] if folders else kind, kind, struct[2], name[1], source[1].replace('\\"', '"'), doc, params_of(body), "struct State" in body)
+
+
+def tables(include: pathlib.Path) -> dict[str, list[tuple[str, str]]]:
+    """Policy's type -> (table, slot) in which it stands."""
+    used: dict[str, list[tuple[str, str]]] = {}
+    for table in ("paper", "released"):
+        text = (include / f"trophic/rules/{table}.hpp").read_text()
+        for slot, policy in re.findall(r"using (\w+) =\s*(.*?);", text, re.DOTALL):
+            for name in re.findall(r"(\w+)(?=[,<>\s]|$)", policy):
+                used.setdefault(name, []).append((table, slot))
+    return used
+
+
+def snake(slot: str) -> str:
+    return re.sub(r"(?<!^)([A-Z])", r"_\1", slot).lower()
+
+
+def flips(root: pathlib.Path) -> list[list[str]]:
+    """The rows of RESULTS.md's tables of flips: put into, metric, base, flipped, difference, p."""
+    rows = []
+    for table in parse(root / "RESULTS.md").tables:
+        if table.rows[0][0].startswith("put into"):
+            into = re.sub(r"[`\s]|put into", "", table.rows[0][0])
+            rows += [[into, *row] for row in table.rows[2:]]
+    return rows
+
+
+def escaped(text: str) -> str:
+    return re.sub(r"([<>@\\#])", r"\\\1", text)
+
+
+def page(card: Card, used: dict, flipped: list[list[str]], keys: set[str]) -> str:
+    prose, formula = [], []
+    for line in card.doc:
+        (formula if line.startswith("  ") else prose).append(line)
+        if line.startswith("  "):
+            prose.append(f"\x01{line.strip()}")
+    place = f"{card.kind}/{card.slot}" if card.slot != card.kind else card.kind
+    lines = [f"{card.type} {{#card_{card.slot}_{card.name}}}", "=" * 20, "", f"A rule of the slot `{place}`.", ""]
+    text: list[str] = []
+    for line in prose:
+        if line.startswith("\x01"):
+            text.append(f"\n\n    {line[1:]}\n\n")
+        else:
+            text.append(escaped(line))
+    body = "\n".join(text)
+    body = re.sub(r"\s*Reads:\s*", "\n\n**Reads.** ", body)
+    body = re.sub(r"\s*Random draws?:\s*", "\n\n**Random draws.** ", body)
+    body = re.sub(r"\b(Rules?\b[^:.]*):\s*", r"**\1.** ", body, count=1)
+    lines += [body, ""]
+    if card.source:
+        lines += [f"**Where it comes from.** {escaped(card.source)}", ""]
+    if card.params:
+        lines += ["| number | default | bounds | meaning |", "|---|---|---|---|"]
+        lines += [f"| `{field}` | `{default}` | `{bounds}` | {escaped(meaning)} |" for field, default, bounds, meaning in card.params] + [""]
+    else:
+        lines += ["It has no numbers.", ""]
+    if card.state:
+        lines += ["It keeps a `State` for each body.", ""]
+    places = used.get(card.type, [])
+    if places:
+        lines += ["**Tables that use it.** " + ", ".join(f"`{table}` as `{slot}`" for table, slot in places), ""]
+    else:
+        lines += ["**Tables that use it.** None that is shipped.", ""]
+    slots = {snake(slot) for _, slot in places}
+    told = [row for row in flipped if row[1].split(".")[0] in slots]
+    lines += ["**What flipping its slot or a number of it did** (RESULTS.md; on the kinematic backend, what `trophic flip-table` calls decided):", ""]
+    if told:
+        lines += ["| into | flipped | metric | before | after | difference | p |", "|---|---|---|---|---|---|---|"]
+        lines += ["| " + " | ".join(escaped(cell) for cell in row) + " |" for row in told] + [""]
+    else:
+        lines[-2] = "**What flipping its slot or a number of it did.** Nothing decided; that is no finding of absence (RESULTS.md)."
+    lines += [f"The header: [{card.header}](@ref {card.header}).", ""]
+    return references.linked("\n".join(lines), keys)
+
+
+def write(root: pathlib.Path, out: pathlib.Path) -> list[Card]:
+    include = root / "include"
+    headers = [path for kind in KINDS for path in sorted((include / "trophic" / kind).rglob("*.hpp")) if "detail" not in path.parts]
+    cards = [card for path in headers if (card := read(path, include))]
+    used, flipped, keys = tables(include), flips(root), set(references.entries(root))
+    index = ["Rule cards {#rule_cards}", "=" * 20, "", "One page for each policy, made from its doc block.", ""]
+    for kind in KINDS:
+        index += [f"## {kind} {{#cards_{kind}}}", ""]
+        for slot in sorted({card.slot for card in cards if card.kind == kind}):
+            index += [f"**{slot}**", ""]
+            for card in (card for card in cards if card.kind == kind and card.slot == slot):
+                (out / f"card_{card.slot}_{card.name}.md").write_text(page(card, used, flipped, keys))
+                index.append(f"- @subpage card_{card.slot}_{card.name}")
+            index.append("")
+    (out / "rule_cards.md").write_text("\n".join(index))
+    return cards

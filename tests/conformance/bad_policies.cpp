@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Rules that fit their contract and break what it means: each must fail its suite. CMakeLists.txt runs them one by one.
+#include <conformance/control_suite.hpp>
+#include <conformance/death_suite.hpp>
+#include <conformance/perception_suite.hpp>
+#include <conformance/reproduction_suite.hpp>
+#include <random>
+
+namespace {
+
+using namespace trophic;
+
+/// Its number changes nothing.
+struct ForgetsItsNumber {
+  static constexpr std::string_view name = "forgets_its_number";
+  struct Params {
+    double max_age_s = 100.0;
+    static constexpr auto fields() { return std::tuple{field("max_age_s", &Params::max_age_s, above(0.0), "age at death")}; }
+  };
+  Params params;
+  [[nodiscard]] bool dies(const Individual& individual, const View& view, Rng&) const { return view.age_s(individual) > 100.0; }
+};
+
+/// Counts how often it was asked.
+struct CountsSecretly {
+  static constexpr std::string_view name = "counts_secretly";
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const {
+    static int asked = 0;
+    return ++asked % 2 == 0;
+  }
+};
+
+/// Draws from an engine of its own.
+struct DrawsElsewhere {
+  static constexpr std::string_view name = "draws_elsewhere";
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const {
+    static std::mt19937 engine{1};
+    return engine() % 3 == 0;
+  }
+};
+
+/// The east of the world is deadly: its rule changes when the world is turned.
+struct FearsTheEast {
+  static constexpr std::string_view name = "fears_the_east";
+  [[nodiscard]] bool activates(BodyIndex body, const View& view) const { return view.poses[body].x_m > 0.0; }
+  [[nodiscard]] bool restarts_age() const { return false; }
+};
+
+/// The north is, which a quarter turn and a mirror show.
+struct LikesOneHand {
+  static constexpr std::string_view name = "likes_one_hand";
+  [[nodiscard]] bool spared(BodyIndex hunter, const View& view, const perception::Perceives&) const {
+    return view.poses[hunter].heading_rad > 0.0;
+  }
+};
+
+/// Who lives in an odd body is favoured: changes when robots change places.
+struct FavoursOddBodies {
+  static constexpr std::string_view name = "favours_odd_bodies";
+  [[nodiscard]] bool activates(BodyIndex body, const View&) const { return body % 2 == 1; }
+  [[nodiscard]] bool restarts_age() const { return false; }
+};
+
+/// Reads a meaning into an id.
+struct FavoursOddIds {
+  static constexpr std::string_view name = "favours_odd_ids";
+  [[nodiscard]] bool dies(const Individual& individual, const View&, Rng&) const { return individual.id % 2 == 1; }
+};
+
+/// Tells left from right by the world, not by the robot.
+struct SensesTheWorld {
+  static constexpr std::string_view name = "senses_the_world";
+  static constexpr std::size_t size = 1;
+  [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>&, const View& view, Rng&) const {
+    return {view.poses[self].y_m / 20.0};
+  }
+};
+
+/// The parent is whoever lives in the first body.
+struct FirstBodyIsParent {
+  static constexpr std::string_view name = "first_body_is_parent";
+  [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy&, const View& view, Rng&) const {
+    if (view.robots.empty()) return std::nullopt;
+    const Individual& first = view.robots.front();
+    return Ancestor{.id = first.id, .species = first.species, .genome = first.genome};
+  }
+};
+
+/// Every other time it says otherwise.
+struct DecidesNowAndThen {
+  static constexpr std::string_view name = "decides_now_and_then";
+  [[nodiscard]] bool in_turn() const {
+    static bool turn = false;
+    return turn = !turn;
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, ForgetsItsNumber, CountsSecretly, DrawsElsewhere, FavoursOddIds);
+TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, FearsTheEast, FavoursOddBodies);
+TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, LikesOneHand);
+TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, SensesTheWorld);
+TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, FirstBodyIsParent);
+TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, DecidesNowAndThen);

@@ -1,0 +1,34 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""pkg_config_test.py PREFIX LIBDIR COMPILER PROGRAM.cpp: a program compiles with pkg-config's flags alone, from headers and against the
+compiled library, and finds the installed models."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PREFIX, LIBDIR, COMPILER, PROGRAM = sys.argv[1:]
+SKIPPED = 77
+
+
+def main() -> int:
+    if not shutil.which("pkg-config"):
+        print("pkg-config is not installed")
+        return SKIPPED
+    environment = {**os.environ, "PKG_CONFIG_PATH": f"{PREFIX}/{LIBDIR}/pkgconfig"}
+    with tempfile.TemporaryDirectory() as folder:
+        for package in ("trophic", "trophic-compiled"):
+            program = pathlib.Path(folder) / package
+            command = f"{COMPILER} -std=c++20 {PROGRAM} $(pkg-config --cflags --libs {package}) -o {program}"
+            # The shell sees the quotes in TROPHIC_MODEL_DIR as any Makefile does.
+            subprocess.run(["bash", "-c", f'eval "{command.replace(chr(34), chr(92) + chr(34))}"'], env=environment, check=True)
+            done = subprocess.run([program], cwd=folder, capture_output=True, text=True, check=True)
+            assert "\ndeaths  " in done.stdout and "\nalive  " in done.stdout, done.stdout
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

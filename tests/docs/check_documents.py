@@ -1,0 +1,251 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""check_documents.py ROOT CHECK [--only FILE] [--programs FOLDER] [--program NAME=FILE]: one property of every document of the tree.
+
+names     each path, file and name in code style exists, and each name said to be a former one does not
+links     each link and anchor leads somewhere
+commands  each command's program, flags, keys, presets and targets are accepted (--programs: where the built programs are)
+excerpts  each block taken from a file stands in it
+figures   each table of figures says in its section which command made them
+readme    README has its two commands, continuous integration calls the second, no sentence has more than 30 words,
+          and each word of the glossary is linked where it is first used
+
+What a document tells its test stands in comments: <!-- former: NAMES -->, <!-- example: NAMES --> (names that a reader chooses),
+<!-- given: why --> (figures of the next table that nobody measured), <!-- from FILE --> (above a block). Those that a test follows (follow.py): <!-- file NAME -->,
+<!-- append NAME -->, <!-- run -->, <!-- skipped: why -->.
+Prints each offence; exit 0 none, 1 some."""
+
+import argparse
+import fnmatch
+import os
+import pathlib
+import re
+import sys
+
+import commands
+from documents import Document, all_documents, slug
+
+README_COMMANDS = ["scripts/quickstart", "scripts/run-tests"]
+LONGEST_SENTENCE = 30
+HISTORY = {"CHANGELOG.md"}  # tells of names that are gone
+SUFFIXES = ("hpp", "ipp", "cpp", "h", "py", "md", "toml", "csv", "json", "png", "cmake", "txt", "html", "trp", "bin", "bib", "svg", "log", "sh")
+SOURCES = (".hpp", ".ipp", ".cpp", ".py", ".toml", ".cmake", ".json", ".ts", ".in", ".bib", ".cff", ".txt", ".sh", ".js", ".yml", ".yaml")
+
+
+class Tree:
+    """What the documents speak of."""
+
+    def __init__(self, root: pathlib.Path):
+        self.root = root
+        self.files = [path for path in self.walk(root)]
+        self.relative = {str(path.relative_to(root)) for path in self.files}
+        self.folders = {str(pathlib.PurePath(name).parent) for name in self.relative}
+        self.folders |= {str(parent) for name in self.folders for parent in pathlib.PurePath(name).parents}
+        sources = [path for path in self.files if path.suffix in SOURCES or not path.suffix]
+        sources = [path for path in sources if "golden" not in path.parts and path.name != "planted_lies_test.py"]
+        self.text = "\n".join(path.read_text(errors="replace") for path in sources)
+        self.words = set(re.findall(r"[A-Za-z_]\w*", self.text))
+        self.heads = [root, *(path for path in self.include_folders())]
+
+    @staticmethod
+    def walk(root: pathlib.Path):
+        for folder, folders, names in os.walk(root):
+            folders[:] = [n for n in folders if not (n.startswith("build") or n in ("runs", "node_modules", ".git", ".cache", "__pycache__"))]
+            yield from (pathlib.Path(folder) / name for name in names)
+
+    def include_folders(self):
+        for include in [self.root / "include", *sorted(self.root.glob("backends/*/include"))]:
+            yield include
+            yield include / "trophic"
+            yield include / "trophic" / "backend"
+            yield from (path for path in sorted((include / "trophic" / "backend").glob("*")) if path.is_dir())
+        yield from (self.root / folder for folder in ("models", "tests", "examples", "python", "viewer"))
+
+    def has_path(self, named: str, document: Document) -> bool:
+        """<slot> and * stand for any name, ... for any folders, {a,b} for both."""
+        pattern = re.sub(r"<[^>]*>", "*", named).rstrip("/")
+        for alternative in expanded(pattern):
+            found = False
+            for head in [document.path.parent, *self.heads]:
+                if "*" in alternative:
+                    found = found or any(True for _ in head.glob(alternative))
+                else:
+                    found = found or (head / alternative).exists()
+            if not found:
+                return False
+        return True
+
+    def knows_file(self, name: str) -> bool:
+        """A file of the tree, or one that a program writes: its name, or its ending after a name of the reader's, is in the sources."""
+        pattern = re.sub(r"<[^>]*>", "*", name)
+        if "/" not in name and any(fnmatch.fnmatch(pathlib.PurePath(known).name, pattern) for known in self.relative):
+            return True
+        return name in self.text
+
+
+def expanded(pattern: str) -> list[str]:
+    if braces := re.search(r"\{([^}]*)\}", pattern):
+        return [one for part in braces[1].split(",") for one in expanded(pattern[: braces.start()] + part + pattern[braces.end() :])]
+    return [pattern]
+
+
+def is_output(name: str) -> bool:
+    """What programs write stands in folders of these names in every document."""
+    return name.split("/")[0] in ("runs", "analysis", "build")
+
+
+def names(tree: Tree, document: Document) -> list[str]:
+    if document.path.name in HISTORY:
+        return []
+    offences = []
+    former = set(document.noted("former").split())
+    example = set(document.noted("example").split())
+    for name in sorted(former):
+        if re.fullmatch(r"\w+", name) and name in tree.words:
+            offences.append(f"1: '{name}' is said to be a former name, and the sources have it")
+    own = set(re.findall(r"[A-Za-z_]\w*", "\n".join(block.code for block in document.blocks)))  # a document's own code
+    for line, span in document.spans:
+        bare = span.strip()
+        if commands.is_command(bare):
+            continue
+        if re.fullmatch(r"<?[\w.\-*<>{},/]+>?", bare) and ("/" in bare or re.fullmatch(rf"[\w\-*<>.]+\.({'|'.join(SUFFIXES)})", bare)):
+            named = bare[1:-1] if re.fullmatch(r"<[^<>]+>", bare) else bare
+            if is_output(named) or named.split("/")[0] in example or any(part.isupper() for part in named.split("/")):
+                continue
+            named = re.sub(r"\.\.\./", "**/", named)
+            if not tree.has_path(named, document) and not tree.knows_file(named):
+                offences.append(f"{line}: there is no '{bare}'")
+            continue
+        for word in re.findall(r"[A-Za-z_]\w*", re.sub(r'"[^"]*"', "", bare)):
+            if len(word) < 4 or word.isupper() or word in own or word in tree.words or word in former or word in example:
+                continue
+            offences.append(f"{line}: nothing is called '{word}' (in `{bare}`)")
+    return offences
+
+
+def links(tree: Tree, document: Document, anchors: dict[pathlib.Path, set[str]]) -> list[str]:
+    offences = []
+    for line, target in document.links:
+        if re.match(r"[a-z]+:", target):
+            continue
+        file, _, anchor = target.partition("#")
+        path = (document.path.parent / file).resolve() if file else document.path.resolve()
+        if not path.exists():
+            offences.append(f"{line}: links to {target}, which does not exist")
+        elif anchor and anchor not in anchors.get(path, set()):
+            offences.append(f"{line}: links to {target}, and that document has no such heading")
+    return offences
+
+
+def excerpts(tree: Tree, document: Document) -> list[str]:
+    offences = []
+    for block in document.blocks:
+        key, name = block.note
+        if key == "from" and not (tree.root / name).is_file():
+            offences.append(f"{block.line}: taken from {name}, which does not exist")
+        elif key == "from" and block.code not in (tree.root / name).read_text():
+            offences.append(f"{block.line}: these lines do not stand in {name}:\n{block.code}")
+    return offences
+
+
+def figures(tree: Tree, document: Document) -> list[str]:
+    offences = []
+    if document.path.name in HISTORY:
+        return []
+    given = [line for line, key, _ in document.notes if key == "given"]
+    for table in document.tables:
+        measured = [cell for row in table.rows[2:] for cell in row if re.match(r"[-+<]? ?\d[\d,]*(\.\d+)?( |$|%)", cell)]
+        if len(measured) < 3 or any(table.line - 3 <= line < table.line for line in given):
+            continue
+        start = table.line
+        made = False
+        while not made:  # the section, then the one that it is part of
+            heading = max((h for h in document.headings if h.line < start), key=lambda h: h.line, default=None)
+            start = heading.line if heading else 0
+            upto = next((h.line for h in document.headings if h.line > table.line), 10**9)
+            near = [span for line, span in document.spans if start <= line < upto]
+            near += [block.code for block in document.blocks if start <= block.line < upto]
+            made = any(commands.is_command(line.strip()) for text in near for line in text.splitlines())
+            if not heading or heading.level <= 2:
+                break
+        if not made:
+            offences.append(f"{table.line}: a table of figures, and its section names no command that made them")
+    return offences
+
+
+def sentences(text: str) -> list[str]:
+    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    text = re.sub(r"`[^`]*`", "code", text)
+    return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?]\))\s+", text)
+
+
+def readme(tree: Tree, document: Document) -> list[str]:
+    if document.path != tree.root / "README.md":
+        return []
+    offences = []
+    shell = "".join(block.code for block in document.blocks if block.language == "sh").splitlines()
+    for command in README_COMMANDS:
+        if command not in shell:
+            offences.append(f"1: no line '{command}' in a sh block")
+        if not os.access(tree.root / command, os.X_OK):
+            offences.append(f"1: {command} is not an executable file")
+    ci = [line for line in (tree.root / ".ci/run").read_text().splitlines() if line and not line.startswith(("#", "set ", "cd "))]
+    if ci != [f"exec {README_COMMANDS[1]}"]:
+        offences.append(f"1: .ci/run must only call {README_COMMANDS[1]}, it has: {ci}")
+    for line, text in document.paragraphs:
+        for sentence in sentences(text):
+            words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
+            if words > LONGEST_SENTENCE:
+                offences.append(f"{line}: a sentence of {words} words (at most {LONGEST_SENTENCE}): {sentence}")
+    return offences + unexplained(tree, document)
+
+
+def unexplained(tree: Tree, document: Document) -> list[str]:
+    """Words of the glossary that are not linked to it where they are first used; <!-- plain: WORDS --> are meant as everybody does."""
+    plain = set(document.noted("plain").split())
+    offences = []
+    for term in sorted(re.findall(r'<a id="([^"]+)">', (tree.root / "GLOSSARY.md").read_text())):
+        plural = term[:-1] + "(y|ies)" if term.endswith("y") else term + "s?"
+        word = re.compile(rf"\b{plural.replace('-', '[ -]')}\b", re.IGNORECASE)
+        for line, text in document.paragraphs:
+            text = re.sub(r"`[^`]*`|!\[[^\]]*\]\([^)]*\)", "", text)
+            if not (first := word.search(re.sub(r"\]\([^)]*\)", lambda m: "]" + " " * (len(m[0]) - 1), text))):
+                continue
+            link = next((m for m in re.finditer(r"\[[^\]]*\]\(([^)]*)\)", text) if m.start() <= first.start() < m.end()), None)
+            if term not in plain and not (link and link[1] == f"GLOSSARY.md#{term}"):
+                offences.append(f"{line}: '{first[0]}' is a word of the glossary, and its first use is not linked to GLOSSARY.md#{term}")
+            break
+    return offences
+
+
+CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "readme": readme}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("check", choices=CHECKS)
+    parser.add_argument("--only", help="this document of the tree")
+    parser.add_argument("--programs", type=pathlib.Path, help="folder of the built programs")
+    parser.add_argument("--program", action="append", default=[], help="NAME=FILE: a program that documents build")
+    chosen = parser.parse_args()
+    root = chosen.root.resolve()
+    tree = Tree(root)
+    documents = all_documents(root)
+    extra = ()
+    if chosen.check == "links":
+        extra = ({document.path.resolve(): document.anchors for document in documents},)
+    elif chosen.check == "commands":
+        extra = (commands.Programs(chosen.programs, dict(pair.split("=", 1) for pair in chosen.program)),)
+    offences = 0
+    for document in documents:
+        name = str(document.path.relative_to(root))
+        if chosen.only in (None, name):
+            for offence in CHECKS[chosen.check](tree, document, *extra):
+                print(f"{name}:{offence}")
+                offences += 1
+    return 1 if offences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

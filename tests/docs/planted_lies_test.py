@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""planted_lies_test.py ROOT PROGRAMS: in a copy of the tree each kind of lie is planted in a document, and check_documents.py finds it."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT, PROGRAMS = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
+CHECK = ROOT / "tests/docs/check_documents.py"
+HOUSE = ROOT / "tests/static/house.py"
+
+# check, document, what is added at its end, what the check must say about it
+LIES = [
+    ("names", "README.md", "See `tests/unit/no_such_test.cpp`.", "there is no 'tests/unit/no_such_test.cpp'"),
+    ("names", "CONTRIBUTING.md", "The test `golden_that_never_was` holds it.", "nothing is called 'golden_that_never_was'"),
+    ("names", "README.md", "It leaves `no_such_output.csv`.", "there is no 'no_such_output.csv'"),
+    ("names", "RESULTS.md", "<!-- former: normal_mutation -->", "'normal_mutation' is said to be a former name"),
+    ("names", "README.md", "`include/trophic/death/<slot>/no_such.hpp` is it.", "there is no 'include/trophic/death/<slot>/no_such.hpp'"),
+    ("links", "README.md", "[here](docs/no_such_page.md)", "which does not exist"),
+    ("links", "README.md", "[here](RESULTS.md#no-such-heading)", "no such heading"),
+    ("links", "README.md", "![picture](docs/no_such.png)", "which does not exist"),
+    ("commands", "README.md", "```sh\ntrophic-prey-predator --help\n```", "nothing is called 'trophic-prey-predator'"),
+    ("commands", "README.md", "```sh\nscripts/no-such\n```", "there is no scripts/no-such"),
+    ("commands", "README.md", "```sh\ncmake --preset no_such\n```", "no configure preset 'no_such'"),
+    ("commands", "README.md", "```sh\ncmake --build --preset dev --target no_such\n```", "CMake has no target 'no_such'"),
+    ("commands", "README.md", "```sh\ncmake --preset release -DTROPHIC_NO_SUCH=ON\n```", "CMake reads no 'TROPHIC_NO_SUCH'"),
+    ("commands", "README.md", "```sh\nctest --preset dev -R 'no such test'\n```", "no test's name matches"),
+    ("commands", "README.md", "```text\ntrophic evolve-gait --robott gecko\n```", "has no --robott"),
+    ("commands", "README.md", "```text\ntrophic breed-gait\n```", "trophic has no command 'breed-gait'"),
+    ("commands", "README.md", "```text\ntrophic-predator-prey --set no.such_key=3\n```", "refused"),
+    ("commands", "README.md", "```text\ntrophic-predator-prey --set rules.mutation.sd=-1\n```", "refused"),
+    ("commands", "README.md", "```text\ntrophic-predator-prey --rules no_such\n```", "refused"),
+    ("commands", "README.md", "```text\ntrophic evolve-gait --robot models/robots/no_such.toml\n```", "there is no models/robots/no_such.toml"),
+    ("commands", "README.md", "```sh\npython3 examples/figures/plot.py --no-such x\n```", "knows no --no-such"),
+    ("commands", "README.md", "```text\nbuild/ci/tests/bench/bench_no_such\n```", "builds no 'bench_no_such'"),
+    ("commands", "README.md", "The flag `--no-such-flag` does it.", "no program has --no-such-flag"),
+    ("excerpts", "README.md", "<!-- from examples/01_minimal.cpp -->\n```cpp\nint no_such;\n```", "do not stand in examples/01_minimal.cpp"),
+    ("figures", "README.md", "# New\n\n| robots | steps |\n|---|---|\n| 1 | 2.5 |\n| 10 | 3.5 |\n", "names no command that made them"),
+    ("sources_cited", "README.md", "As in [nobody1999].", "[nobody1999] is not in references.bib"),
+    ("sources_cited", "README.md", 'As in Sec. "No such section".', 'no section "No such section"'),
+    ("sources_cited", "include/trophic/death/floor/no_floor.hpp", 'static std::string_view source = "hearsay";', 'source "hearsay" names neither'),
+    ("sources_cited", "include/trophic/death/floor/no_floor.hpp", "// Eq. 9", "no equation 9"),
+    ("readme", "README.md", "A vacancy.", "'vacancy' is a word of the glossary"),
+    ("readme", "README.md", "One " + "and one " * 20 + ".", "a sentence of"),
+]  # fmt: skip
+
+
+def main() -> int:
+    missed = []
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder) / "trophic"
+        shutil.copytree(ROOT, copy, symlinks=True, ignore=shutil.ignore_patterns("build", ".git", ".cache", "runs", "node_modules"))
+        for check, document, lie, said in LIES:
+            path = copy / document
+            before = path.read_text()
+            path.write_text(f"{before}\n{lie}\n")
+            command = [CHECK, copy, check, "--only", document, "--programs", PROGRAMS]
+            if check == "sources_cited":
+                command = [HOUSE, copy, check]
+            done = subprocess.run([sys.executable, *command], capture_output=True, text=True)
+            path.write_text(before)
+            if done.returncode != 1 or said not in done.stdout:
+                missed.append(f"{check}: not found: {lie}\n{done.stdout}{done.stderr}")
+    print("\n".join(missed) or f"{len(LIES)} lies were found")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

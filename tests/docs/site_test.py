@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""site_test.py ROOT OUT: the site is built without a warning, each policy has a card, and what checks it finds what is planted."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT, OUT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
+sys.path[:0] = [str(ROOT / "scripts/site"), str(ROOT / "tests/docs")]
+
+import check_links  # noqa: E402
+import rule_cards  # noqa: E402
+
+
+def finds_broken_links() -> None:
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "a.html").write_text('<a href="b.html#here">1</a><a href="b.html#gone">2</a><img src="gone.png"><a href="https://x.org">3</a>')
+        (folder / "b.html").write_text('<h1 id="here"></h1>')
+        found = check_links.broken_links(folder)
+        assert len(found) == 2 and "b.html#gone" in found[0] and "gone.png" in found[1], found
+
+
+def refuses_a_rule_that_hides_its_draws() -> None:
+    header = (ROOT / "include/trophic/death/floor/no_floor.hpp").read_text()
+    with tempfile.TemporaryDirectory() as name:
+        path = pathlib.Path(name) / "trophic/death/floor/no_floor.hpp"
+        path.parent.mkdir(parents=True)
+        path.write_text(header.replace("Random draws", "Draws"))
+        try:
+            rule_cards.read(path, pathlib.Path(name))
+        except SystemExit as refusal:
+            assert "does not say how many random numbers" in str(refusal), refusal
+        else:
+            raise AssertionError("a doc block without its random draws must be refused")
+
+
+def cards_say_what_the_sources_say() -> None:
+    include = ROOT / "include"
+    card = rule_cards.read(include / "trophic/reproduction/mutation/normal_mutation.hpp", include)
+    assert (card.type, card.name, card.slot) == ("NormalMutation", "normal_mutation", "mutation"), card
+    assert card.params == [("sd", "0.05", "at_least(0.0)", "standard deviation")], card.params
+    used = rule_cards.tables(include)
+    assert used["NormalMutation"] == [("paper", "Mutation")] and ("released", "Mutation") in used["UniformMutation"], used
+    policies = [p for kind in rule_cards.KINDS for p in (include / "trophic" / kind).rglob("*.hpp") if "string_view name" in p.read_text()]
+    for path in policies:
+        if "detail" not in path.parts and path.name not in ("contract.hpp", "list.hpp", "cognitive_network.hpp"):
+            assert rule_cards.read(path, include), f"{path} has no card"
+
+
+def main() -> int:
+    finds_broken_links()
+    refuses_a_rule_that_hides_its_draws()
+    cards_say_what_the_sources_say()
+    if not shutil.which("doxygen"):
+        print("doxygen is not installed")
+        return 77
+    return subprocess.run([ROOT / "scripts/build-site", "--out", OUT]).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A misspelt number in braces fits no constructor. The language gives a library no way to say more; written with the type's name,
+// Params{.sed = 42}, both compilers name it.
+// expect: no matching
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
+#include <trophic/rules/paper.hpp>
+
+int main() {
+#ifdef VALID
+  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.seed = 42});
+#else
+  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.sed = 42});
+#endif
+}

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""runs_test.py PREDATOR_PREY TROPHIC: what the Python module reads is what the programs wrote, and says the same as `trophic analyze`."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "python")]
+from figures_python import PYTHON  # noqa: E402
+
+if PYTHON is None:
+    print("no Python with pandas")
+    sys.exit(77)
+try:
+    import pandas
+except ModuleNotFoundError:  # the system's Python has it
+    os.execv(PYTHON, [PYTHON, *sys.argv])
+
+import trophic.runs as runs  # noqa: E402
+
+PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+
+
+class Runs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        for name, rules in (("set", "paper"), ("study/one", "paper"), ("study/two", "released")):
+            count = "6" if name == "set" else "1"
+            duration = "1200" if name == "set" else "60"
+            cls.call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", duration, "--replicates", count, "--shadow",
+                     "--out", name)
+        cls.call(TROPHIC, "analyze", "set", "--out", "analysis")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    @classmethod
+    def call(cls, *command):
+        done = subprocess.run(command, cwd=cls.folder, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise AssertionError(f"{command}: {done.stderr}")
+
+    def test_a_run_has_its_manifest_and_every_row(self):
+        run = runs.read_run(self.folder / "set/replicate-00")
+        self.assertTrue(run.complete)
+        self.assertEqual(run.manifest, json.loads((run.path / "manifest.json").read_text()))
+        for name in ("events", "agents", "phylogeny", "genomes"):
+            lines = (run.path / f"{name}.csv").read_text().splitlines()
+            self.assertEqual(len(getattr(run, name)), len(lines) - 1, name)
+            self.assertEqual(list(getattr(run, name).columns), lines[0].split(","), name)
+        self.assertEqual(set(run.agents.species), {"prey", "predator"})
+        self.assertEqual(len(run.agents), 30 * 601)
+        births = run.events[run.events.event == "birth"]
+        self.assertEqual(set(births.cause), {""})  # no cause is an empty text, not a number
+        self.assertTrue(births.killer_id.isna().all())
+
+    def test_numbers_are_read_as_they_were_written(self):
+        run = runs.read_run(self.folder / "set/replicate-01")
+        first = (run.path / "genomes.csv").read_text().splitlines()[1].split(",")
+        read = run.genomes.iloc[0]
+        for column, text in zip(run.genomes.columns, first):
+            if column.startswith("weight") or column.startswith("w"):
+                self.assertEqual(float(text), read[column])
+
+    def test_a_set_and_its_shadow(self):
+        paper = runs.read_runs(self.folder / "set")
+        self.assertEqual((len(paper), len(paper.shadow)), (6, 6))
+        self.assertEqual([run.seed for run in paper], [run.seed for run in paper.shadow])
+        events = paper.table("events", ["time_s", "event", "species"])
+        self.assertEqual(list(events.columns), ["run", "seed", "time_s", "event", "species"])
+        self.assertEqual(events.run.nunique(), 6)
+        self.assertEqual(len(events), sum(len(run.events) for run in paper))
+
+    def test_it_counts_what_analyze_counts(self):
+        analysis = runs.read_analysis(self.folder / "analysis")
+        metrics = analysis.metrics
+        values = metrics[(metrics.baseline == "") & metrics.time_s.isna()]
+        for run in runs.read_runs(self.folder / "set"):
+            of_run = values[values.run == run.path.name]
+
+            def analysed(metric, species, group="all"):
+                return of_run[(of_run.metric == metric) & (of_run.species == species) & (of_run.group == group)].value.item()
+
+            deaths = run.events[run.events.event == "death"]
+            for species in ("prey", "predator"):
+                self.assertEqual((deaths.species == species).sum(), analysed("deaths", species))
+            caught = deaths[(deaths.species == "prey") & (deaths.cause == "caught")]
+            self.assertGreater(len(caught), 5)
+            self.assertAlmostEqual((caught.origin == "inherited").mean(), analysed("attribution_caught", "prey"), places=12)
+            half_m = analysis.summary["sets"][0]["runs"][0]["half_side_m"]
+            near = run.agents[["x_m", "y_m"]].abs().max(axis=1) >= half_m - 1.0
+            share = near[run.agents.species == "prey"].groupby(run.agents.tick).mean().mean()
+            self.assertAlmostEqual(share, analysed("wall_sticking", "prey"), places=2)
+
+    def test_a_study_is_read_set_by_set(self):
+        study = runs.read_study(self.folder / "study")
+        self.assertEqual(list(study), ["one", "two"])
+        self.assertEqual([sets[0].manifest["rule_table"] for sets in study.values()], ["paper", "released"])
+
+    def test_what_is_no_run_is_named(self):
+        (self.folder / "empty").mkdir(exist_ok=True)
+        (self.folder / "broken").mkdir(exist_ok=True)
+        (self.folder / "broken/manifest.json").write_text("{")
+        (self.folder / "mixed").mkdir(exist_ok=True)
+        for number, origin in enumerate(("study/one", "study/two")):
+            link = self.folder / f"mixed/replicate-0{number}"
+            if not link.exists():
+                link.symlink_to(self.folder / origin / "replicate-00")
+        for read, name, said in (
+            (runs.read_run, "empty", "no manifest.json"),
+            (runs.read_run, "broken", "broken"),
+            (runs.read_runs, "empty", "no complete replicates"),
+            (runs.read_runs, "mixed", "different fingerprints"),
+            (runs.read_study, "empty", "no set of runs"),
+            (runs.read_analysis, "empty", "not what trophic analyze writes"),
+        ):
+            with self.assertRaises(runs.RunError) as refused:
+                read(self.folder / name)
+            self.assertIn(said, str(refused.exception))
+            self.assertIn(name, str(refused.exception))
+
+    def test_an_incomplete_run_is_left_out_unless_asked_for(self):
+        folder = self.folder / "cut"
+        if not folder.exists():
+            subprocess.run(["cp", "-r", self.folder / "set", folder], check=True)
+            manifest = json.loads((folder / "replicate-00/manifest.json").read_text())
+            manifest["status"] = "running"
+            (folder / "replicate-00/manifest.json").write_text(json.dumps(manifest))
+        self.assertEqual(len(runs.read_runs(folder)), 5)
+        self.assertEqual(len(runs.read_runs(folder, incomplete=True)), 6)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Each contract takes what keeps it, and refuses a function that is missing, not const, of another result or of one argument
+// more.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <trophic/perception/sensors/contract.hpp>
+#include <trophic/rules/slots.hpp>
+#include <vector>
+
+// The functions are never defined, so they must not be anybody's own.
+namespace trophic::refused_by_contracts {
+
+struct Nonsense {};
+
+struct Nothing {};
+
+#define TROPHIC_REFUSES(label, Contract, rest, Result, function, ...)     \
+  namespace label {                                                       \
+  struct Keeps {                                                          \
+    rest Result function(__VA_ARGS__) const;                              \
+  };                                                                      \
+  struct Changes {                                                        \
+    rest Result function(__VA_ARGS__);                                    \
+  };                                                                      \
+  struct SaysOtherwise {                                                  \
+    rest Nonsense function(__VA_ARGS__) const;                            \
+  };                                                                      \
+  struct WantsMore {                                                      \
+    rest Result function(__VA_ARGS__ __VA_OPT__(, ) Nonsense more) const; \
+  };                                                                      \
+  struct Lacks {                                                          \
+    rest                                                                  \
+  };                                                                      \
+  static_assert(Contract<Keeps>);                                         \
+  static_assert(!Contract<Changes>);                                      \
+  static_assert(!Contract<SaysOtherwise>);                                \
+  static_assert(!Contract<WantsMore>);                                    \
+  static_assert(!Contract<Lacks>);                                        \
+  static_assert(!Contract<Nothing> && !Contract<int>);                    \
+  }
+
+// what else the contract asks for, kept as it is
+#define TROPHIC_AND(...) __VA_ARGS__;
+#define TROPHIC_ALONE
+
+TROPHIC_REFUSES(community_web, initialization::Community, TROPHIC_AND(std::vector<Species> founders(std::size_t) const), FoodWeb,
+                web)
+TROPHIC_REFUSES(community_founders, initialization::Community, TROPHIC_AND(FoodWeb web() const), std::vector<Species>, founders,
+                std::size_t)
+TROPHIC_REFUSES(placement, initialization::Placement, TROPHIC_ALONE, std::vector<GroundPose>, place, std::size_t, const Arena&,
+                double, Rng&)
+
+TROPHIC_REFUSES(heading, perception::Heading, TROPHIC_ALONE, double, heading_rad, const Pose&, double)
+TROPHIC_REFUSES(visibility, perception::Visibility, TROPHIC_ALONE, bool, perceives, BodyIndex, BodyIndex, const View&, Rng&)
+using Two = std::array<double, 2>;
+TROPHIC_REFUSES(own_sensor, perception::OwnSensor, TROPHIC_AND(static constexpr std::size_t size = 2), Two, sense, BodyIndex,
+                const std::optional<Sighting>&, const View&, Rng&)
+TROPHIC_REFUSES(common_sensor, perception::CommonSensor, TROPHIC_AND(static constexpr std::size_t size = 2), Two, sense,
+                const View&)
+TROPHIC_REFUSES(blind_rule, perception::BlindRule, TROPHIC_ALONE, bool, decides)
+TROPHIC_REFUSES(newborn_tag, perception::NewbornTag, TROPHIC_ALONE, int, tag, std::optional<int>, std::span<const int>, Rng&)
+TROPHIC_REFUSES(tag_switch, perception::TagSwitch, TROPHIC_AND(bool restarts(bool) const), bool, may_switch, const Individual&,
+                const View&)
+TROPHIC_REFUSES(tag_restart, perception::TagSwitch, TROPHIC_AND(bool may_switch(const Individual&, const View&) const), bool,
+                restarts, bool)
+
+TROPHIC_REFUSES(brain, control::Brain,
+                TROPHIC_AND(std::size_t genome_size(std::size_t, std::size_t) const; std::vector<int> tags() const),
+                control::Decision, decide, std::span<const double>, std::span<const double>)
+TROPHIC_REFUSES(decision_order, control::DecisionOrder, TROPHIC_ALONE, bool, in_turn)
+
+TROPHIC_REFUSES(steering, control::Steering, TROPHIC_ALONE, void, steer, double, std::span<const Side>, std::span<double>)
+
+TROPHIC_REFUSES(initial_genome, reproduction::InitialGenome, TROPHIC_ALONE, void, draw, std::span<double>, Rng&)
+TROPHIC_REFUSES(mutation, reproduction::Mutation, TROPHIC_ALONE, void, mutate, std::span<double>, const Individual&, Rng&)
+TROPHIC_REFUSES(genome_source, reproduction::GenomeSource, TROPHIC_AND(Origin without_parent() const), bool, inherits, Rng&)
+TROPHIC_REFUSES(heredity, reproduction::Heredity, TROPHIC_ALONE, std::shared_ptr<Genome>, inherit, const std::shared_ptr<Genome>&)
+TROPHIC_REFUSES(parent, reproduction::Parent, TROPHIC_ALONE, std::optional<Ancestor>, parent, const reproduction::Vacancy&,
+                const View&, Rng&)
+
+TROPHIC_REFUSES(activation, death::Activation, TROPHIC_AND(bool restarts_age() const), bool, activates, BodyIndex, const View&)
+TROPHIC_REFUSES(capture, death::CaptureRule, TROPHIC_ALONE, std::vector<death::Capture>, captures, const View&, Rng&)
+TROPHIC_REFUSES(floor, death::Floor, TROPHIC_ALONE, bool, may_die, Species, const View&)
+TROPHIC_REFUSES(schedule_interval, death::StarvationSchedule,
+                TROPHIC_AND(bool due(const death::StarvationClock&, const View&) const), std::int64_t, interval_ticks,
+                const View&)
+TROPHIC_REFUSES(schedule_due, death::StarvationSchedule, TROPHIC_AND(std::int64_t interval_ticks(const View&) const), bool, due,
+                const death::StarvationClock&, const View&)
+TROPHIC_REFUSES(starvation, death::Starvation, TROPHIC_ALONE, std::optional<BodyIndex>, victim, const View&,
+                const std::function<bool(BodyIndex)>&)
+TROPHIC_REFUSES(reprieve, death::Reprieve, TROPHIC_ALONE, bool, spared, BodyIndex, const View&, const perception::Perceives&)
+TROPHIC_REFUSES(rescue, death::Rescue, TROPHIC_ALONE, std::vector<death::Sacrifice>, sacrifices, const View&, Rng&)
+TROPHIC_REFUSES(senescence, death::Senescence, TROPHIC_ALONE, bool, dies, const Individual&, const View&, Rng&)
+
+TEST_CASE("contracts: what is refused is refused when this compiles") {
+  // a policy of one slot fits no other
+  CHECK_FALSE(death::Floor<senescence::Keeps>);
+  CHECK_FALSE(perception::BlindRule<decision_order::Keeps>);
+  CHECK_FALSE(control::DecisionOrder<blind_rule::Keeps>);
+}
+
+}  // namespace trophic::refused_by_contracts

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <trophic/observe/agent_log.hpp>
+#include <unit/observe/scene.hpp>
+
+using namespace trophic;
+
+TEST_CASE("agents: a row a robot and tick, empty where there is nothing to say") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "agents.csv";
+  const test::HandPopulation robots = test::three_robots();
+  observe::AgentLog log{path};
+  log.on_tick(robots.view());
+  CHECK(test::content(path) ==
+        "time_s,tick,body,id,species,origin,active,tag,x_m,y_m,heading_rad,target_angle_rad,adversary_id,adversary_distance_m,"
+        "hunger_ticks\n"
+        "6,3,0,7,predator,random,1,-1,1.500000,-2.000000,0.000000,0.700000,8,2.500000,2\n"
+        "6,3,1,8,prey,random,1,-1,0.250000,0.000000,0.500000,0.000000,,,\n"
+        "6,3,2,9,prey,inherited,0,1,0.000000,4.000000,0.000000,0.000000,,,\n");
+}

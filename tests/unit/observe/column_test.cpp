@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <trophic/observe/column.hpp>
+#include <trophic/observe/tables.hpp>
+#include <type_traits>
+
+using namespace trophic;
+
+namespace {
+
+struct NoColumns {};
+
+template <class Row>
+void check_columns() {
+  std::set<std::string_view> names;
+  observe::for_each_column<Row>([&](const auto& column) {
+    CAPTURE(std::string{column.name});
+    CHECK(names.insert(column.name).second);
+    CHECK_FALSE(column.help.empty());
+    using Kind = std::remove_cvref_t<decltype(column)>;
+    if constexpr (!observe::is_species_column<Kind>) {
+      // a name that ends in a unit says it
+      for (const std::string_view unit : {"s", "m", "rad"}) {
+        if (column.name.ends_with("_" + std::string{unit})) CHECK(column.unit == unit);
+      }
+    }
+  });
+}
+
+}  // namespace
+
+TEST_CASE("columns: each is named once and explained, and its name ends in its unit") {
+  static_assert(observe::TableRow<observe::EventRow> && !observe::TableRow<NoColumns> && !observe::TableRow<int>);
+  check_columns<observe::EventRow>();
+  check_columns<observe::AgentRow>();
+  check_columns<observe::TaxonRow>();
+  check_columns<observe::GenomeRow>();
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <trophic/observe/csv.hpp>
+#include <tuple>
+#include <unit/observe/scene.hpp>
+
+using namespace trophic;
+
+namespace {
+
+struct Row {
+  double exact = 0.1;
+  double rounded = 2.0 / 3.0;
+  std::optional<int> none = {};
+  bool yes = true;
+  std::string text = "plain";
+  static constexpr auto columns() {
+    return std::tuple{observe::column("exact", &Row::exact, "", ""),
+                      observe::column("rounded", &Row::rounded, "m", "", observe::micro),
+                      observe::column("none", &Row::none, "", ""), observe::column("yes", &Row::yes, "", ""),
+                      observe::column("text", &Row::text, "", "")};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("csv: cells are exact unless decimals are stated, nothing is empty, a comma is quoted") {
+  CHECK(observe::header_of<Row>() == "exact,rounded,none,yes,text\n");
+  const FoodWeb web{{}, {}};
+  std::string text;
+  observe::append_row(text, Row{}, web);
+  CHECK(text == "0.1,0.666667,,1,plain\n");
+  text.clear();
+  observe::append_row(text, Row{.exact = std::numeric_limits<double>::quiet_NaN(), .none = 3, .yes = false, .text = "a,b"}, web);
+  CHECK(text == ",0.666667,3,0,\"a,b\"\n");
+}
+
+TEST_CASE("csv: a file that exists is not overwritten, and a full disk is said") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("rows.csv", "mine\n");
+  CHECK(test::message_of<std::runtime_error>([&] {
+          observe::LineFile{path, "header\n"};
+        }) == "cannot create " + path + ": File exists");
+  CHECK(test::content(path) == "mine\n");
+  const auto other = folder.path() / "other.csv";
+  observe::LineFile file{other, "header\n"};
+  file.buffer() += "row\n";
+  CHECK(test::content(other) == "header\n");  // not before it is flushed
+  file.flush();
+  CHECK(test::content(other) == "header\nrow\n");
+}

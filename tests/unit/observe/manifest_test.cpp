@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <trophic/observe/manifest.hpp>
+#include <unit/observe/scene.hpp>
+
+using namespace trophic;
+
+namespace {
+
+nlohmann::json read(const std::filesystem::path& path) {
+  return nlohmann::json::parse(test::content(path));
+}
+
+}  // namespace
+
+TEST_CASE("manifest: it says what ran, and how it ended") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "manifest.json";
+  test::HandPopulation robots = test::three_robots();
+  observe::Manifest manifest{path, {{"host", "desk"}}};
+  manifest.on_start(test::short_run(), robots.at_tick(0).view());
+  const auto at_start = read(path);
+  CHECK(at_start["status"] == "running");
+  CHECK(at_start["rule_table"] == "hand_written");
+  CHECK(at_start["seed"] == 5);
+  CHECK(at_start["fingerprint"] == "0123456789abcdef");
+  CHECK(at_start["tags"] == nlohmann::json::array({-1, 1}));
+  CHECK(at_start["host"] == "desk");
+
+  SUBCASE("complete when the clock is where it was to be") {
+    manifest.on_tick(robots.at_tick(5).view());
+    manifest.on_end(robots.view());
+    CHECK(read(path)["status"] == "complete");
+  }
+  SUBCASE("stopped when somebody ended it before") {
+    manifest.on_tick(robots.at_tick(4).view());
+    manifest.on_end(robots.view());
+    CHECK(read(path)["status"] == "stopped");
+  }
+  SUBCASE("failed with what was thrown") {
+    manifest.on_failure("simulation diverged");
+    CHECK(read(path)["status"] == "failed");
+    CHECK(test::content(path).find("simulation diverged") != std::string::npos);
+  }
+  SUBCASE("what is known later is added") {
+    manifest.add({{"wall_s", "1.5"}});
+    CHECK(read(path)["wall_s"] == "1.5");
+    CHECK(read(path)["status"] == "running");
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <sstream>
+#include <trophic/observe/progress.hpp>
+#include <unit/observe/scene.hpp>
+
+using namespace trophic;
+using observe::EventKind;
+
+TEST_CASE("progress: durations and numbers as people write them") {
+  CHECK(observe::duration_text(0.4) == "0 s");
+  CHECK(observe::duration_text(59.4) == "59 s");
+  CHECK(observe::duration_text(59.6) == "1 min 0 s");
+  CHECK(observe::duration_text(200.0) == "3 min 20 s");
+  CHECK(observe::duration_text(7500.0) == "2 h 5 min");
+  CHECK(observe::short_text(3.14159) == "3.1");
+  CHECK(observe::short_text(100.4) == "100");
+}
+
+TEST_CASE("progress: the summary counts what it was told, with the engine's remarks") {
+  const test::HandPopulation robots = test::three_robots();
+  const View view = robots.view();
+  observe::RunDescription run = test::short_run();
+  run.remarks = {"physics.gravity_m_s2 has no effect"};
+  observe::Progress progress{false};
+  test::HandPopulation before = robots;
+  progress.on_start(run, before.at_tick(0).view());
+  for (BodyIndex body = 0; body < 3; ++body) {
+    progress.on_event({.kind = EventKind::birth, .body = body, .individual = view.robots[body], .cause = {}, .other = {}}, view);
+  }
+  progress.on_event({.kind = EventKind::death, .body = 1, .individual = view.robots[1], .cause = Cause::caught, .other = 7},
+                    view);
+  progress.on_tick(view);
+  progress.on_end(view);
+  std::ostringstream out;
+  progress.summary(out, view);
+  CHECK(out.str().starts_with("hand_written on paper 1, seed 5: 6.0 s of the ecology's clock, 6.0 simulated s in "));
+  CHECK(
+      out.str().ends_with("remark  physics.gravity_m_s2 has no effect\n"
+                          "births  3 (3 founders; 1 inherited)\n"
+                          "deaths  1 (1 caught, 0 starved, 0 sacrificed, 0 senescence)\n"
+                          "alive   2 prey 1 predator\n"));
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
+#include <trophic/observe/read_recording.hpp>
+#include <trophic/observe/recording.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/population/food_web.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+#include "unit/observe/recorded_motion.hpp"
+
+using namespace trophic;
+using namespace trophic::test;
+using observe::RecordingReader;
+
+TEST_CASE("what is recorded reads back to its units, block by block and in any order") {
+  const test::TemporaryFolder folder;
+  const Motion motion{250};
+  record(folder.path() / "replay.trp", motion);
+  const RecordingReader reader{folder.path() / "replay.trp"};
+  CHECK(reader.remark().empty());
+  REQUIRE(reader.frames() == 250);
+  check_same(reader, motion, 250);
+  CHECK(reader.root(249, 2).position_m.isApprox(motion.roots[249][2].position_m, 0.01));
+  CHECK(reader.root(0, 0).position_m.isApprox(motion.roots[0][0].position_m, 0.1));
+  const auto& head = reader.head();
+  CHECK(head.fingerprint == "0123456789abcdef");
+  CHECK(head.seed == 4);
+  CHECK(head.species == std::vector<std::string>{"prey", "predator"});
+  CHECK(head.robots == robots);
+  CHECK(head.joints == joints);
+  CHECK(head.arena.half_side_m == 10.0);
+  REQUIRE(head.robot.links.size() == joints + 1);
+  CHECK(head.robot.links[2].parent == 1);
+  CHECK(head.robot.links[2].offset_m == Eigen::Vector3d{0.1, 0.02, 0.003});
+  CHECK(head.robot.links[1].boxes[0].half_extents_m == Eigen::Vector3d{0.1, 0.2, 0.3});
+  CHECK(head.robot.hinges[1].axis == Eigen::Vector3d::UnitX());
+  CHECK(reader.time_s(17) == doctest::Approx(3.4));
+  CHECK(reader.frame_at(3.4) == 17);
+  CHECK(reader.frame_at(3.5) == 17);
+  CHECK(test::message_of<std::invalid_argument>([&] {
+          static_cast<void>(reader.frame_at(51.0));
+        }).find("time 51 s: must be between 0 and 49.8") == 0);
+  CHECK_THROWS_AS(static_cast<void>(reader.root(250, 0)), std::out_of_range);
+  CHECK_THROWS_AS(static_cast<void>(reader.root(0, robots)), std::out_of_range);
+}
+
+TEST_CASE("a run that failed keeps all its frames and has no end") {
+  const test::TemporaryFolder folder;
+  const Motion motion{130};
+  record(folder.path() / "replay.trp", motion, false);
+  const RecordingReader reader{folder.path() / "replay.trp"};
+  REQUIRE(reader.frames() == 130);
+  CHECK(reader.remark() == (folder.path() / "replay.trp").string() + ": ends early, after 130 frames (25.8 s)");
+  check_same(reader, motion, 130);
+}
+
+TEST_CASE("a recording that was cut anywhere has the frames before the cut or is refused") {
+  const test::TemporaryFolder folder;
+  const Motion motion{210};
+  record(folder.path() / "whole.trp", motion);
+  const std::string whole = bytes_of(folder.path() / "whole.trp");
+  std::size_t read = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 61) {
+    CAPTURE(size);
+    const std::filesystem::path path = folder.file("cut.trp", std::string_view{whole}.substr(0, size));
+    if (const std::string sentence = refusal(path); !sentence.empty()) {
+      CHECK(sentence.find(path.string() + ": ") == 0);
+      CHECK(sentence.find('\n') == std::string::npos);
+      continue;
+    }
+    const RecordingReader reader{path};
+    CHECK(reader.remark().find("ends early, ") != std::string::npos);
+    check_same(reader, motion, reader.frames());
+    ++read;
+  }
+  CHECK(read > 10);
+}
+
+TEST_CASE("no flipped bit goes unnoticed") {
+  const test::TemporaryFolder folder;
+  const Motion motion{130};
+  record(folder.path() / "whole.trp", motion);
+  const std::string whole = bytes_of(folder.path() / "whole.trp");
+  Rng rng{1, Stream::placement};
+  for (int i = 0; i < 400; ++i) {
+    const std::size_t at = i < 60 ? static_cast<std::size_t>(i) : rng.bits() % whole.size();
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << (i % 8)));
+    CAPTURE(at);
+    const std::filesystem::path path = folder.file("flipped.trp", flipped);
+    const std::string sentence = refusal(path);
+    if (!sentence.empty()) continue;
+    // Only a length that reaches beyond the file reads like a cut.
+    const RecordingReader reader{path};
+    REQUIRE_FALSE(reader.remark().empty());
+    check_same(reader, motion, reader.frames());
+  }
+}
+
+TEST_CASE("what is no recording is said to be none") {
+  const test::TemporaryFolder folder;
+  CHECK(refusal(folder.path() / "none.trp") == (folder.path() / "none.trp").string() + ": cannot be read");
+  CHECK(refusal(folder.file("picture.trp", "\x89PNG\r\n\x1a\n and so on")).find(": is not a trophic recording") !=
+        std::string::npos);
+  CHECK(refusal(folder.file("empty.trp", "")).find(": is not a trophic recording") != std::string::npos);
+  CHECK(refusal(folder.file("short.trp", observe::recording::magic)).find(": ends before its first frames") != std::string::npos);
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <trophic/observe/recording_planes.hpp>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+using namespace trophic;
+using observe::recording::packed;
+using observe::recording::unpacked;
+
+TEST_CASE("recording planes: frames come back column by column, whatever their numbers") {
+  Rng rng{3, Stream::user};
+  for (const std::size_t columns : {1U, 7U, 42U}) {
+    for (const std::size_t frames : {1U, 2U, 100U}) {
+      std::vector<std::int16_t> values(columns * frames);
+      for (std::int16_t& value : values) value = static_cast<std::int16_t>(rng.bits());
+      const std::vector<std::int16_t> back = unpacked(packed(values, columns), columns, frames);
+      REQUIRE(back.size() == values.size());
+      for (std::size_t frame = 0; frame < frames; ++frame) {
+        for (std::size_t column = 0; column < columns; ++column) {
+          REQUIRE(back[column * frames + frame] == values[frame * columns + column]);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("recording planes: bytes of other frames or that were cut are refused") {
+  const std::string bytes = packed(std::vector<std::int16_t>(60, 5), 6);
+  CHECK_THROWS_AS(static_cast<void>(unpacked(bytes, 6, 11)), std::invalid_argument);
+  CHECK_THROWS_AS(static_cast<void>(unpacked(bytes, 6, 9)), std::invalid_argument);
+  CHECK_THROWS_AS(static_cast<void>(unpacked(bytes.substr(0, bytes.size() - 3), 6, 10)), std::invalid_argument);
+  CHECK_THROWS_AS(static_cast<void>(unpacked("", 6, 10)), std::invalid_argument);
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <trophic/observe/hooks.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+
+using namespace trophic;
+
+TEST_CASE("stop on signal: the first ends the run, and says which it was") {
+  static_assert(observe::Observer<const observe::StopOnSignal>);
+  const observe::StopOnSignal stop;
+  CHECK(stop.keep_running());
+  CHECK(observe::StopOnSignal::caught() == 0);
+  std::raise(SIGTERM);
+  CHECK_FALSE(stop.keep_running());
+  CHECK(observe::StopOnSignal::caught() == SIGTERM);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
