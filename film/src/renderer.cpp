@@ -125,7 +125,8 @@ class Renderer::Drawing {
     mjv_defaultOption(&option);
     mj_forward(model_.get(), data_.get());
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
-    scene_.flags[mjRND_SHADOW] = scale_ == 2;  // half of the time of a picture
+    // Shadows take half of the time of a picture; from near their map is too coarse.
+    scene_.flags[mjRND_SHADOW] = scale_ == 2 && camera.distance_m > arena_.half_side_m;
     scene_.flags[mjRND_SKYBOX] = 0;
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
