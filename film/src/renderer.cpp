@@ -45,8 +45,7 @@ using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
 using DataPtr = std::unique_ptr<mjData, DeleteData>;
 
 constexpr double fovy_deg = 38.0;
-constexpr float no_shadow = 0.99F;  ///< an opacity below 1: such shapes cast no shadow
-constexpr double flat_m = 5e-4;     ///< half as high as what lies on the floor
+constexpr double flat_m = 5e-4;  ///< half as high as what lies on the floor
 
 /// A world of nothing: what is drawn is put into the scene by hand.
 ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
@@ -54,12 +53,12 @@ ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
   const std::string xml =
       "<mujoco><statistic center='0 0 0' extent='" + text(extent_m) + "'/><visual><global fovy='" + text(fovy_deg) +
       "' offwidth='" + std::to_string(width) + "' offheight='" + std::to_string(height) +
-      "'/><quality offsamples='0' shadowsize='2048' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
+      "'/><quality offsamples='0' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
       "shadowscale='0.9'/>"
       "<headlight ambient='0.5 0.5 0.5' diffuse='0.14 0.14 0.14' specular='0 0 0'/></visual><worldbody>"
       "<light directional='true' pos='" +
       text(0.3 * extent_m) + " " + text(-0.5 * extent_m) + " " + text(extent_m) +
-      "' dir='-0.28 0.5 -1' diffuse='0.42 0.42 0.42' specular='0 0 0' castshadow='true'/></worldbody></mujoco>";
+      "' dir='-0.28 0.5 -1' diffuse='0.42 0.42 0.42' specular='0 0 0' castshadow='false'/></worldbody></mujoco>";
   auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   mj_makeEmptyFileVFS(files.get(), "empty.xml", static_cast<int>(xml.size()));
@@ -125,8 +124,7 @@ class Renderer::Drawing {
     mjv_defaultOption(&option);
     mj_forward(model_.get(), data_.get());
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
-    // Shadows take half of the time of a picture; from near their map is too coarse.
-    scene_.flags[mjRND_SHADOW] = scale_ == 2 && camera.distance_m > arena_.half_side_m;
+    scene_.flags[mjRND_SHADOW] = 0;  // they darken the discs that tell tags, and take half of the time of a picture
     scene_.flags[mjRND_SKYBOX] = 0;
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
@@ -174,7 +172,7 @@ class Renderer::Drawing {
     const double length = way.norm();
     if (length < 1e-6) return;
     const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), way).toRotationMatrix();
-    add(mjGEOM_BOX, {0.5 * length, 0.5 * pixels * pixel_m_, flat_m}, 0.5 * (from + to), turn, colour, no_shadow);
+    add(mjGEOM_BOX, {0.5 * length, 0.5 * pixels * pixel_m_, flat_m}, 0.5 * (from + to), turn, colour, 1.0F);
   }
 
   void add_arena() {

@@ -160,10 +160,10 @@ class FilmedRun {
   }
 
   void add_trail(film::Picture& picture, double time_s, std::size_t body) const {
-    const double tick_s = recording_.head().times.tick_s;
+    const double step_s = 2.0 * recording_.head().times.tick_s;
+    const double oldest_s = std::max(recording_.head().first_time_s, time_s - trail_s);
     Eigen::Vector3d to = root(time_s, body).position_m;
-    for (double then_s = std::floor(time_s / tick_s - 1e-9) * tick_s;
-         then_s >= std::max(recording_.head().first_time_s, time_s - trail_s); then_s -= tick_s) {
+    for (double then_s = std::floor(time_s / step_s - 1e-9) * step_s; then_s >= oldest_s; then_s -= step_s) {
       const auto& row = agents_.at(then_s)[body];
       const auto strength = static_cast<float>(0.8 * (1.0 - (time_s - then_s) / trail_s));
       picture.lines.push_back({to.x(), to.y(), row.x_m, row.y_m, colour(row), strength});
