@@ -49,3 +49,9 @@ foreach(name trophic trophic-compiled)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
+# What CMake's targets know as a definition: where the models lie.
+install(
+  CODE "
+  file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/trophic/load/installed_model_dir.hpp\"
+       \"// SPDX-License-Identifier: MIT\\n// Where the models were installed.\\n#pragma once\\n\"
+       \"#define TROPHIC_MODEL_DIR \\\"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/trophic/models\\\"\\n\")")

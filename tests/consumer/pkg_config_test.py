@@ -23,8 +23,7 @@ def main() -> int:
         for package in ("trophic", "trophic-compiled"):
             program = pathlib.Path(folder) / package
             command = f"{COMPILER} -std=c++20 {PROGRAM} $(pkg-config --cflags --libs {package}) -o {program}"
-            # The shell sees the quotes in TROPHIC_MODEL_DIR as any Makefile does.
-            subprocess.run(["bash", "-c", f'eval "{command.replace(chr(34), chr(92) + chr(34))}"'], env=environment, check=True)
+            subprocess.run(["sh", "-c", command], env=environment, check=True)
             done = subprocess.run([program], cwd=folder, capture_output=True, text=True, check=True)
             assert "\ndeaths  " in done.stdout and "\nalive  " in done.stdout, done.stdout
     return 0
