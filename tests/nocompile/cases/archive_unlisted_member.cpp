@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A backend's state of which no checkpoint could keep all.
-// expect: what is saved must be a number, an enumeration, an optional, vector or array of such, or a struct that lists every
-// member in saved() or fields(); see trophic/archive/archive.hpp
+// expect: or a struct that lists every member in saved() or fields(); see trophic/archive/archive.hpp
 #include <trophic/archive/archive.hpp>
 #include <tuple>
 #include <vector>
@@ -10,9 +9,7 @@ struct State {
   int steps = 0;
   std::vector<double> joints;
 #ifdef VALID
-  static constexpr auto saved() {
-    return std::tuple{&State::steps, &State::joints};
-  }
+  static constexpr auto saved() { return std::tuple{&State::steps, &State::joints}; }
 #endif
 };
 
