@@ -135,6 +135,7 @@ class Archive {
 
   // Inlined into loops over arrays, g++ 12 warns of a write beyond them that is none.
   [[gnu::noinline]] void raw(void* value, std::size_t size) {
+    if (size == 0) return;  // of an empty vector, which has no address to copy from or to
     if (!reads_) {
       written_.append(static_cast<const char*>(value), size);
       return;

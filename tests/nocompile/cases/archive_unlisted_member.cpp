@@ -9,7 +9,9 @@ struct State {
   int steps = 0;
   std::vector<double> joints;
 #ifdef VALID
-  static constexpr auto saved() { return std::tuple{&State::steps, &State::joints}; }
+  static constexpr auto saved() {
+    return std::tuple{&State::steps, &State::joints};
+  }
 #endif
 };
 
