@@ -63,7 +63,7 @@ class Completion(InFolder):
         return result.stdout.split("\n")[:-1]
 
     def test_options_and_their_words(self):
-        self.assertEqual(self.offered(PREDATOR_PREY, "--re"), ["--replicates", "--resume"])
+        self.assertEqual(self.offered(PREDATOR_PREY, "--re"), ["--replicates", "--resume", "--replay-hz"])
         self.assertEqual(self.offered(PREDATOR_PREY, "--rules", ""), ["paper", "released"])
         self.assertEqual(self.offered(PREDATOR_PREY, "--rules", "=", "re"), ["released"])
         self.assertEqual(self.offered(PREDATOR_PREY, "--seed", "1", "--backend", "k"), ["kinematic"])
@@ -98,8 +98,8 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], "trophic: needs a command: analyze, flip-table, cross-check, evolve-gait or measure-gait\n"),
-            (["analyse"], "trophic: analyse: must be analyze, flip-table, cross-check, evolve-gait or measure-gait; did you mean analyze?\n"),
+            ([], "trophic: needs a command: analyze, flip-table, cross-check, evolve-gait, measure-gait, show or film\n"),
+            (["analyse"], "trophic: analyse: must be analyze, flip-table, cross-check, evolve-gait, measure-gait, show or film; did you mean analyze?\n"),
             (["analyze", "--publish"], "trophic analyze: --publish: unknown option; did you mean --published? (--help lists all)\n"),
             (["flip-table"], "trophic flip-table: runs is required\n"),
         ):

@@ -16,7 +16,7 @@ for (const arena of ["walled_square", "height_field"]) {
     const mujoco = await loadMujoco();
     mujoco.FS.writeFile("/world.xml", readFileSync(file));
     if (arena === "height_field") mujoco.FS.writeFile("/world.hfield", readFileSync(join(folder, "world.hfield")));
-    const model = mujoco.MjModel.loadFromXML("/world.xml");
+    const model = mujoco.MjModel.from_xml_path("/world.xml");
     const data = new mujoco.MjData(model);
     assert.equal(model.nu, 240);
     assert.ok(model.nlight > 0 && model.ncam > 0);
