@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads what runs of trophic leave. Needs numpy."""
+"""Reads what runs of trophic leave: recordings, which needs numpy; tables in trophic.runs, which needs pandas too."""
 
 from .recording import Recording, RecordingError, read_replay
 

@@ -32,6 +32,7 @@ def main() -> int:
     assert {row["species"] for row in deaths} >= {"grazer", "hunter"}, "two species at least must have died"
     assert any(row["cause"] == "senescence" for row in deaths), "nobody wore out"
     assert (FOLDER / "analysis/metrics.csv").is_file()
+    assert (FOLDER / "census.html").stat().st_size > 500_000, "no page"
     with open(FOLDER / "runs/census/tags.csv") as file:
         assert {row["species"] for row in csv.DictReader(file)} == {"grazer", "hunter", "apex"}
     return 0
