@@ -89,7 +89,7 @@ class Analyze(InFolderWithSets):
         self.assertEqual(named.stdout.replace("named", "analysis"), result.stdout)
         wrong = self.analyze("paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
         self.assertEqual(wrong.returncode, 2)
-        self.assertIn("is no neutral shadow of paper/replicate-00: numbers/", wrong.stderr)
+        self.assertIn("is no neutral shadow of paper/replicate-00: params/", wrong.stderr)
         self.assertFalse((self.folder / "wrong").exists())
 
     def test_few_runs_have_numbers_and_no_verdict(self):
