@@ -70,14 +70,14 @@ class TemporaryFolder {
 template <class Backend>
 void tick(benchmark::State& state, const typename Backend::Params& params) {
   constexpr int ticks = 10;
-  trophic::EcologyParams ecology = trophic::rules::Paper::ecology();
-  ecology.robots = static_cast<std::size_t>(state.range(0));
-  trophic::Ecology<trophic::rules::Paper, Backend> ecology({.ecology = ecology, .backend = params});
+  trophic::EcologyParams numbers = trophic::rules::Paper::ecology();
+  numbers.robots = static_cast<std::size_t>(state.range(0));
+  trophic::Ecology<trophic::rules::Paper, Backend> ecology({.ecology = numbers, .backend = params});
   const TemporaryFolder folder;
   trophic::observe::EventLog events{folder.path() / "events.csv"};
   trophic::observe::AgentLog agents{folder.path() / "agents.csv"};
   trophic::observe::GenomeLog genomes{folder.path() / "genomes.csv"};
-  for (auto _ : state) ecology.run_until(ecology.time_s() + ticks * ecology.tick_s, events, agents, genomes);
+  for (auto _ : state) ecology.run_until(ecology.time_s() + ticks * numbers.tick_s, events, agents, genomes);
   state.counters["tick_ms"] = benchmark::Counter(static_cast<double>(state.iterations()) * ticks * 1e-3,
                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
