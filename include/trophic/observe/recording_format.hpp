@@ -44,10 +44,12 @@ struct Units {
 
 /// A signed difference as a small number, so that the high bytes are nearly all 0; and back.
 [[nodiscard]] constexpr std::uint16_t folded(std::uint16_t difference) {
-  return static_cast<std::uint16_t>((difference << 1U) ^ (difference >> 15U ? 0xFFFFU : 0U));
+  const std::uint32_t wide = difference;
+  return static_cast<std::uint16_t>((wide << 1U) ^ (wide >> 15U ? 0xFFFFU : 0U));
 }
 [[nodiscard]] constexpr std::uint16_t unfolded(std::uint16_t number) {
-  return static_cast<std::uint16_t>((number >> 1U) ^ (number & 1U ? 0xFFFFU : 0U));
+  const std::uint32_t wide = number;
+  return static_cast<std::uint16_t>((wide >> 1U) ^ (wide & 1U ? 0xFFFFU : 0U));
 }
 
 [[nodiscard]] inline std::int16_t whole(double value, double unit) {
