@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `trophic film`.
-#include <trophic/command/film.hpp>
+#include <trophic/film/command.hpp>
 
 #include "commands.hpp"
 

@@ -9,7 +9,7 @@
 #include <trophic/command/option.hpp>
 // Who links trophic::film has this definition.
 #ifdef TROPHIC_WITH_FILM
-#include <trophic/command/replay/film_run.hpp>
+#include <trophic/film/film_run.hpp>
 #endif
 
 namespace trophic::command {
