@@ -30,17 +30,13 @@ TEST_CASE_TEMPLATE_DEFINE("activation", Policy, trophic_activation_suite) {
       return death::ask::activates(policy, own, body, any.view());
     });
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
-        const auto own = conformance::own_state(made, robots.individuals[body], seed);
-        answers.add(death::ask::activates(made, own, body, robots.view()));
-      }
-    });
-    return answers;
-  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+          const auto own = conformance::own_state(made, robots.individuals[body], seed);
+          answers.add(death::ask::activates(made, own, body, robots.view()));
+        }
+      });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
@@ -72,19 +68,15 @@ TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
       CHECK(victims.insert(capture.victim).second);
     }
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      Rng rng{seed, Stream::user};
-      const auto kept = conformance::own_states(made, robots, seed);
-      const std::span<const StateOf<Policy>> states{kept};
-      for (const auto& capture : death::ask::captures(made, states, robots.view(), rng)) {
-        answers.add(std::pair{capture.hunter, capture.victim});
-      }
-    });
-    return answers;
-  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        Rng rng{seed, Stream::user};
+        const auto kept = conformance::own_states(made, robots, seed);
+        const std::span<const StateOf<Policy>> states{kept};
+        for (const auto& capture : death::ask::captures(made, states, robots.view(), rng)) {
+          answers.add(std::pair{capture.hunter, capture.victim});
+        }
+      });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("floor", Policy, trophic_floor_suite) {
@@ -143,17 +135,13 @@ TEST_CASE_TEMPLATE_DEFINE("reprieve", Policy, trophic_reprieve_suite) {
       return death::ask::spared(policy, own, body, any.view(), any.perceives());
     });
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
-        const auto own = conformance::own_state(made, robots.individuals[body], seed);
-        answers.add(death::ask::spared(made, own, body, robots.view(), robots.perceives()));
-      }
-    });
-    return answers;
-  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+          const auto own = conformance::own_state(made, robots.individuals[body], seed);
+          answers.add(death::ask::spared(made, own, body, robots.view(), robots.perceives()));
+        }
+      });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("starvation", Policy, trophic_starvation_suite) {
@@ -178,17 +166,13 @@ TEST_CASE_TEMPLATE_DEFINE("starvation", Policy, trophic_starvation_suite) {
     REQUIRE(*victim < robots.individuals.size());
     CHECK(robots.web.hunts(robots.individuals[*victim].species));
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      const std::function<bool(BodyIndex)> spared = [&](BodyIndex body) { return robots.individuals[body].tag == 1; };
-      const auto kept = conformance::own_states(made, robots, seed);
-      const std::span<const StateOf<Policy>> states{kept};
-      answers.add(death::ask::victim(made, states, robots.view(), spared));
-    });
-    return answers;
-  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        const std::function<bool(BodyIndex)> spared = [&](BodyIndex body) { return robots.individuals[body].tag == 1; };
+        const auto kept = conformance::own_states(made, robots, seed);
+        const std::span<const StateOf<Policy>> states{kept};
+        answers.add(death::ask::victim(made, states, robots.view(), spared));
+      });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
@@ -220,19 +204,15 @@ TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
       CHECK(victims.insert(sacrifice.victim).second);
     }
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      Rng rng{seed, Stream::user};
-      const auto kept = conformance::own_states(made, robots, seed);
-      const std::span<const StateOf<Policy>> states{kept};
-      for (const auto& sacrifice : death::ask::sacrifices(made, states, robots.view(), rng)) {
-        answers.add(std::pair{sacrifice.victim, sacrifice.heir});
-      }
-    });
-    return answers;
-  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        Rng rng{seed, Stream::user};
+        const auto kept = conformance::own_states(made, robots, seed);
+        const std::span<const StateOf<Policy>> states{kept};
+        for (const auto& sacrifice : death::ask::sacrifices(made, states, robots.view(), rng)) {
+          answers.add(std::pair{sacrifice.victim, sacrifice.heir});
+        }
+      });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("senescence", Policy, trophic_senescence_suite) {
@@ -251,18 +231,14 @@ TEST_CASE_TEMPLATE_DEFINE("senescence", Policy, trophic_senescence_suite) {
       return death::ask::dies(policy, own, any.individuals[body], any.view(), rng);
     });
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      for (const Individual& individual : robots.individuals) {
-        const auto own = conformance::own_state(made, individual, seed);
-        for (std::uint64_t event = 0; event < 20; ++event) {
-          Rng rng{seed, Stream::user, individual.id, event};
-          answers.add(death::ask::dies(made, own, individual, robots.view(), rng));
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        for (const Individual& individual : robots.individuals) {
+          const auto own = conformance::own_state(made, individual, seed);
+          for (std::uint64_t event = 0; event < 20; ++event) {
+            Rng rng{seed, Stream::user, individual.id, event};
+            answers.add(death::ask::dies(made, own, individual, robots.view(), rng));
+          }
         }
-      }
-    });
-    return answers;
-  });
+      });
 }

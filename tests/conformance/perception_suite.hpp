@@ -73,20 +73,16 @@ TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
       }
     }
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
-        const auto own = conformance::own_state(made, robots.individuals[self], seed);
-        for (BodyIndex other = 0; other < robots.individuals.size(); ++other) {
-          Rng rng{seed, Stream::user, self, other};
-          answers.add(perception::ask::perceives(made, own, self, other, robots.view(), rng));
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
+          const auto own = conformance::own_state(made, robots.individuals[self], seed);
+          for (BodyIndex other = 0; other < robots.individuals.size(); ++other) {
+            Rng rng{seed, Stream::user, self, other};
+            answers.add(perception::ask::perceives(made, own, self, other, robots.view(), rng));
+          }
         }
-      }
-    });
-    return answers;
-  });
+      });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
@@ -209,20 +205,16 @@ TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
       return perception::ask::may_switch(policy, own, any.individuals[body], any.view());
     });
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      for (std::int64_t later = 0; later < 60; later += 7) {
-        test::HandPopulation then = robots;
-        then.at_tick(robots.tick + later);
-        for (const Individual& individual : then.individuals) {
-          const auto own = conformance::own_state(made, individual, seed);
-          answers.add(perception::ask::may_switch(made, own, individual, then.view()));
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        for (std::int64_t later = 0; later < 60; later += 7) {
+          test::HandPopulation then = robots;
+          then.at_tick(robots.tick + later);
+          for (const Individual& individual : then.individuals) {
+            const auto own = conformance::own_state(made, individual, seed);
+            answers.add(perception::ask::may_switch(made, own, individual, then.view()));
+          }
         }
-      }
-    });
-    return answers;
-  });
+      });
   CHECK(policy.restarts(true));  // or a switched tag could be switched again at once
 }

@@ -53,16 +53,6 @@ void on_populations(Check&& check) {
   return robots;
 }
 
-/// The same robots after any turn of the world: distances change by rounding.
-[[nodiscard]] inline test::HandPopulation turned_by(test::HandPopulation robots, double angle_rad) {
-  for (GroundPose& pose : robots.poses) {
-    pose = {.x_m = std::cos(angle_rad) * pose.x_m - std::sin(angle_rad) * pose.y_m,
-            .y_m = std::sin(angle_rad) * pose.x_m + std::cos(angle_rad) * pose.y_m,
-            .heading_rad = wrap_angle(pose.heading_rad + angle_rad)};
-  }
-  return robots;
-}
-
 /// The same robots in a mirror.
 [[nodiscard]] inline test::HandPopulation mirrored(test::HandPopulation robots) {
   for (GroundPose& pose : robots.poses) pose = {.x_m = pose.x_m, .y_m = -pose.y_m, .heading_rad = -pose.heading_rad};
@@ -302,6 +292,20 @@ void check_params_used(AnswersOf&& answers_of) {
     value = before;
     CAPTURE(f.name);
     CHECK(used);
+  });
+}
+
+/// The same for a policy that is asked about populations: `ask(answers, policy, robots, seed)` adds what it says of one. Its
+/// states are answers, too.
+template <class Policy, class Ask>
+void check_params_used_on_populations(Ask&& ask) {
+  check_params_used<Policy>([&](const Policy& made) {
+    Answers answers;
+    on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+      add_states(answers, made, robots);
+      ask(answers, made, robots, seed);
+    });
+    return answers;
   });
 }
 

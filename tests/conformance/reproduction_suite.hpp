@@ -97,19 +97,15 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
       }
     }
   });
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-      conformance::add_states(answers, made, robots);
-      for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
-        const auto own = conformance::own_state(made, robots.individuals[body], seed);
-        Rng rng{seed, Stream::user, body};
-        const reproduction::Vacancy starved{.body = body, .cause = Cause::starved};
-        answers.add(reproduction::ask::parent(made, own, starved, robots.view(), rng));
-      }
-    });
-    return answers;
-  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
+        for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+          const auto own = conformance::own_state(made, robots.individuals[body], seed);
+          Rng rng{seed, Stream::user, body};
+          const reproduction::Vacancy starved{.body = body, .cause = Cause::starved};
+          answers.add(reproduction::ask::parent(made, own, starved, robots.view(), rng));
+        }
+      });
 }
 
 /// For rules in slots where the body's next species is fixed: capture_parent, rescue_parent, senescence_parent.
