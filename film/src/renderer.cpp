@@ -10,6 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <trophic/backend/mujoco/engine.hpp>
 #include <trophic/film/renderer.hpp>
 #include <utility>
 
@@ -35,14 +36,8 @@ class Offscreen {
   std::vector<std::uint8_t> buffer_;
 };
 
-struct DeleteModel {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-};
-struct DeleteData {
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
-using DataPtr = std::unique_ptr<mjData, DeleteData>;
+using backend::mujoco::DataPtr;
+using backend::mujoco::ModelPtr;
 
 constexpr double fovy_deg = 38.0;
 constexpr double flat_m = 5e-4;  ///< half as high as what lies on the floor
