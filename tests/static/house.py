@@ -131,24 +131,6 @@ def complete_umbrella():
     return [f"trophic.hpp lacks #include <{path.relative_to(CORE)}>" for path in missing]
 
 
-def one_way():
-    """The folders of the core include each other in one direction: no circle."""
-    below = {}
-    for path in sources("include"):
-        room = path.relative_to(CORE / "trophic").parts[0]
-        included = {name.split("/")[0] for name in re.findall(r"^#include <trophic/([^>]+/[^>]+)>", path.read_text(), re.MULTILINE)}
-        below.setdefault(room, set()).update(included - {room})
-    below.pop("trophic.hpp", None)
-    circle = below
-    while True:
-        included = set().union(*circle.values()) if circle else set()
-        inner = {room: rooms & circle.keys() for room, rooms in circle.items() if room in included and rooms & circle.keys()}
-        if inner == circle:
-            break
-        circle = inner
-    return [f"a circle: include/trophic/{room}/ includes {', '.join(sorted(rooms))}" for room, rooms in circle.items()]
-
-
 def analysis_rooms():
     """Arrows in analysis run data -> metrics -> report and statistics -> report, and nowhere else."""
     seen = {"data": {"data"}, "statistics": {"statistics"}, "metrics": {"data", "metrics"}}
