@@ -1,6 +1,6 @@
 # The system of README.md with trophic's programs:
 #   docker build -t trophic .
-#   docker run --rm -v "$PWD/runs:/work/runs" trophic trophic-predator-prey --backend kinematic --out runs/first
+#   docker run --rm -v "$PWD/runs:/data/runs" trophic trophic-predator-prey --backend kinematic --out runs/first
 FROM debian:12 AS build
 COPY . /src
 WORKDIR /src
@@ -15,5 +15,5 @@ RUN apt-get update \
  && apt-get install -y --no-install-recommends libmujoco2.2.2 libode8 libpugixml1v5 libtomlplusplus3 \
  && rm -rf /var/lib/apt/lists/*
 COPY --from=build /usr/local /usr/local
-WORKDIR /work
+WORKDIR /data
 CMD ["trophic", "--help"]

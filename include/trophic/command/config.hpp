@@ -91,8 +91,8 @@ inline void check_keys(const toml::table& table, const std::string& prefix, cons
 
 }  // namespace detail
 
-/// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first key of a table that is near to a
-/// of its numbers but none; the others are left to read_numbers.
+/// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first key of a table that is near to
+/// one of these numbers but is none; the others are left to read_numbers.
 inline void check_keys(const toml::table& table, const NamedParams& named_params, const std::string& where) {
   detail::check_keys(table, "", named_params, where);
 }

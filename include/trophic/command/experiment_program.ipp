@@ -194,7 +194,9 @@ namespace detail {
        paths_of(pairings), Words::assigned},
       {"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
       {"--replay-hz", &options.replay_hz,
-       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},
+       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that goes on keeps its own; nothing else "
+       "of a run depends "
+       "on it"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--print-config", &options.print_config, "print every number as TOML and stop"},
