@@ -13,5 +13,6 @@
 #include <trophic/observe/run_description.ipp>
 #include <trophic/observe/run_folder.ipp>
 #include <trophic/observe/terminal.ipp>
+#include <trophic/replicates/sweep/plan_file.ipp>
 #include <trophic/support/replace_file.ipp>
 #include <trophic/support/whole_file.ipp>

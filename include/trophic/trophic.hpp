@@ -212,6 +212,7 @@
 #include <trophic/replicates/plan.hpp>
 #include <trophic/replicates/run.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/replicates/sweep/plan_file.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/genome_source/random_or_inherited.hpp>
