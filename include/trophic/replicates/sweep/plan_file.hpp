@@ -28,7 +28,7 @@ struct PlannedRun {
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();  ///< numbers, texts and switches by their paths
   std::uint64_t seed = 0;
   double until_s = 0.0;          ///< > 0; simulated seconds
-  double work = 0.0;             ///< robots times control steps, to begin with the longest
+  double work = 0.0;             ///< robots times steps of the engine, to begin with the longest
   std::filesystem::path folder;  ///< relative to the sweep's
   std::string fingerprint;       ///< of the run, as its manifest has it
 };
