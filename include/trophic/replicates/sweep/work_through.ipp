@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <thread>
+#include <trophic/observe/progress.hpp>
 #include <trophic/replicates/sweep/work_through.hpp>
 #include <utility>
 
@@ -49,7 +50,7 @@ class Queue {
         const std::scoped_lock lock{mutex_};
         if (next_ < runs_.size()) return runs_[next_++];
         if (elsewhere_.empty()) return std::nullopt;
-        if (std::chrono::steady_clock::now() >= again_) {
+        if (watch_.elapsed_s() >= again_s_) {
           runs_ = std::exchange(elsewhere_, {});
           next_ = 1;
           return runs_.front();
@@ -63,7 +64,7 @@ class Queue {
   void again(std::size_t run) {
     const std::scoped_lock lock{mutex_};
     elsewhere_.push_back(run);
-    again_ = std::chrono::steady_clock::now() + std::chrono::seconds{1};
+    again_s_ = watch_.elapsed_s() + 1.0;
   }
 
  private:
@@ -71,7 +72,8 @@ class Queue {
   std::vector<std::size_t> runs_;
   std::size_t next_ = 0;
   std::vector<std::size_t> elsewhere_;
-  std::chrono::steady_clock::time_point again_;
+  observe::Stopwatch watch_;
+  double again_s_ = 0.0;  ///< by the watch
 };
 
 }  // namespace detail
