@@ -34,7 +34,7 @@ std::vector<Pose> square(const RobotModel& robot, std::size_t robots, double sid
 }
 
 /// Each robot's own gait.
-void set_targets(Mujoco& world, std::size_t hinges, double time_s) {
+void set_own_targets(Mujoco& world, std::size_t hinges, double time_s) {
   std::vector<double> targets_rad(hinges);
   for (std::size_t i = 0; i < world.robots(); ++i) {
     Rng rng{22, Stream::user, i};
@@ -51,7 +51,7 @@ void set_targets(Mujoco& world, std::size_t hinges, double time_s) {
 Mujoco::State walk(Mujoco& world, std::size_t hinges, double duration_s) {
   const int ticks = static_cast<int>(std::lround(duration_s / tick_s));
   for (int t = 0; t < ticks; ++t) {
-    set_targets(world, hinges, t * tick_s);
+    set_own_targets(world, hinges, t * tick_s);
     world.advance_to((t + 1) * tick_s);
   }
   return world.save();
@@ -123,8 +123,8 @@ void check_threads_and_restore(const std::string& name, const Arena& arena, cons
   }
   Mujoco other{robot, arena, starts, physics, {.threads = 2, .box_depth = depth}};
   other.restore(expected);
-  set_targets(other, robot.hinges.size(), 2.0);
-  set_targets(one, robot.hinges.size(), 2.0);
+  set_own_targets(other, robot.hinges.size(), 2.0);
+  set_own_targets(one, robot.hinges.size(), 2.0);
   other.advance_to(2.5);
   one.advance_to(2.5);
   CHECK(other.save() == one.save());

@@ -85,7 +85,7 @@ Differences compare_random_states(const std::string& name, const Physics& physic
   return found;
 }
 
-void check_robot(const std::string& name, const Physics& physics) {
+void check_robot_on_field(const std::string& name, const Physics& physics) {
   constexpr std::size_t groups = 500;
   const Differences found = compare_random_states(name, physics, groups);
   const auto steps = static_cast<std::ptrdiff_t>(found.of_kernel.size());
@@ -177,11 +177,11 @@ TEST_CASE("a box that lies along the world's axes is left to MuJoCo where it tou
 
 TEST_CASE("one Runge-Kutta step on a height field differs from mj_step's as mj_step's own do from rounding") {
   const Physics physics{.timestep_s = 0.012, .integrator = Integrator::rk4};
-  check_robot("spider_released", physics);
-  check_robot("gecko", physics);
+  check_robot_on_field("spider_released", physics);
+  check_robot_on_field("gecko", physics);
 }
 
 TEST_CASE("so does one Euler step") {
-  check_robot("spider_released", {});
-  check_robot("gecko", {});
+  check_robot_on_field("spider_released", {});
+  check_robot_on_field("gecko", {});
 }

@@ -30,7 +30,7 @@ constexpr double pressed_m = 0.5e-3;
 constexpr double half_side_m = 0.05;
 
 /// Loads MJCF with nothing of ours in between.
-engine::ModelPtr load(const std::string& mjcf) {
+engine::ModelPtr model_of(const std::string& mjcf) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "model.xml";
   std::ofstream{path} << mjcf;
@@ -44,7 +44,7 @@ engine::ModelPtr load(const std::string& mjcf) {
 /// into the model as it stands.
 std::vector<double> depths_m(const std::string& ground, const Eigen::Quaterniond& turn, const std::string& custom = "") {
   const engine::ModelPtr model =
-      load("<mujoco>" + custom + "<asset><hfield name='flat' nrow='10' ncol='10' size='1 1 1 1'/></asset><worldbody>" + ground +
+      model_of("<mujoco>" + custom + "<asset><hfield name='flat' nrow='10' ncol='10' size='1 1 1 1'/></asset><worldbody>" + ground +
            "<body><freejoint/><geom type='box' size='.05 .05 .05'/></body></worldbody></mujoco>");
   const engine::DataPtr data{mj_makeData(model.get())};
   const double reach_m = half_side_m * turn.toRotationMatrix().row(2).cwiseAbs().sum();
@@ -138,7 +138,7 @@ Overlap overlap(const mjModel& model, const mjData& data) {
 TEST_CASE("of any two boxes the deepest face contact is as deep as separating axes say, and edge contacts keep their depth") {
   engine::install_box_test();
   const std::string boxes = "<worldbody><geom type='box' size='1 1 1'/><geom type='box' size='1 1 1'/></worldbody></mujoco>";
-  const std::array models{load("<mujoco>" + boxes), load(std::string{"<mujoco>"} + asking + boxes)};
+  const std::array models{model_of("<mujoco>" + boxes), model_of(std::string{"<mujoco>"} + asking + boxes)};
   std::array<engine::DataPtr, 2> data;
   std::ranges::transform(models, data.begin(), [](const auto& model) { return engine::DataPtr{mj_makeData(model.get())}; });
   std::array<std::array<mjContact, mjMAXCONPAIR>, 2> found{};

@@ -8,11 +8,11 @@
 
 using namespace trophic;
 using backend::Mujoco;
+using test::spider;
+using test::square;
 
 namespace {
 
-const RobotModel spider = load_robot("spider");
-const Arena square = load_arena("walled_square");
 
 std::vector<Mujoco::Params> all_ways() {
   return {{.stepping = Mujoco::Stepping::fast, .threads = 2},

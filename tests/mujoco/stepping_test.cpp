@@ -5,11 +5,11 @@
 
 using namespace trophic;
 using backend::Mujoco;
+using test::spider;
+using test::square;
 
 namespace {
 
-const RobotModel spider = load_robot("spider");
-const Arena square = load_arena("walled_square");
 constexpr Physics released{.timestep_s = 0.012, .integrator = Integrator::rk4};
 
 Mujoco::Params one_model() {

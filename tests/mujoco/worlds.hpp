@@ -18,6 +18,9 @@ namespace trophic::test {
 
 constexpr double control_period_s = 1.0 / 60.0;
 
+inline const RobotModel spider = load_robot("spider");
+inline const Arena square = load_arena("walled_square");
+
 /// Sine targets with frequency, phases and amplitudes of the robot's own, so that no two robots move alike.
 inline std::vector<double> own_gait(std::size_t robot, std::size_t hinges, double time_s) {
   Rng rng{7, Stream::user, robot};
