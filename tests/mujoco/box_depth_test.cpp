@@ -44,8 +44,8 @@ engine::ModelPtr model_of(const std::string& mjcf) {
 /// into the model as it stands.
 std::vector<double> depths_m(const std::string& ground, const Eigen::Quaterniond& turn, const std::string& custom = "") {
   const engine::ModelPtr model =
-      model_of("<mujoco>" + custom + "<asset><hfield name='flat' nrow='10' ncol='10' size='1 1 1 1'/></asset><worldbody>" + ground +
-           "<body><freejoint/><geom type='box' size='.05 .05 .05'/></body></worldbody></mujoco>");
+      model_of("<mujoco>" + custom + "<asset><hfield name='flat' nrow='10' ncol='10' size='1 1 1 1'/></asset><worldbody>" +
+               ground + "<body><freejoint/><geom type='box' size='.05 .05 .05'/></body></worldbody></mujoco>");
   const engine::DataPtr data{mj_makeData(model.get())};
   const double reach_m = half_side_m * turn.toRotationMatrix().row(2).cwiseAbs().sum();
   const std::array<double, 7> pose{0.013, 0.021, reach_m - pressed_m, turn.w(), turn.x(), turn.y(), turn.z()};

@@ -13,7 +13,6 @@ using test::square;
 
 namespace {
 
-
 std::vector<Mujoco::Params> all_ways() {
   return {{.stepping = Mujoco::Stepping::fast, .threads = 2},
           {.stepping = Mujoco::Stepping::islands, .threads = 2},
