@@ -36,6 +36,12 @@ struct Interval {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
+/// A spread beside a value of which it is only the rounding is none.
+[[nodiscard]] inline bool is_rounding(double spread, double value) {
+  constexpr double smallest = 1e-14;
+  return spread <= smallest * std::max(1.0, std::abs(value));
+}
+
 /// One set of runs in a contrast, with the weight of its mean.
 struct Term {
   double weight = 1.0;
@@ -63,9 +69,7 @@ struct Contrast {
     variance += part;
     squares += part * part / (count - 1.0);
   }
-  // A spread that is rounding only is none.
-  constexpr double smallest = 1e-14;
-  if (std::sqrt(variance) <= smallest * std::max(1.0, std::abs(sum.value))) return Contrast{sum.value, 0.0, 1.0};
+  if (is_rounding(std::sqrt(variance), sum.value)) return Contrast{sum.value, 0.0, 1.0};
   return Contrast{sum.value, std::sqrt(variance), variance * variance / squares};
 }
 
