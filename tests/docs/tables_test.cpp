@@ -11,6 +11,7 @@
 #include <string_view>
 #include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/analysis/report/metrics_table.hpp>
+#include <trophic/analysis/report/sweep_rows.hpp>
 #include <trophic/gait_evolution/history.hpp>
 #include <trophic/observe/column.hpp>
 #include <trophic/observe/tables.hpp>
@@ -81,6 +82,14 @@ std::string document() {
          section<analysis::MetricRow>("metrics.csv",
                                       "What the analysis measured: every value and every curve of every run, one value a row.") +
          section<analysis::FlipRow>("flips.csv", "What each flip of a rule changes, one effect a row.") +
+         section<analysis::CellRow>("cells.csv",
+                                    "The cells of a sweep. After these columns stands one for each setting that varies between "
+                                    "cells, named by its path.") +
+         section<analysis::SweepRunRow>("runs.csv", "What the analysis of a sweep measured: one value of one run a row.") +
+         section<analysis::SweepMetricRow>("sweep_metrics.csv",
+                                           "Each metric of each cell of a sweep, alone and over its shadow.") +
+         section<analysis::SweepDifferenceRow>("sweep_differences.csv",
+                                               "Each metric of each cell of a sweep beside the reference cell.") +
          section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "A row a generation.") +
          section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
                                            "Every candidate in the ALife data standard, time in generations.");
