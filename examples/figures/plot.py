@@ -9,43 +9,23 @@ width of an article's column; of a comparison, each set gets its own. A figure w
 that says so. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
 """
 import argparse
+import functools
 import pathlib
 import re
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from style import COLOURS, COLUMN_IN, NULL_COLOUR, Missing, colour, save_all
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
 from trophic.runs import RunError, read_analysis  # noqa: E402
 
-COLUMN_IN = 3.5
-# Okabe and Ito's colours, told apart with every common colour blindness and, with the line styles, in grey.
-COLOURS = {"prey": "#0072B2", "predator": "#D55E00"}
-OTHER_COLOURS = ["#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
-NULL_COLOUR = "#555555"
 CAUSES = {"caught": ("#56B4E9", ""), "sacrificed": ("#F0E442", "////"), "starved": ("#D55E00", ""), "senescence": ("#999999", "..")}
 # Mean over the paper's ten runs; the range is that of its runs.
 PAPER = {"attribution_caught": 0.65, "attribution_credited": 0.725, "wall_sticking": {"predator": 0.39, "prey": 0.60},
          "velocity": {"predator": 1.95, "prey": -0.67}, "tag_symmetry": (0.43, 0.33, 0.53)}
-
-plt.rcParams.update({"font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7,
-                     "ytick.labelsize": 7, "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.2,
-                     "legend.frameon": False, "pdf.fonttype": 42, "figure.constrained_layout.use": True})
-
-
-class Missing(Exception):
-    """The data of a figure are not there."""
-
-
-def colour(species, all_species):
-    others = [s for s in all_species if s not in COLOURS]
-    return COLOURS[species] if species in COLOURS else OTHER_COLOURS[others.index(species) % len(OTHER_COLOURS)]
-
 
 # Student's t at 97.5 %, by degrees of freedom; in between the next smaller is taken.
 STUDENT = {5: 2.571, 6: 2.447, 7: 2.365, 8: 2.306, 9: 2.262, 11: 2.201, 14: 2.145, 19: 2.093, 29: 2.045, 59: 2.001, 119: 1.980}
@@ -317,22 +297,11 @@ def main():
     if any(not 0 <= options.run < len(data.folders) for data in sets):
         sys.exit(f"plot.py: --run {options.run}: must be >= 0 and < the number of runs")
     out = options.out or options.analysis / "figures"
-    out.mkdir(parents=True, exist_ok=True)
-    drawn = 0
+    figures = []
     for data in sets:
         prefix = "" if len(sets) == 1 else re.sub(r"\W+", "_", data.summary["set"]).strip("_") + "-"
-        for draw in FIGURES:
-            name = prefix + draw.__name__
-            try:
-                figure = draw(data)
-            except Missing as why:
-                print(f"{name}: left out: {why}", file=sys.stderr)
-                plt.close("all")
-                continue
-            for ending in ("png", "pdf"):
-                figure.savefig(out / f"{name}.{ending}", dpi=300, metadata={"CreationDate": None} if ending == "pdf" else None)
-            plt.close(figure)
-            drawn += 1
+        figures += [(prefix + draw.__name__, functools.partial(draw, data)) for draw in FIGURES]
+    drawn = save_all(figures, out)
     print(f"{drawn} figures in {out}")
     return 0 if drawn else 1
 

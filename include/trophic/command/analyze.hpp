@@ -2,10 +2,10 @@
 // `trophic analyze`, from runs to results: metrics with intervals beside the paper's values and their nulls.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -19,6 +19,7 @@
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/report/summary_json.hpp>
 #include <trophic/analysis/report/text_table.hpp>
+#include <trophic/command/analyze_sweep.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/observe/run_folder.hpp>
@@ -36,15 +37,9 @@ struct Options {
   std::optional<std::string> shadow;
   std::optional<double> until_s;
   bool published = false;
+  SweepOptions sweep;
   std::string out = "analysis";
 };
-
-inline void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
-  std::ofstream file{path};
-  file << json.dump(2) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error{"cannot write " + path.string()};
-}
 
 inline void tell(const analysis::ShadowedSet& set) {
   for (const std::string& remark : set.ours.remarks) std::cerr << "trophic analyze: " << remark << "\n";
@@ -115,6 +110,19 @@ inline void run(const Options& options) {
   if (options.until_s && !(*options.until_s > 0.0 && std::isfinite(*options.until_s))) {
     throw std::invalid_argument{"--until " + number_text(*options.until_s) + ": must be > 0"};
   }
+  for (const std::string& folder : options.compare) {
+    if (analysis::is_sweep(folder))
+      throw std::invalid_argument{"--compare " + folder + ": must be no sweep; name two of its cells"};
+  }
+  const auto sweep = std::ranges::find_if(options.runs, [](const std::string& folder) { return analysis::is_sweep(folder); });
+  if (sweep != options.runs.end()) {
+    if (options.runs.size() > 1) throw std::invalid_argument{*sweep + ": is a sweep, which must be analyzed alone"};
+    if (options.shadow || options.published)
+      throw std::invalid_argument{*sweep + ": is a sweep: not with --shadow or --published"};
+    measure_sweep(*sweep, options.out, options.sweep, options.until_s);
+    return;
+  }
+  options.sweep.check_none();
   options.compare.empty() ? measure(options) : compare(options);
 }
 
@@ -127,8 +135,11 @@ inline void run(const Options& options) {
       .name = "analyze",
       .about =
           "Measures runs: the paper's metrics with 95 % intervals over runs, beside its published values and their nulls. The "
-          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow.",
-      .options = {{"runs", &options->runs, "folders of runs, or of replicates; pooled, so they must have one fingerprint"},
+          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. A "
+          "sweep's "
+          "cells are each compared with one of them, corrected for the number of comparisons.",
+      .options = {{"runs", &options->runs,
+                   "folders of runs, or of replicates, pooled, so they must have one fingerprint; or one folder of a sweep"},
                   {"--compare",
                    &options->compare,
                    "two such folders: the difference of every metric, raw and over their shadows",
@@ -139,7 +150,16 @@ inline void run(const Options& options) {
                   {"--until", &options->until_s, "measure only the first seconds of every run"},
                   {"--published", &options->published,
                    "a verdict on every published claim: reproduced, not reproduced, undecided"},
-                  {"--out", &options->out, "new folder for metrics.csv and summary.json (analysis)"}},
+                  {"--reference", &options->sweep.reference,
+                   "of a sweep: the cell that all others are compared with (the first)"},
+                  {"--metric", &options->sweep.metrics,
+                   "of a sweep: compare only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer comparisons need fewer "
+                   "runs"},
+                  {"--difference", &options->sweep.difference,
+                   "of a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need"},
+                  {"--allow-missing", &options->sweep.allow_missing, "of a sweep: leave out runs that are missing or incomplete"},
+                  {"--jobs", &options->sweep.jobs, "of a sweep: runs measured at a time (1)"},
+                  {"--out", &options->out, "new folder for the tables and summary.json (analysis)"}},
       .work =
           [options] {
             detail::analyze::run(*options);
