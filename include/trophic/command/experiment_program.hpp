@@ -45,6 +45,7 @@ struct ExperimentOptions {
   std::string out;
   std::string save_mjcf;
   std::optional<std::uint64_t> replay_hz;
+  std::uint64_t agents_every = 1;
   bool print_config = false;
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
@@ -59,6 +60,7 @@ struct OriginRun {
   std::string fingerprint;
   std::uint64_t seed = 0;
   double at_s = 0.0;
+  std::int64_t agents_every_ticks = 1;
   toml::table params;
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
   std::function<bool()> make;           ///< makes the new run's folder as this run was; false if a signal came first
@@ -100,6 +102,9 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams&
 
 /// What --replay-hz says.
 [[nodiscard]] double replay_hz_of(const ExperimentOptions& options);
+
+/// What --agents-every says.
+[[nodiscard]] std::int64_t agents_every_ticks_of(const ExperimentOptions& options);
 
 /// Tells of replicates that are not complete, a sentence each, and returns the exit code.
 [[nodiscard]] int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished);

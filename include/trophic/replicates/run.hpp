@@ -55,7 +55,8 @@ Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const obse
     own_provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
     own_provenance.emplace_back("replicate", std::to_string(replicate.index));
     const checkpoint::Standing standing = checkpoint::standing_in(replicate.folder, ecology.describe(until_s));
-    observe::RunFolder files{replicate.folder, std::move(own_provenance), plan.replay_hz, standing.opening()};
+    observe::RunFolder files{replicate.folder, std::move(own_provenance), plan.replay_hz, standing.opening(),
+                             plan.agents_every_ticks};
     auto part = progress.watch(name_of(replicate.index));
     checkpoint::run_kept(ecology, until_s, replicate.folder, plan.checkpoints, standing.from, files, part, stop, extra...);
     files.manifest().add({{"wall_s", observe::short_text(part.elapsed_s())}});
