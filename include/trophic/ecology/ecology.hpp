@@ -236,7 +236,7 @@ class Ecology {
       if (population_[body].active) continue;
       if (!death::ask::activates(rules_.activation, states().activation[body], body, view())) continue;
       population_.activate(body, time_s(), rules_.activation.restarts_age());
-      tree_.mark(poses_[body], population_[body]);
+      tree_.mark(body, poses_[body], population_[body]);
       emit(audience, observe::EventKind::activation, body);
     }
   }
@@ -316,7 +316,7 @@ class Ecology {
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;
     emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
     population_.succeed(vacancy.body, *heir, succession, view());
-    tree_.mark(poses_[vacancy.body], population_[vacancy.body]);
+    tree_.mark(vacancy.body, poses_[vacancy.body], population_[vacancy.body]);
     emit(audience, observe::EventKind::birth, vacancy.body);
   }
 
@@ -367,7 +367,7 @@ class Ecology {
     if (!perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view())) return;
     const bool switched = choice.decision->tag != self.tag;
     population_.show_tag(body, choice.decision->tag);
-    if (switched) tree_.mark(poses_[body], self);
+    if (switched) tree_.mark(body, poses_[body], self);
     if (rules_.tag_switch.restarts(switched)) population_.restart_tag_clock(body, time_s());
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }

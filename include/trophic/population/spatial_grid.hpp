@@ -49,6 +49,8 @@ class SpatialGrid {
     const std::size_t cell = index(column, row);
     return std::span{bodies_}.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
+  /// How many stand in the cells before it.
+  [[nodiscard]] std::size_t first_in(std::ptrdiff_t column, std::ptrdiff_t row) const { return starts_[index(column, row)]; }
   /// False only if everybody in the square of `cells` x `cells` cells, the one of these numbers, is farther than `distance_m`.
   [[nodiscard]] bool may_reach(const GroundPose& from, double distance_m, std::ptrdiff_t column, std::ptrdiff_t row,
                                std::ptrdiff_t cells) const {

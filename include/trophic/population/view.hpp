@@ -68,7 +68,7 @@ struct View {
  private:
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest_body(BodyIndex self, Accepts&& accepts, const Search& search) const {
-    if (tree != nullptr) return tree->closest(self, poses, accepts, search);
+    if (tree != nullptr) return tree->closest(self, poses[self], accepts, search);
     std::optional<BodyIndex> best;
     double best_m = search.within_m;
     for (BodyIndex other = 0; other < robots.size(); ++other) {

@@ -110,7 +110,7 @@ TEST_CASE("search tree: who changes its marks is found once the tree is told") {
   const auto is_predator = [](const Individual& other) { return other.species == predator; };
   CHECK(with_tree(robots, tree).closest(0, is_predator, {.among = marks_of(predator)}) == std::nullopt);
   robots.individuals[400].species = predator;
-  tree.mark(robots.poses[400], robots.individuals[400]);
+  tree.mark(400, robots.poses[400], robots.individuals[400]);
   CHECK(with_tree(robots, tree).closest(0, is_predator, {.among = marks_of(predator)}) == 400);
 }
 
