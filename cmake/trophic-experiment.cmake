@@ -1,9 +1,9 @@
-# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode]): a program of trophic/command, linked with the engines that are named,
-# or with every one that was found; with the compiled libraries where there are, else from headers. Manifests and --version name
+# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode] [WITHOUT_MPI]): a program of trophic/command, linked with the engines that are named,
+# or with every one that was found, and with MPI, where it was found; with the compiled libraries where there are, else from headers. Manifests and --version name
 # the revision of the project's sources and the flags of the build.
 
 function(trophic_add_experiment name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "BACKENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_MPI" "" "BACKENDS")
   set(kind "")
   if(TARGET trophic::command_compiled)
     set(kind _compiled)
@@ -20,6 +20,9 @@ function(trophic_add_experiment name)
   foreach(backend IN LISTS arg_BACKENDS)
     target_link_libraries(${name} PRIVATE trophic::${backend}${kind})
   endforeach()
+  if(TARGET trophic::mpi AND NOT arg_WITHOUT_MPI)
+    target_link_libraries(${name} PRIVATE trophic::mpi)
+  endif()
   trophic_link_provenance(${name})
 endfunction()
 

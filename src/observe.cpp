@@ -13,5 +13,11 @@
 #include <trophic/observe/run_description.ipp>
 #include <trophic/observe/run_folder.ipp>
 #include <trophic/observe/terminal.ipp>
+#include <trophic/replicates/sweep/attempt.ipp>
+#include <trophic/replicates/sweep/claim.ipp>
+#include <trophic/replicates/sweep/folder.ipp>
+#include <trophic/replicates/sweep/plan_file.ipp>
+#include <trophic/replicates/sweep/sweep_file.ipp>
+#include <trophic/replicates/sweep/work_through.ipp>
 #include <trophic/support/replace_file.ipp>
 #include <trophic/support/whole_file.ipp>

@@ -210,10 +210,19 @@
 #include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/replicates/folder.hpp>
+#include <trophic/replicates/keeping.hpp>
 #include <trophic/replicates/parallel.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/replicates/run.hpp>
+#include <trophic/replicates/run_in_folder.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/replicates/sweep/attempt.hpp>
+#include <trophic/replicates/sweep/claim.hpp>
+#include <trophic/replicates/sweep/folder.hpp>
+#include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/replicates/sweep/sweep_file.hpp>
+#include <trophic/replicates/sweep/team.hpp>
+#include <trophic/replicates/sweep/work_through.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/genome_source/random_or_inherited.hpp>
@@ -250,6 +259,7 @@
 #include <trophic/rules/with_sensor.hpp>
 #include <trophic/support/faster_way.hpp>
 #include <trophic/support/folder_lock.hpp>
+#include <trophic/support/host_name.hpp>
 #include <trophic/support/joined_text.hpp>
 #include <trophic/support/linkage.hpp>
 #include <trophic/support/replace_file.hpp>

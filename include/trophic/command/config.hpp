@@ -19,7 +19,7 @@ namespace trophic::command {
 /// What --config and --set say, and what a run had whose continuation this is.
 struct Config {
   toml::table origin;  ///< read before the file: all numbers of the run that --from names
-  std::string file;    ///< empty where none was named
+  std::string file;    ///< empty where none was named; errors begin with it
   toml::table numbers;
   std::optional<std::string> rule_table;
   std::optional<std::string> engine;
@@ -102,8 +102,8 @@ template <class Numbers>
 void read_config_into(Numbers& numbers, const Config& config) {
   read_numbers(numbers, config.origin);
   const NamedParams named_params = named_params_of(numbers);
-  if (!config.file.empty()) {
-    const std::string where = config.file + ": ";
+  if (!config.numbers.empty()) {
+    const std::string where = config.file.empty() ? "" : config.file + ": ";
     check_keys(config.numbers, named_params, where);
     try {
       read_numbers(numbers, config.numbers);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -20,15 +22,22 @@
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/ecology/shadow_of.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/replicates/run_in_folder.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/rules/print_table.hpp>
 #include <trophic/rules/table.hpp>
+#include <utility>
 #include <vector>
+// Who links trophic::mpi has this definition.
+#ifdef TROPHIC_WITH_MPI
+#include <trophic/mpi/team.hpp>
+#endif
 
 namespace trophic::command {
 
@@ -136,12 +145,41 @@ template <class Rules, Backend B>
   return ecology.time_s() >= origin.at_s;
 }
 
+/// Calls `use` with an experiment of these numbers or with its neutral shadow.
+template <class Rules, Backend B, class Use>
+decltype(auto) with_planned(const Config& config, bool shadow, Use&& use) {
+  ExperimentOptions one_thread;
+  one_thread.threads = 1;
+  const Experiment<Rules, B> numbers = numbers_of<Rules, B>(one_thread, config);
+  return shadow ? use(shadow_of(numbers)) : use(numbers);
+}
+
+template <class Rules, Backend B>
+[[nodiscard]] PlannedFacts facts(const Config& config, bool shadow) {
+  return with_planned<Rules, B>(config, shadow, []<class Table>(const Experiment<Table, B>& numbers) {
+    const EcologyParams& ecology = numbers.ecology;
+    const double steps_a_second = JointDriven<B> ? 1.0 / numbers.physics.timestep_s : ecology.control_hz;
+    return PlannedFacts{
+        Ecology<Table, B>{numbers}.describe(ecology.duration_s),
+        static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * steps_a_second)};
+  });
+}
+
+template <class Rules, Backend B>
+void run_planned(const Config& config, bool shadow, std::uint64_t seed, const std::filesystem::path& folder,
+                 const replicates::Keeping& keeping, observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
+  with_planned<Rules, B>(config, shadow, [&]<class Table>(Experiment<Table, B> numbers) {
+    numbers.seed = seed;
+    replicates::run_in_folder(numbers, folder, keeping, std::move(progress), stop);
+  });
+}
+
 template <class Rules, class Backends>
 void add_pairings(std::vector<Pairing>& pairings) {
   const std::string table = table_name<Rules>();
   Backends::for_each([&]<class B>() {
     pairings.push_back({table, std::string{B::name}, [] { return named_params_of(Experiment<Rules, B>{}); }, &run_table<Rules, B>,
-                        &describe<Rules, B>, &replay<Rules, B>});
+                        &describe<Rules, B>, &replay<Rules, B>, &facts<Rules, B>, &run_planned<Rules, B>});
   });
 }
 
@@ -154,14 +192,18 @@ template <class Backends, class... Rules>
   return guarded(argv[0], [&] {
     std::vector<Pairing> pairings;
     (detail::add_pairings<Rules, Backends>(pairings), ...);
+#ifdef TROPHIC_WITH_MPI
+    return experiment_program(argc, argv, pairings, backend_versions<Backends>(), &mpi::find_team);
+#else
     return experiment_program(argc, argv, pairings, backend_versions<Backends>());
+#endif
   });
 }
 
 /// The command line of an experiment with rule tables to choose from, the first of them the default, on the kinematic backend and
-/// every engine that the program is linked with: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume
-/// and more. Returns the exit code: 0, 1 for what went wrong in a run, 2 for what is wrong with the arguments, 3 for a run that a
-/// signal stopped.
+/// every engine that the program is linked with: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume,
+/// --sweep and more. Returns the exit code: 0, 1 for what went wrong in a run, 2 for what is wrong with the arguments, 3 for a
+/// run that a signal stopped.
 template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv) {
   return experiment_on<LinkedBackends, Rules...>(argc, argv);

@@ -5,20 +5,26 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/checkpoint/schedule.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/habitat/ecology_params.hpp>
+#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/replicates/keeping.hpp>
 #include <trophic/replicates/plan.hpp>
+#include <trophic/replicates/sweep/claim.hpp>
+#include <trophic/replicates/sweep/team.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 
@@ -47,6 +53,10 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> replay_hz;
   std::uint64_t agents_every = 1;
   bool print_config = false;
+  std::string sweep;  ///< file of a grid of settings
+  std::string shard;  ///< "I/N"; empty: all of it
+  bool dry_run = false;
+  double lease_s = sweep::default_lease_s;
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
   observe::Provenance provenance;
@@ -80,6 +90,12 @@ struct Beginning : checkpoint::Standing {
 /// What a manifest says of that.
 [[nodiscard]] observe::Provenance text_of(const OriginRun& origin, double at_s);
 
+/// What a plan says of a run: what it is, and how much.
+struct PlannedFacts {
+  observe::RunDescription description;
+  double work = 0.0;  ///< robots times steps of the engine
+};
+
 /// One rule table on one backend. A program has one for each that it was built with.
 struct Pairing {
   std::string table;
@@ -89,7 +105,16 @@ struct Pairing {
   observe::RunDescription (*describe)(const toml::table& params);
   /// Makes in a folder what that run was at its moment, the same bytes. False if a signal came first.
   bool (*replay)(const OriginRun& origin, const std::filesystem::path& folder);
+  /// Of the numbers of a configuration file, or of the table's neutral shadow with them.
+  PlannedFacts (*facts)(const Config& config, bool shadow);
+  /// Runs that, or goes on with it, in a folder.
+  void (*run_planned)(const Config& config, bool shadow, std::uint64_t seed, const std::filesystem::path& folder,
+                      const replicates::Keeping& keeping, observe::JointProgress::Part progress,
+                      const observe::StopOnSignal& stop);
 };
+
+/// The processes that MPI started this program as; null for one that was started alone.
+using FindTeam = std::unique_ptr<sweep::Team> (*)();
 
 /// What --seed, --duration, --robots and --robot say.
 void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams& ecology);
@@ -113,9 +138,10 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams&
 [[nodiscard]] int report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view, double until_s);
 
 /// Reads the command line of a program with these tables on these backends, each table on each backend; runs what it says and
-/// returns the exit code. The first table is the default; the default backend is `default_backend`, linked or not.
+/// returns the exit code. The first table is the default; the default backend is `default_backend`, linked or not. `find_team`:
+/// null for a program without MPI.
 [[nodiscard]] int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
-                                     const std::string& backend_versions);
+                                     const std::string& backend_versions, FindTeam find_team = nullptr);
 
 }  // namespace trophic::command
 

@@ -17,6 +17,7 @@
 #include <trophic/command/output.hpp>
 #include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
+#include <trophic/command/sweep.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/load/toml_writer.hpp>
 #include <trophic/observe/next_free_folder.hpp>
@@ -195,6 +196,12 @@ namespace detail {
        "seconds of the ecology's clock between two checkpoints (300); 0: only where a run ends or is stopped"},
       {"--shadow", &options.shadow,
        "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited"},
+      {"--sweep", &options.sweep,
+       "run the grid of settings that this TOML file lists, into OUT; programs on several machines may work on one OUT at once"},
+      {"--shard", &options.shard, "I/N: of the sweep's runs only every N-th, from the I-th on (all)"},
+      {"--dry-run", &options.dry_run, "print the sweep's cells and how long they will take, and stop"},
+      {"--lease-s", &options.lease_s,
+       "seconds after which a run of the sweep is taken over from a program on another machine that no longer answers (120)"},
       {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
        paths_of(pairings), Words::assigned},
@@ -261,12 +268,6 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
 }
 
 [[nodiscard]] TROPHIC_INLINE int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
-  for (const Pairing& pairing : pairings) {
-    const auto same = [&](const Pairing& p) { return p.table == pairing.table && p.backend == pairing.backend; };
-    if (std::ranges::count_if(pairings, same) > 1) {
-      throw std::invalid_argument{"two rule tables are called " + pairing.table + ": each needs a name of its own"};
-    }
-  }
   Config config = read_config(options.config, options.assignments);
   const auto tables = names_of(pairings, &Pairing::table);
   const auto backends = names_of(pairings, &Pairing::backend);
@@ -304,20 +305,39 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   return find(table, backend)->run(options, config, origin);
 }
 
+[[nodiscard]] TROPHIC_INLINE int run_options(ExperimentOptions& options, const std::vector<Pairing>& pairings,
+                                             sweep::Team* team) {
+  for (const Pairing& pairing : pairings) {
+    const auto same = [&](const Pairing& p) { return p.table == pairing.table && p.backend == pairing.backend; };
+    if (std::ranges::count_if(pairings, same) > 1) {
+      throw std::invalid_argument{"two rule tables are called " + pairing.table + ": each needs a name of its own"};
+    }
+  }
+  if (!options.sweep.empty()) return run_sweep(options, pairings, team);
+  if (!options.shard.empty() || options.dry_run) throw std::invalid_argument{"--shard and --dry-run: need --sweep"};
+  if (team != nullptr && team->size() > 1) {
+    if (!team->leads()) return usage_error;
+    throw std::invalid_argument{"mpirun: only with --sweep; each of its " + std::to_string(team->size()) +
+                                " processes would do the same"};
+  }
+  return run_pairing(options, pairings);
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
-                                      const std::string& backend_versions) {
+                                      const std::string& backend_versions, FindTeam find_team) {
   ExperimentOptions options;
   options.program = program_name(argv[0]);
   options.provenance = provenance(argc, argv);
   const auto tables = detail::names_of(pairings, &Pairing::table);
+  const std::unique_ptr<sweep::Team> team = find_team == nullptr ? nullptr : find_team();
   return run_command(argc, argv,
                      {.name = {},
                       .about = "Runs an ecology of simulated robots by the rules of " + one_of(tables) +
                                ", and leaves its events, agents, phylogeny and genomes with a manifest in a new folder.",
                       .options = detail::options_of(options, pairings),
-                      .work = [&] { return detail::run_pairing(options, pairings); },
+                      .work = [&] { return detail::run_options(options, pairings, team.get()); },
                       .subcommands = {},
                       .version = version_text(backend_versions)});
 }

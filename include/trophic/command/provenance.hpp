@@ -2,12 +2,10 @@
 // What manifests and --version say about the program itself.
 #pragma once
 
-#include <unistd.h>
-
-#include <array>
 #include <string>
 #include <trophic/command/run_command.hpp>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/support/host_name.hpp>
 #include <trophic/support/version.hpp>
 
 /// `git describe` of the program's sources at the last build, and its build type and flags. The CMake function
@@ -36,10 +34,8 @@ namespace trophic::command {
 
 /// For manifests: the command line, the host, the revision of the sources and how they were compiled.
 [[nodiscard]] inline observe::Provenance provenance(int argc, const char* const* argv) {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
   return {{"command_line", command_line(argc, argv)},
-          {"host", host.data()},
+          {"host", host_name()},
           {"source_revision", source_revision()},
           {"build", build()}};
 }

@@ -23,6 +23,26 @@ namespace trophic::replicates {
 
 using checkpoint::status_of;
 
+/// The name of the file that lists a set's replicates.
+inline constexpr const char* list_name = "replicates.json";
+
+/// What it says: which runs there are to be, and what they have in common.
+[[nodiscard]] inline std::string list_text(const Plan& plan, const observe::RunDescription& run,
+                                           const observe::Provenance& provenance) {
+  nlohmann::ordered_json content;
+  content["rule_table"] = run.rules;
+  content["backend"] = run.backend;
+  content["fingerprint"] = run.fingerprint;
+  content["until_s"] = run.until_s;
+  content["master_seed"] = plan.master_seed;
+  content["count"] = plan.count;
+  for (const Replicate& replicate : plan.all()) {
+    content["replicates"].push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
+  }
+  for (const auto& [name, text] : provenance) content[name] = text;
+  return content.dump(2) + '\n';
+}
+
 /// replicates.json and what of the plan is still to be done. Holds a lock on the folder while it lives, so that two programs
 /// cannot work in it at once.
 class Folder {
@@ -52,7 +72,7 @@ class Folder {
       pending_.push_back(std::move(replicate));
     }
     for (const Replicate& replicate : incomplete) look_at(replicate, run);
-    write(plan, run, provenance);
+    replace_file(plan.out / list_name, list_text(plan, run, provenance));
   }
   /// To be run, each into a new folder or from the checkpoint in its own.
   [[nodiscard]] const std::vector<Replicate>& pending() const { return pending_; }
@@ -83,7 +103,7 @@ class Folder {
   }
 
   static void check_same(const Plan& plan, const observe::RunDescription& run) {
-    const std::filesystem::path path = plan.out / "replicates.json";
+    const std::filesystem::path path = plan.out / list_name;
     const nlohmann::json there = read(path);
     try {
       same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
@@ -114,21 +134,6 @@ class Folder {
   void look_at(const Replicate& replicate, observe::RunDescription run) {
     run.seed = replicate.seed;
     remarks_.push_back(name_of(replicate.index) + " " + checkpoint::standing_in(replicate.folder, run).remark);
-  }
-
-  static void write(const Plan& plan, const observe::RunDescription& run, const observe::Provenance& provenance) {
-    nlohmann::ordered_json content;
-    content["rule_table"] = run.rules;
-    content["backend"] = run.backend;
-    content["fingerprint"] = run.fingerprint;
-    content["until_s"] = run.until_s;
-    content["master_seed"] = plan.master_seed;
-    content["count"] = plan.count;
-    for (const Replicate& replicate : plan.all()) {
-      content["replicates"].push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
-    }
-    for (const auto& [name, text] : provenance) content[name] = text;
-    replace_file(plan.out / "replicates.json", content.dump(2) + '\n');
   }
 
   std::optional<FolderLock> lock_;

@@ -8,13 +8,13 @@
 #include <string>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/replicates/folder.hpp>
 #include <trophic/replicates/parallel.hpp>
 #include <trophic/replicates/plan.hpp>
+#include <trophic/replicates/run_in_folder.hpp>
 #include <vector>
 
 namespace trophic::replicates {
@@ -50,16 +50,10 @@ Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const obse
     const Replicate& replicate = pending[i];
     Experiment<Rules, B> own = experiment;
     own.seed = replicate.seed;
-    Ecology<Rules, B> ecology{own};
-    observe::Provenance own_provenance = provenance;
-    own_provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
-    own_provenance.emplace_back("replicate", std::to_string(replicate.index));
-    const checkpoint::Standing standing = checkpoint::standing_in(replicate.folder, ecology.describe(until_s));
-    observe::RunFolder files{replicate.folder, std::move(own_provenance), plan.replay_hz, standing.opening(),
-                             plan.agents_every_ticks};
-    auto part = progress.watch(name_of(replicate.index));
-    checkpoint::run_kept(ecology, until_s, replicate.folder, plan.checkpoints, standing.from, files, part, stop, extra...);
-    files.manifest().add({{"wall_s", observe::short_text(part.elapsed_s())}});
+    Keeping keeping{provenance, plan.checkpoints, plan.replay_hz, plan.agents_every_ticks};
+    keeping.provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
+    keeping.provenance.emplace_back("replicate", std::to_string(replicate.index));
+    run_in_folder(own, replicate.folder, keeping, progress.watch(name_of(replicate.index)), stop, extra...);
   };
   const auto attempts = in_parallel(pending.size(), plan.jobs, run_one, [&] { return stop.keep_running(); });
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// --sweep: a program's rule tables on its backends, over a grid of settings.
+#pragma once
+
+#include <string>
+#include <trophic/command/experiment_program.hpp>
+#include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/replicates/sweep/sweep_file.hpp>
+#include <trophic/replicates/sweep/team.hpp>
+#include <trophic/support/linkage.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+/// The plan of a sweep: its cells with the rule tables and backends of this program, each held against the numbers that its table
+/// has. Throws std::invalid_argument "FILE: cell 3 (SETTINGS): ..." for the first cell that cannot be run, and for two cells that
+/// are one experiment.
+[[nodiscard]] std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const std::vector<Pairing>& pairings);
+
+/// What --sweep, --shard, --jobs and --dry-run say. `team`: the processes that MPI started, null for one that was started alone.
+/// Returns the exit code.
+[[nodiscard]] int run_sweep(const ExperimentOptions& options, const std::vector<Pairing>& pairings, sweep::Team* team);
+
+}  // namespace trophic::command
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/command/sweep.ipp>
+#endif

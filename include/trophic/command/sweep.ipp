@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// Definitions of sweep.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <trophic/command/output.hpp>
+#include <trophic/command/run_command.hpp>
+#include <trophic/command/sweep.hpp>
+#include <trophic/command/words.hpp>
+#include <trophic/observe/joint_progress.hpp>
+#include <trophic/observe/next_free_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/replicates/folder.hpp>
+#include <trophic/replicates/sweep/attempt.hpp>
+#include <trophic/replicates/sweep/folder.hpp>
+#include <trophic/replicates/sweep/work_through.hpp>
+#include <utility>
+
+namespace trophic::command {
+
+namespace detail::sweeps {
+
+using sweep::PlannedRun;
+
+[[nodiscard]] inline std::string cell_name(std::size_t cell) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "cell-%03zu", cell);
+  return name.data();
+}
+
+/// One value under its path, in nested tables.
+inline void insert(toml::table& table, std::string_view path, const nlohmann::ordered_json& value) {
+  const std::size_t dot = path.find('.');
+  if (dot != std::string_view::npos) {
+    toml::node* nested = &table.insert(path.substr(0, dot), toml::table{}).first->second;
+    if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is below a key that has a value"};
+    return insert(*nested->as_table(), path.substr(dot + 1), value);
+  }
+  if (value.is_boolean()) {
+    table.insert(path, value.get<bool>());
+  } else if (value.is_number_integer()) {
+    table.insert(path, value.get<std::int64_t>());
+  } else if (value.is_number()) {
+    table.insert(path, value.get<double>());
+  } else {
+    table.insert(path, value.get<std::string>());
+  }
+}
+
+/// Settings as a configuration file has them.
+[[nodiscard]] inline Config config_of(const sweep::Settings& settings) {
+  Config config{.origin = {}, .file = {}, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = {}};
+  for (const auto& [path, value] : settings.items()) insert(config.numbers, path, value);
+  return config;
+}
+
+[[nodiscard]] inline const Pairing& pairing_of(const std::string& table, const std::string& engine,
+                                               const std::vector<Pairing>& pairings) {
+  std::vector<std::string> tables;
+  std::vector<std::string> engines;
+  for (const Pairing& pairing : pairings) {
+    if (pairing.table == table && pairing.backend == engine) return pairing;
+    if (std::ranges::find(tables, pairing.table) == tables.end()) tables.push_back(pairing.table);
+    if (std::ranges::find(engines, pairing.backend) == engines.end()) engines.push_back(pairing.backend);
+  }
+  if (std::ranges::find(tables, table) == tables.end()) {
+    throw std::invalid_argument{"rule_table = " + must_be_one_of(table, tables) + did_you_mean(nearest_word(table, tables))};
+  }
+  throw std::invalid_argument{"engine = " + must_be_one_of(engine, engines) + did_you_mean(nearest_word(engine, engines))};
+}
+
+/// The choice that a cell makes under a key, taken out of its settings.
+[[nodiscard]] inline std::string take(sweep::Settings& settings, const std::string& key, const std::string& otherwise) {
+  const auto found = settings.find(key);
+  if (found == settings.end()) return otherwise;
+  if (!found->is_string()) throw std::invalid_argument{key + " = " + found->dump() + ": must be a text"};
+  const std::string choice = found->get<std::string>();
+  settings.erase(key);
+  return choice;
+}
+
+/// The master seed of a cell's replicates.
+[[nodiscard]] inline std::uint64_t master_seed_of(const sweep::SweepFile& file, std::size_t cell) {
+  return file.numbers.paired ? file.numbers.seed : replicates::seed_of(file.numbers.seed, cell);
+}
+
+/// The runs of a cell, or of its shadow, without their numbers.
+inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, std::vector<PlannedRun>& plan) {
+  const std::uint64_t master_seed = master_seed_of(file, like.cell);
+  for (std::size_t replicate = 0; replicate < file.numbers.replicates; ++replicate) {
+    PlannedRun run = like;
+    run.index = plan.size();
+    run.replicate = replicate;
+    run.seed = replicates::seed_of(master_seed, replicate);
+    run.folder = like.folder / replicates::name_of(replicate);
+    plan.push_back(std::move(run));
+  }
+}
+
+[[nodiscard]] inline PlannedRun first_of(const Pairing& pairing, const sweep::Settings& settings, std::size_t cell, bool shadow) {
+  const PlannedFacts facts = pairing.facts(config_of(settings), shadow);
+  return {.index = 0,
+          .cell = cell,
+          .replicate = 0,
+          .shadow = shadow,
+          .rule_table = pairing.table,
+          .engine = pairing.backend,
+          .settings = settings,
+          .seed = 0,
+          .until_s = facts.description.until_s,
+          .work = facts.work,
+          .folder = std::filesystem::path{cell_name(cell)} / (shadow ? "shadow" : ""),
+          .fingerprint = facts.description.fingerprint};
+}
+
+/// The lists of replicates that `trophic analyze` finds a cell's runs by.
+[[nodiscard]] inline std::vector<sweep::NamedText> files_of(const sweep::SweepFile& file, const std::vector<PlannedRun>& plan) {
+  std::vector<sweep::NamedText> files{{"sweep.toml", file.text}};
+  for (const PlannedRun& run : plan) {
+    if (run.replicate > 0) continue;
+    replicates::Plan cell;
+    cell.master_seed = master_seed_of(file, run.cell);
+    cell.count = file.numbers.replicates;
+    const observe::RunDescription description{.rules = run.rule_table,
+                                              .slots = {},
+                                              .named_params = {},
+                                              .tags = {},
+                                              .backend = run.engine,
+                                              .remarks = {},
+                                              .seed = run.seed,
+                                              .until_s = run.until_s,
+                                              .fingerprint = run.fingerprint};
+    files.emplace_back(run.folder.parent_path() / replicates::list_name, replicates::list_text(cell, description, {}));
+  }
+  return files;
+}
+
+/// A plan's runs with the pairings that they are runs of.
+class Runner {
+ public:
+  Runner(const ExperimentOptions& options, const std::vector<Pairing>& pairings, const observe::StopOnSignal& stop)
+      : options_{options}, pairings_{pairings}, stop_{stop} {}
+
+  /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder.
+  void run(const PlannedRun& run, double replay_hz, const std::filesystem::path& folder, observe::JointProgress& progress,
+           std::optional<double> until_s = {}) const {
+    Config config = config_of(run.settings);
+    if (until_s) insert_duration(config.numbers, *until_s);
+    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, replay_hz};
+    keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
+    pairing_of(run.rule_table, run.engine, pairings_)
+        .run_planned(config, run.shadow, run.seed, folder, keeping, progress.watch(run.folder.string()), stop_);
+  }
+
+ private:
+  static void insert_duration(toml::table& numbers, double until_s) {
+    numbers.insert("ecology", toml::table{});
+    numbers["ecology"].as_table()->insert_or_assign("duration_s", until_s);
+  }
+
+  const ExperimentOptions& options_;
+  const std::vector<Pairing>& pairings_;
+  const observe::StopOnSignal& stop_;
+};
+
+/// Core-seconds for one unit of a run's `work`: a short run into a folder that is removed again, longer until it takes half a
+/// second.
+[[nodiscard]] inline double probe(const Runner& runner, const PlannedRun& run, const std::filesystem::path& beside) {
+  std::ofstream nowhere;
+  observe::JointProgress quiet{1, run.until_s, nowhere, false};
+  for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
+    const std::filesystem::path folder = observe::next_free_folder(beside);
+    const observe::Stopwatch watch;
+    runner.run(run, 0.0, folder, quiet, until_s);
+    const double wall_s = watch.elapsed_s();
+    std::filesystem::remove_all(folder);
+    if (wall_s > 0.5 || until_s >= run.until_s) return wall_s / (run.work * until_s / run.until_s);
+  }
+}
+
+/// The cells, and how long all of it will take on one core, by probes of up to three cells of each table and engine.
+[[nodiscard]] inline int dry_run(const ExperimentOptions& options, const sweep::SweepFile& file,
+                                 const std::vector<PlannedRun>& plan, const Runner& runner) {
+  using Kind = std::pair<std::string, std::string>;
+  constexpr std::size_t most_probes = 3;
+  std::map<Kind, std::vector<const PlannedRun*>> kinds;
+  const auto cells = sweep::cells_of(file);
+  for (const PlannedRun& run : plan) {
+    if (run.replicate > 0 || run.shadow) continue;
+    kinds[{run.rule_table, run.engine}].push_back(&run);
+    std::cout << cell_name(run.cell) << "  " << file.numbers.replicates << " x " << number_text(run.until_s) << " s, "
+              << run.rule_table << " on " << run.engine << ", " << sweep::text_of(cells[run.cell], file) << "\n";
+  }
+  std::map<Kind, double> rates;
+  std::size_t probes = 0;
+  for (const auto& [kind, runs] : kinds) {
+    const std::size_t count = std::min(most_probes, runs.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::filesystem::path beside = std::filesystem::temp_directory_path() / (options.program + "-probe");
+      rates[kind] +=
+          probe(runner, *runs[i * (runs.size() - 1) / std::max<std::size_t>(1, count - 1)], beside) / static_cast<double>(count);
+      ++probes;
+    }
+  }
+  double core_s = 0.0;
+  for (const PlannedRun& run : plan) core_s += run.work * rates[{run.rule_table, run.engine}];
+  std::cout << plan.size() << " runs in " << cells.size() << " cells, about " << observe::duration_text(core_s)
+            << " of one core (" << number_text(std::ceil(core_s / 36.0) / 100.0) << " core-hours) by " << probes
+            << (probes == 1 ? " short run" : " short runs") << " of this machine\n";
+  flush_output();
+  return 0;
+}
+
+/// Tells how the sweep stands and returns the exit code.
+[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally) {
+  constexpr std::size_t most_sentences = 20;
+  const std::size_t complete = tally.kept + tally.complete;
+  std::cout << complete << " of " << complete + tally.unfinished.size() << " runs complete in " << options.out << "\n";
+  flush_output();
+  if (tally.unfinished.empty()) return 0;
+  for (std::size_t i = 0; i < std::min(most_sentences, tally.unfinished.size()); ++i) {
+    std::cerr << options.program << ": " << tally.unfinished[i] << "\n";
+  }
+  if (tally.unfinished.size() > most_sentences) {
+    std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
+  }
+  std::cerr << "the same command goes on with these and no others\n";
+  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+}
+
+inline void check(const ExperimentOptions& options, const sweep::Team* team) {
+  const auto refuse = [](bool given, const std::string& option, const std::string& instead) {
+    if (given) throw std::invalid_argument{option + ": not with --sweep; " + instead};
+  };
+  const std::string in_file = "its file says it";
+  refuse(options.rules.has_value(), "--rules", in_file);
+  refuse(options.backend.has_value(), "--backend", in_file);
+  refuse(options.seed.has_value(), "--seed", in_file);
+  refuse(options.duration_s.has_value(), "--duration", in_file);
+  refuse(options.robots.has_value(), "--robots", in_file);
+  refuse(options.robot.has_value(), "--robot", in_file);
+  refuse(options.replicates.has_value(), "--replicates", in_file);
+  refuse(options.shadow, "--shadow", in_file);
+  refuse(options.replay_hz.has_value(), "--replay-hz", in_file);
+  refuse(options.agents_every != 1, "--agents-every", "its runs have every tick");
+  refuse(!options.config.empty(), "--config", in_file);
+  refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
+  refuse(options.resume, "--resume", "a sweep always goes on with what is not complete");
+  refuse(!options.from.empty(), "--from", "each run begins at its beginning");
+  refuse(options.threads.has_value(), "--threads", "each run has one thread; see --jobs");
+  refuse(!options.save_mjcf.empty(), "--save-mjcf", "run one cell for it");
+  refuse(options.print_config || !options.print_table.empty(), "--print-config and --print-table", "run one cell for it");
+  if (options.out.empty() && !options.dry_run) {
+    throw std::invalid_argument{"--sweep: needs --out, the folder that all who work on it share"};
+  }
+  if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+  if (!(options.lease_s >= 1.0)) throw std::invalid_argument{"--lease-s " + number_text(options.lease_s) + ": must be >= 1"};
+  if (team == nullptr) return;
+  refuse(!options.shard.empty(), "--shard", "MPI hands out the runs");
+  refuse(options.jobs.has_value(), "--jobs", "under MPI each rank makes one run at a time");
+  refuse(options.dry_run, "--dry-run", "start it without mpirun");
+  if (team->size() < 2) {
+    throw std::invalid_argument{"mpirun -n 1: needs at least 2 ranks, as rank 0 hands out the runs; without mpirun, see --jobs"};
+  }
+}
+
+}  // namespace detail::sweeps
+
+TROPHIC_INLINE std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const std::vector<Pairing>& pairings) {
+  std::vector<sweep::PlannedRun> plan;
+  std::map<std::pair<std::string, double>, std::size_t> seen;
+  std::size_t number = 0;
+  const auto cells = sweep::cells_of(file);
+  for (const sweep::Settings& cell : cells) {
+    const std::string text = sweep::text_of(cell, file);
+    const std::string name = file.path.string() + ": cell " + std::to_string(number) + (text.empty() ? "" : " (" + text + ")");
+    try {
+      sweep::Settings settings = cell;
+      const std::string table = detail::sweeps::take(settings, "rule_table", pairings.front().table);
+      const std::string engine = detail::sweeps::take(settings, "engine", std::string{default_backend});
+      const Pairing& pairing = detail::sweeps::pairing_of(table, engine, pairings);
+      for (const bool shadow : {false, true}) {
+        if (shadow && !file.numbers.shadow) continue;
+        const sweep::PlannedRun first = detail::sweeps::first_of(pairing, settings, number, shadow);
+        if (!shadow) {
+          const auto [other, is_new] = seen.emplace(std::pair{first.fingerprint, first.until_s}, number);
+          if (!is_new) throw std::invalid_argument{"is the same experiment as cell " + std::to_string(other->second)};
+        }
+        detail::sweeps::append_runs(file, first, plan);
+      }
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument{name + ": " + error.what()};
+    }
+    ++number;
+  }
+  return plan;
+}
+
+TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector<Pairing>& pairings, sweep::Team* team) {
+  const bool leads = team == nullptr || team->leads();
+  const observe::StopOnSignal stop;
+  const detail::sweeps::Runner runner{options, pairings, stop};
+  std::vector<sweep::PlannedRun> plan;
+  double replay_hz = 0.0;
+  sweep::Shard shard;
+  try {
+    detail::sweeps::check(options, team);
+    const sweep::SweepFile file = sweep::read_sweep(options.sweep);
+    replay_hz = file.numbers.replay_hz;
+    if (!options.shard.empty()) shard = sweep::shard_of(options.shard);
+    if (leads) {
+      plan = plan_of(file, pairings);
+      if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
+      sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
+    }
+  } catch (const std::exception&) {
+    if (team != nullptr) static_cast<void>(team->begin(false));
+    // All ranks find the same fault; one says so.
+    if (!leads) return usage_error;
+    throw;
+  }
+  if (team != nullptr) {
+    if (!team->begin(true)) return usage_error;
+    if (!leads) plan = sweep::read_plan(std::filesystem::path{options.out} / sweep::plan_name);
+  }
+
+  const std::size_t runs = sweep::longest_first(plan, shard).size();
+  observe::JointProgress progress{runs, plan.front().until_s, std::cout};
+  const auto attempt = [&](const sweep::PlannedRun& run) {
+    return sweep::attempt(options.out, run, options.lease_s,
+                          [&](const std::filesystem::path& folder) { runner.run(run, replay_hz, folder, progress); });
+  };
+  const auto go_on = [&] { return stop.keep_running(); };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const sweep::Tally tally = team != nullptr ? team->share_out(plan, options.out, options.lease_s, attempt, go_on)
+                                             : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, go_on);
+  if (!leads) return 0;
+  // Goes when nobody is left who works here.
+  std::error_code ignored;
+  std::filesystem::remove(std::filesystem::path{options.out} / sweep::claims_name, ignored);
+  return detail::sweeps::report(options, tally);
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The name of this machine.
+#pragma once
+
+#include <unistd.h>
+
+#include <array>
+#include <string>
+
+namespace trophic {
+
+/// Empty where the system does not tell.
+[[nodiscard]] inline std::string host_name() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+}  // namespace trophic

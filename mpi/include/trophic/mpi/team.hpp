@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// The ranks of an MPI job share out the runs of a plan: rank 0 hands them out, the others make them.
+#pragma once
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdlib>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <trophic/replicates/sweep/claim.hpp>
+#include <trophic/replicates/sweep/team.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::mpi {
+
+namespace detail {
+
+inline constexpr int to_leader = 1;
+inline constexpr int to_worker = 2;
+inline constexpr long no_run = -1;  ///< from a worker: it has done none yet; to a worker: there is none left
+
+/// Looks for a message every few milliseconds, as MPI's own waiting takes a whole core.
+inline constexpr std::chrono::milliseconds pause{2};
+
+/// What a worker says: how it went with a run, and that it is free.
+struct Report {
+  long run = no_run;
+  int ended = 0;
+  std::string text;
+
+  [[nodiscard]] std::string bytes() const { return std::to_string(run) + " " + std::to_string(ended) + " " + text; }
+  [[nodiscard]] static Report of(const std::string& bytes) {
+    Report report;
+    char* rest = nullptr;
+    report.run = std::strtol(bytes.c_str(), &rest, 10);
+    report.ended = static_cast<int>(std::strtol(rest, &rest, 10));
+    if (*rest == ' ') report.text = rest + 1;
+    return report;
+  }
+};
+
+/// What the leader knows of the runs and of its workers.
+class Leader {
+ public:
+  Leader(const std::vector<sweep::PlannedRun>& plan, std::filesystem::path sweep, double lease_s, std::size_t workers)
+      : plan_{plan}, sweep_{std::move(sweep)}, lease_s_{lease_s}, workers_{workers}, results_(plan.size(), {{}, "not begun"}) {
+    for (const std::size_t run : sweep::longest_first(plan)) pending_.push_back(run);
+  }
+
+  /// Until every run is complete or has failed, a signal has come and all workers have stopped, or no worker is left.
+  [[nodiscard]] sweep::Tally lead(const std::function<bool()>& go_on) {
+    while (!pending_.empty() || !given_.empty() || !later_.empty()) {
+      const bool heard = listen();
+      if (!go_on()) stop_handing_out();
+      hand_out();
+      if (heard) continue;
+      look_after_lost();
+      if (lost_.size() == workers_) break;
+      std::this_thread::sleep_for(pause);
+    }
+    for (const int worker : free_) send(worker, no_run);
+    return tally();
+  }
+
+  /// Whether a worker died: then MPI_Finalize would wait for it.
+  [[nodiscard]] bool has_lost_workers() const { return !lost_.empty(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Given {
+    std::size_t run = 0;
+    Clock::time_point since;
+  };
+
+  static void send(int worker, long run) { MPI_Send(&run, 1, MPI_LONG, worker, to_worker, MPI_COMM_WORLD); }
+
+  /// Takes one report, if there is one.
+  bool listen() {
+    int there = 0;
+    MPI_Status status;
+    if (MPI_Iprobe(MPI_ANY_SOURCE, to_leader, MPI_COMM_WORLD, &there, &status) != MPI_SUCCESS || there == 0) return false;
+    int length = 0;
+    MPI_Get_count(&status, MPI_CHAR, &length);
+    std::string bytes(static_cast<std::size_t>(length), '\0');
+    MPI_Recv(bytes.data(), length, MPI_CHAR, status.MPI_SOURCE, to_leader, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    hear(status.MPI_SOURCE, Report::of(bytes));
+    return true;
+  }
+
+  void hear(int worker, const Report& report) {
+    given_.erase(worker);
+    lost_.erase(worker);
+    free_.push_back(worker);
+    if (report.run == no_run) return;
+    const auto run = static_cast<std::size_t>(report.run);
+    results_[run] = {static_cast<sweep::Ended>(report.ended), report.text};
+    if (results_[run].ended == sweep::Ended::elsewhere) later_.emplace_back(run, Clock::now() + std::chrono::seconds{1});
+  }
+
+  void stop_handing_out() {
+    pending_.clear();
+    later_.clear();
+  }
+
+  void hand_out() {
+    while (!later_.empty() && later_.front().second <= Clock::now()) {
+      pending_.push_back(later_.front().first);
+      later_.pop_front();
+    }
+    while (!free_.empty() && !pending_.empty()) {
+      const int worker = free_.front();
+      const std::size_t run = pending_.front();
+      free_.pop_front();
+      pending_.pop_front();
+      given_[worker] = {run, Clock::now()};
+      send(worker, static_cast<long>(run));
+    }
+  }
+
+  /// Once a second: a run that was given to a worker some time ago, that is not complete and that nobody claims, is to be given
+  /// to another one.
+  void look_after_lost() {
+    if (Clock::now() < next_look_) return;
+    next_look_ = Clock::now() + std::chrono::seconds{1};
+    std::vector<int> silent;
+    for (const auto& [worker, given] : given_) {
+      if (Clock::now() - given.since < std::chrono::seconds{3}) continue;
+      const sweep::PlannedRun& run = plan_[given.run];
+      if (!sweep::claimant_of(sweep_ / sweep::claims_name, run.index, lease_s_).empty()) {
+        suspects_.erase(worker);
+      } else if (!suspects_.insert_or_assign(worker, given.run).second) {
+        silent.push_back(worker);
+      }
+    }
+    for (const int worker : silent) {
+      const std::size_t run = given_[worker].run;
+      if (sweep::is_complete(sweep_, plan_[run])) {
+        results_[run] = {sweep::Ended::complete};
+      } else {
+        pending_.push_front(run);
+        std::cerr << "rank " << worker << " no longer answers: " << plan_[run].folder.string() << " is given to another\n";
+      }
+      given_.erase(worker);
+      suspects_.erase(worker);
+      lost_[worker] = true;
+    }
+  }
+
+  [[nodiscard]] sweep::Tally tally() const {
+    sweep::Tally tally;
+    for (std::size_t run = 0; run < plan_.size(); ++run) {
+      const sweep::Result& result = results_[run];
+      if (result.ended == sweep::Ended::was_complete) {
+        ++tally.kept;
+      } else if (result.ended == sweep::Ended::complete) {
+        ++tally.complete;
+      } else {
+        tally.unfinished.push_back(plan_[run].folder.string() + ": " + result.text);
+      }
+    }
+    return tally;
+  }
+
+  const std::vector<sweep::PlannedRun>& plan_;
+  std::filesystem::path sweep_;
+  double lease_s_;
+  std::size_t workers_;
+  std::vector<sweep::Result> results_;
+  std::deque<std::size_t> pending_;
+  std::deque<std::pair<std::size_t, Clock::time_point>> later_;  ///< those that programs of another job work on
+  std::deque<int> free_;
+  std::map<int, Given> given_;
+  std::map<int, std::size_t> suspects_;
+  std::map<int, bool> lost_;
+  Clock::time_point next_look_;
+};
+
+}  // namespace detail
+
+/// The ranks of MPI_COMM_WORLD. One at a time in a program, which must not call MPI_Init itself.
+class Team final : public sweep::Team {
+ public:
+  Team() {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    // A rank that dies must not take the others with it: what it was given is given to another.
+    MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  }
+
+  ~Team() override {
+    if (has_lost_workers_) {
+      // MPI_Finalize would wait for ranks that are no more.
+      std::cout.flush();
+      std::cerr.flush();
+      return;
+    }
+    MPI_Finalize();
+  }
+
+  [[nodiscard]] std::size_t size() const override { return static_cast<std::size_t>(size_); }
+  [[nodiscard]] bool leads() const override { return rank_ == 0; }
+
+  [[nodiscard]] bool begin(bool there_is_a_plan) override {
+    int flag = there_is_a_plan ? 1 : 0;
+    MPI_Bcast(&flag, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    return flag == 1;
+  }
+
+  [[nodiscard]] sweep::Tally share_out(const std::vector<sweep::PlannedRun>& plan, const std::filesystem::path& sweep,
+                                       double lease_s, const std::function<sweep::Result(const sweep::PlannedRun&)>& attempt,
+                                       const std::function<bool()>& go_on) override {
+    if (!leads()) {
+      work(plan, attempt);
+      return {};
+    }
+    detail::Leader leader{plan, sweep, lease_s, size() - 1};
+    sweep::Tally tally = leader.lead(go_on);
+    has_lost_workers_ = leader.has_lost_workers();
+    return tally;
+  }
+
+ private:
+  static void work(const std::vector<sweep::PlannedRun>& plan,
+                   const std::function<sweep::Result(const sweep::PlannedRun&)>& attempt) {
+    detail::Report report;
+    for (;;) {
+      const std::string bytes = report.bytes();
+      MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_CHAR, 0, detail::to_leader, MPI_COMM_WORLD);
+      int there = 0;
+      while (MPI_Iprobe(0, detail::to_worker, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE) == MPI_SUCCESS && there == 0) {
+        std::this_thread::sleep_for(detail::pause);
+      }
+      long run = detail::no_run;
+      if (there != 0) MPI_Recv(&run, 1, MPI_LONG, 0, detail::to_worker, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      if (run == detail::no_run) return;
+      const sweep::Result result = attempt(plan[static_cast<std::size_t>(run)]);
+      report = {run, static_cast<int>(result.ended), result.text};
+    }
+  }
+
+  int rank_ = 0;
+  int size_ = 1;
+  bool has_lost_workers_ = false;
+};
+
+/// The team of a program that mpirun or srun started as a rank of a job, as Open MPI's, MPICH's and PMIx's variables of the
+/// environment say; null where it was started alone.
+[[nodiscard]] inline std::unique_ptr<sweep::Team> find_team() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
+    if (std::getenv(variable) != nullptr) return std::make_unique<Team>();
+  }
+  return nullptr;
+}
+
+}  // namespace trophic::mpi

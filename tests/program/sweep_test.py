@@ -1,0 +1,397 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""sweep_test.py PREDATOR_PREY SWEEPS [--engines a,b] [--long] [unittest arguments]: one sweep, run in every way there is, gives the
+same files, and what cannot be run is refused in one line.
+
+SWEEPS: the folder of examples with a Slurm script and a Snakefile. The quick part has a small grid; --long runs 24 cells x 3."""
+
+import argparse
+import filecmp
+import json
+import os
+import pathlib
+import random
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+import unittest
+
+from in_folder import InFolderWithSets
+
+PARSER = argparse.ArgumentParser()
+PARSER.add_argument("program")
+PARSER.add_argument("sweeps", type=pathlib.Path)
+PARSER.add_argument("--engines", default="kinematic")
+PARSER.add_argument("--long", action="store_true")
+OPTIONS, REST = PARSER.parse_known_args()
+ENGINES = OPTIONS.engines.split(",")
+HAS_MPI = "libmpi" in subprocess.run(["ldd", OPTIONS.program], capture_output=True, text=True).stdout
+
+SHORT = f"""
+replicates = 2
+[set]
+ecology.duration_s = 10.0
+[grid]
+engine = {json.dumps(ENGINES)}
+rules.capture.reach_m = [0.5, 1.0]
+rules.mutation.sd = [0.05, 0.2]
+"""
+LONG = f"""
+replicates = 3
+[set]
+ecology.duration_s = 200.0
+[grid]
+engine = {json.dumps(ENGINES)}
+rules.capture.reach_m = [0.5, 1.0, 2.0]
+rules.mutation.sd = [0.0125, 0.05, 0.2, 0.8]
+"""
+# Runs that take long enough to be killed in the middle.
+KILLED = """
+engine = "kinematic"
+replicates = 2
+[set]
+ecology.duration_s = 20000.0
+[grid]
+rules.capture.reach_m = [0.5, 1.0]
+"""
+# What is of the program that made a run, and not of the run.
+OF_PROGRAM = ["command_line", "host", "wall_s", "continued", "source_revision"]
+
+
+def files_of(folder):
+    """Paths of all files but checkpoints, which say which program wrote them."""
+    return sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file() and path.name != "checkpoint.bin")
+
+
+class Sweeps(InFolderWithSets):
+    """`sets` holds the folders "one": what a sweep leaves that nothing disturbed."""
+
+    @classmethod
+    def make_sets(cls):
+        pass
+
+    @classmethod
+    def make(cls, text):
+        (cls.sets / "sweep.toml").write_text(text)
+        words = [OPTIONS.program, "--sweep", "sweep.toml", "--out", "one", "--jobs", "1"]
+        began = time.monotonic()
+        subprocess.run(words, cwd=cls.sets, check=True, capture_output=True, timeout=3600)
+        cls.whole_s = time.monotonic() - began
+
+    def setUp(self):
+        super().setUp()
+        self.write("sweep.toml", LONG if OPTIONS.long else SHORT)
+        self.write("killed.toml", KILLED)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+
+    def run_words(self, *words, **more):
+        return subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=3600, **more)
+
+    def sweep(self, *arguments, file="sweep.toml", out="out"):
+        return self.run_words(OPTIONS.program, "--sweep", file, "--out", out, *arguments)
+
+    def start(self, *words):
+        return subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def mpirun(self, ranks, *more):
+        return ["mpirun", "--allow-run-as-root", "--oversubscribe", *more, "-n", str(ranks)]
+
+    def assert_done(self, done):
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def assert_same(self, out="out"):
+        one, two = self.sets / "one", self.folder / out
+        self.assertEqual(files_of(one), files_of(two))
+        for path in files_of(one):
+            if path.name != "manifest.json":
+                self.assertTrue(filecmp.cmp(one / path, two / path, shallow=False), path)
+                continue
+            manifests = [json.loads((folder / path).read_text()) for folder in (one, two)]
+            for manifest in manifests:
+                self.assertEqual(manifest["status"], "complete")
+                for key in OF_PROGRAM:
+                    manifest.pop(key, None)
+            self.assertEqual(*manifests)
+
+
+class Ways(Sweeps):
+    @classmethod
+    def make_sets(cls):
+        cls.make(LONG if OPTIONS.long else SHORT)
+
+    def test_plan(self):
+        runs = [json.loads(line) for line in (self.sets / "one/plan.jsonl").read_text().splitlines()]
+        self.assertEqual([run["index"] for run in runs], list(range(len(runs))))
+        self.assertEqual(len({run["folder"] for run in runs}), len(runs))
+        seeds = {}
+        for run in runs:
+            seeds.setdefault(run["replicate"], set()).add(run["seed"])
+            manifest = json.loads((self.sets / "one" / run["folder"] / "manifest.json").read_text())
+            self.assertEqual(manifest["seed"], run["seed"])
+            self.assertEqual(manifest["fingerprint"], run["fingerprint"])
+            self.assertEqual(manifest["clock"]["until_s"], run["until_s"])
+            self.assertEqual(manifest["params"]["rules"]["capture"]["reach_m"], run["settings"]["rules.capture.reach_m"])
+        self.assertTrue(all(len(each) == 1 for each in seeds.values()), "replicate k has one seed in all cells")
+        self.assertEqual(sorted(path.name for path in (self.sets / "one").iterdir() if not path.name.startswith("cell-")),
+                         ["plan.jsonl", "sweep.toml"])
+
+    def test_jobs(self):
+        self.assert_done(self.sweep("--jobs", "2"))
+        self.assert_same()
+
+    def test_again_runs_nothing(self):
+        times = lambda: {path: path.stat().st_mtime_ns for path in (self.sets / "one").rglob("*.csv")}
+        before = times()
+        self.assert_done(self.sweep(out=self.sets / "one"))
+        self.assertEqual(before, times())
+
+    def test_shards_in_any_order(self):
+        for shard in random.sample(range(1, 5), 4):
+            self.assert_done(self.sweep("--shard", f"{shard}/4", "--jobs", "1"))
+        self.assert_same()
+
+    def test_several_programs_at_once(self):
+        words = [OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--jobs", "1"]
+        programs = [self.start(*words) for _ in range(3)]
+        self.assertEqual([program.wait(3600) for program in programs], [0, 0, 0])
+        self.assert_same()
+
+    @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
+    def test_mpi(self):
+        for ranks in (2, 3, 8):
+            out = f"ranks-{ranks}"
+            self.assert_done(self.run_words(*self.mpirun(ranks), OPTIONS.program, "--sweep", "sweep.toml", "--out", out))
+            self.assert_same(out)
+
+    @unittest.skipUnless(shutil.which("parallel"), "needs GNU parallel")
+    def test_gnu_parallel(self):
+        command = f"{OPTIONS.program} --sweep sweep.toml --out out --jobs 1 --shard {{}}/4"
+        self.assert_done(self.run_words("parallel", "--jobs", "2", command, ":::", "1", "2", "3", "4"))
+        self.assert_same()
+
+    @unittest.skipUnless(shutil.which("snakemake"), "needs Snakemake")
+    def test_snakemake(self):
+        words = ["snakemake", "--cores", "2", "--snakefile", OPTIONS.sweeps / "Snakefile", "--config", "sweep=sweep.toml",
+                 "out=out", "shards=4", f"program={OPTIONS.program}", "analyze=true"]
+        shards = [f"out.shards/{i}" for i in range(1, 5)]
+        self.assert_done(self.run_words(*words, "--", *shards, env={**os.environ, "HOME": str(self.folder)}))
+        self.assert_same()
+
+    @unittest.skipUnless(shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm")
+    def test_slurm(self):
+        with Slurm(self.folder) as environment:
+            done = self.run_words("sbatch", "--wait", "--array=1-4", OPTIONS.sweeps / "slurm.sh", OPTIONS.program, "sweep.toml",
+                                  "out", env=environment)
+        said = "".join(path.read_text() for path in self.folder.glob("slurm-*.out"))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr + said)
+        self.assert_same()
+
+
+class Slurm:
+    """A cluster of this machine alone, for one test."""
+
+    def __init__(self, folder):
+        self.folder = folder / "slurm"
+        self.programs = []
+
+    def free_port(self):
+        with socket.socket() as one:
+            one.bind(("127.0.0.1", 0))
+            return one.getsockname()[1]
+
+    def __enter__(self):
+        self.folder.mkdir()
+        host = socket.gethostname()
+        user = subprocess.run(["id", "-un"], capture_output=True, text=True).stdout.strip()
+        numbers = {
+            "ClusterName": "one", "SlurmctldHost": f"{host}(127.0.0.1)", "AuthType": "auth/none", "CredType": "cred/none",
+            "SlurmUser": user, "SlurmdUser": user, "SlurmctldPort": self.free_port(), "SlurmdPort": self.free_port(),
+            "StateSaveLocation": self.folder / "state", "SlurmdSpoolDir": self.folder / "spool",
+            "SlurmctldPidFile": self.folder / "ctld.pid", "SlurmdPidFile": self.folder / "d.pid",
+            "ProctrackType": "proctrack/linuxproc", "TaskPlugin": "task/none", "SelectType": "select/cons_tres",
+            "SelectTypeParameters": "CR_Core", "AccountingStorageType": "accounting_storage/none",
+            "JobAcctGatherType": "jobacct_gather/none", "ReturnToService": 2, "SwitchType": "switch/none", "MpiDefault": "none",
+        }
+        text = "".join(f"{key}={value}\n" for key, value in numbers.items())
+        text += f"NodeName={host} NodeAddr=127.0.0.1 CPUs={os.cpu_count()}\nPartitionName=all Nodes=ALL Default=YES State=UP\n"
+        configuration = self.folder / "slurm.conf"
+        configuration.write_text(text)
+        for name in ("state", "spool"):
+            (self.folder / name).mkdir()
+        environment = {**os.environ, "SLURM_CONF": str(configuration)}
+        paths = os.environ["PATH"] + ":/usr/sbin"
+        for daemon in ("slurmctld", "slurmd"):
+            with (self.folder / f"{daemon}.log").open("w") as log:
+                words = [shutil.which(daemon, path=paths), "-D"]
+                self.programs.append(subprocess.Popen(words, env=environment, stdout=log, stderr=log))
+        for _ in range(100):
+            state = subprocess.run(["sinfo", "--noheader", "--format=%T"], env=environment, capture_output=True, text=True)
+            if state.stdout.strip() == "idle":
+                break
+            time.sleep(0.1)
+        return environment
+
+    def __exit__(self, *_):
+        for program in reversed(self.programs):
+            program.terminate()
+            program.wait(30)
+
+
+class Killed(Sweeps):
+    @classmethod
+    def make_sets(cls):
+        cls.make(KILLED)
+
+    def ranks_of(self, out):
+        """Processes of the program that work on a folder, oldest first."""
+        found = subprocess.run(["pgrep", "-f", f"^{OPTIONS.program} --sweep killed.toml --out {out}"], capture_output=True, text=True)
+        return [int(number) for number in found.stdout.split()]
+
+    def test_program_that_is_killed_and_started_again(self):
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "2", "--checkpoint-s", "100"]
+        for _ in range(2):
+            program = self.start(*words)
+            time.sleep(random.uniform(0.1, 0.4) * self.whole_s)
+            program.kill()
+            program.wait()
+        self.assert_done(self.run_words(*words))
+        self.assert_same()
+
+    def test_one_of_two_is_killed(self):
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1", "--checkpoint-s", "100"]
+        lives, dies = self.start(*words), self.start(*words)
+        time.sleep(0.3 * self.whole_s)
+        dies.kill()
+        dies.wait()
+        self.assertEqual(lives.wait(600), 0)
+        self.assert_same()
+
+    def test_stopped_program_says_how_to_go_on(self):
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1"]
+        program = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.3 * self.whole_s)
+        program.send_signal(signal.SIGTERM)
+        said = program.communicate(timeout=600)
+        self.assertEqual(program.returncode, 3, said)
+        self.assertIn("the same command goes on with these and no others", said[1])
+        self.assert_done(self.run_words(*words))
+        self.assert_same()
+
+    @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
+    def test_worker_of_mpi_is_killed(self):
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "100"]
+        job = subprocess.Popen([*self.mpirun(4, "--enable-recovery"), *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.25 * self.whole_s)
+        ranks = self.ranks_of("out")
+        self.assertEqual(len(ranks), 4)
+        os.kill(random.choice(ranks[1:]), signal.SIGKILL)
+        said = job.communicate(timeout=600)
+        self.assertIn("4 of 4 runs complete", said[0], said[1])
+        self.assertEqual(job.returncode, 0, said)
+        self.assert_same()
+
+    @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
+    def test_first_rank_is_killed_and_the_job_started_again(self):
+        words = [*self.mpirun(3), OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "100"]
+        job = self.start(*words)
+        time.sleep(0.3 * self.whole_s)
+        os.kill(self.ranks_of("out")[0], signal.SIGKILL)
+        time.sleep(1.0)
+        job.terminate()
+        job.wait(60)
+        for rank in self.ranks_of("out"):
+            os.kill(rank, signal.SIGKILL)
+        self.assert_done(self.run_words(*words))
+        self.assert_same()
+
+
+class Refusals(Sweeps):
+    def refused(self, *arguments, file="sweep.toml", out="out"):
+        done = self.sweep(*arguments, file=file, out=out)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertFalse((self.folder / out / "cell-000").exists())
+        return done.stderr
+
+    def test_cells(self):
+        for text, says in {
+            "[grid]\nrules.capture.reach = [1.0]\n": "cell 0 (rules.capture.reach=1.0): rules.capture.reach: unknown key; did you mean",
+            "[grid]\nrules.capture.reach_m = [1.0, -1.0]\n": "cell 1 (rules.capture.reach_m=-1.0): rules.capture.reach_m = -1: must be",
+            "[grid]\nrules.capture.reach_m = [\"far\"]\n": "rules.capture.reach_m = 'far': must be a number",
+            "[grid]\nrules.capture = [1.0]\n": "rules.capture",
+            "[grid]\nrule_table = [\"papre\"]\n": "rule_table = papre: must be paper or released; did you mean paper?",
+            "[grid]\nengine = [\"kinetic\"]\n": "engine = kinetic: must be",
+            "[grid]\nrules.capture.reach_m = [1.0, 1]\n": "cell 1 (rules.capture.reach_m=1): is the same experiment as cell 0",
+            "[set]\necology.robots = 0\n[grid]\nrules.capture.reach_m = [1.0]\n": "ecology.robots = 0: must be",
+            "[grid]\n": "[grid]: is empty",
+        }.items():
+            self.write("bad.toml", "engine = \"kinematic\"\n" + text if "engine" not in text else text)
+            self.assertIn(says, self.refused(file="bad.toml"), text)
+
+    def test_options(self):
+        for arguments, says in {
+            ("--shard", "5/4"): "5/4: must be I/N with 1 <= I <= N",
+            ("--jobs", "0"): "--jobs 0: must be >= 1",
+            ("--lease-s", "0"): "--lease-s 0: must be >= 1",
+            ("--set", "rules.mutation.sd=0.1"): "--set: not with --sweep",
+            ("--replicates", "3"): "--replicates: not with --sweep",
+            ("--agents-every", "3"): "--agents-every: not with --sweep",
+            ("--seed", "3"): "--seed: not with --sweep",
+            ("--resume",): "--resume: not with --sweep",
+        }.items():
+            self.assertIn(says, self.refused(*arguments), arguments)
+        done = self.run_words(OPTIONS.program, "--sweep", "sweep.toml")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        self.assertIn("needs --out", done.stderr)
+        for arguments in (["--shard", "1/2"], ["--dry-run"]):
+            done = self.run_words(OPTIONS.program, "--backend", "kinematic", *arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("need --sweep", done.stderr)
+
+    def test_plan_that_changed_half_way(self):
+        self.write("small.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 10.0\n"
+                   "[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
+        self.assert_done(self.sweep(file="small.toml", out="small"))
+        text = (self.folder / "small.toml").read_text()
+        self.write("small.toml", text.replace("0.2", "0.3"))
+        done = self.sweep(file="small.toml", out="small")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertIn("small/plan.jsonl:2: the folder holds another plan", done.stderr)
+
+    def test_folder_of_something_else(self):
+        (self.folder / "out").mkdir()
+        self.assertIn("is no sweep's folder", self.refused())
+
+    def test_dry_run_says_what_would_be_run(self):
+        done = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--dry-run")
+        self.assert_done(done)
+        self.assertIn("rules.capture.reach_m=0.5 rules.mutation.sd=0.05", done.stdout)
+        self.assertRegex(done.stdout, r"\d+ runs in \d+ cells, about .* of one core \(.* core-hours\)")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["killed.toml", "sweep.toml"])
+
+    def test_the_example(self):
+        done = self.run_words(OPTIONS.program, "--sweep", OPTIONS.sweeps / "inheritance.toml", "--dry-run")
+        self.assert_done(done)
+        self.assertIn("1200 runs in 60 cells", done.stdout)
+
+    @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
+    def test_mpi(self):
+        for ranks, arguments, says in [(1, ["--sweep", "sweep.toml"], "needs at least 2 ranks"),
+                                       (2, ["--sweep", "none.toml"], "none.toml"),
+                                       (2, ["--backend", "kinematic"], "only with --sweep"),
+                                       (2, ["--sweep", "sweep.toml", "--shard", "1/2"], "--shard: not with --sweep")]:
+            done = self.run_words(*self.mpirun(ranks), OPTIONS.program, *arguments, "--out", "out")
+            self.assertNotEqual(done.returncode, 0)
+            name = pathlib.Path(OPTIONS.program).name
+            said = [line for line in done.stderr.splitlines() if line.startswith(name + ": ")]
+            self.assertEqual(len(said), 1, done.stderr)
+            self.assertIn(says, said[0])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *REST])

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// Claims on runs, attempts at them, and who does what of a plan.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <trophic/replicates/sweep/attempt.hpp>
+#include <trophic/replicates/sweep/claim.hpp>
+#include <trophic/replicates/sweep/folder.hpp>
+#include <trophic/replicates/sweep/work_through.hpp>
+#include <vector>
+
+#include "../../support/temporary_folder.hpp"
+
+using namespace trophic;
+using sweep::Claim;
+using sweep::Ended;
+using sweep::PlannedRun;
+using sweep::Result;
+using test::TemporaryFolder;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double long_lease_s = 1000.0;
+
+/// A plan of runs with this much work each.
+std::vector<PlannedRun> plan_with(const std::vector<double>& works) {
+  std::vector<PlannedRun> plan;
+  for (const double work : works) {
+    PlannedRun run;
+    run.index = plan.size();
+    run.cell = plan.size();
+    run.seed = 7;
+    run.rule_table = "paper";
+    run.engine = "kinematic";
+    run.settings["rules.x"] = plan.size();
+    run.until_s = 1.0;
+    run.work = work;
+    run.folder = "cell-" + std::to_string(plan.size()) + "/replicate-00";
+    run.fingerprint = std::string(15, '0') + std::to_string(plan.size());
+    plan.push_back(run);
+  }
+  return plan;
+}
+
+/// What a run leaves that ended so.
+void leave_manifest(const fs::path& folder, const std::string& status) {
+  fs::create_directories(folder);
+  std::ofstream{folder / "manifest.json"} << R"({"status": ")" << status << "\"}\n";
+}
+
+void make_old(const fs::path& path, double by_s) {
+  struct stat state {};
+  REQUIRE(::stat(path.c_str(), &state) == 0);
+  timespec then = state.st_mtim;
+  then.tv_sec -= static_cast<time_t>(by_s);
+  const timespec both[2] = {then, then};
+  REQUIRE(::utimensat(AT_FDCWD, path.c_str(), both, 0) == 0);
+}
+
+}  // namespace
+
+TEST_CASE("A run is claimed once, and again when it was given back") {
+  const TemporaryFolder folder;
+  {
+    const auto first = Claim::take(folder.path(), 3, long_lease_s);
+    REQUIRE(first);
+    CHECK_FALSE(Claim::take(folder.path(), 3, long_lease_s));
+    CHECK(Claim::take(folder.path(), 4, long_lease_s));
+    CHECK(sweep::claimant_of(folder.path(), 3, long_lease_s).ends_with("(process " + std::to_string(::getpid()) + ")"));
+  }
+  CHECK(sweep::claimant_of(folder.path(), 3, long_lease_s).empty());
+  CHECK(fs::is_empty(folder.path()));
+  CHECK(Claim::take(folder.path(), 3, long_lease_s));
+}
+
+TEST_CASE("Of many threads that claim one run at once, one gets it") {
+  const TemporaryFolder folder;
+  for (std::size_t run = 0; run < 50; ++run) {
+    std::atomic<int> got = 0;
+    std::mutex mutex;
+    std::vector<Claim> claims;
+    {
+      std::vector<std::jthread> threads;
+      for (int i = 0; i < 8; ++i) {
+        threads.emplace_back([&] {
+          auto claim = Claim::take(folder.path(), run, long_lease_s);
+          if (!claim) return;
+          ++got;
+          const std::scoped_lock lock{mutex};
+          claims.push_back(std::move(*claim));
+        });
+      }
+    }
+    CHECK(got == 1);
+  }
+}
+
+TEST_CASE("The claim of a program of this machine that died is stale at once") {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // Dies as by SIGKILL: nothing is given back.
+    const auto claim = Claim::take(folder.path(), 0, long_lease_s);
+    ::_exit(claim ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WEXITSTATUS(status) == 0);
+  REQUIRE(fs::exists(folder.path() / "0.0"));
+  CHECK(sweep::claimant_of(folder.path(), 0, long_lease_s).empty());
+  {
+    const auto taken_over = Claim::take(folder.path(), 0, long_lease_s);
+    CHECK(taken_over);
+    CHECK(fs::exists(folder.path() / "0.1"));
+    CHECK_FALSE(Claim::take(folder.path(), 0, long_lease_s));
+  }
+  CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("A claim of another machine is stale when it was not renewed for its lease") {
+  const TemporaryFolder folder;
+  const fs::path claim = folder.path() / "5.0";
+  fs::create_directory(claim);
+  std::ofstream{claim / "owner.json"} << R"({"host": "elsewhere", "process": 1, "space": "another boot"})";
+  CHECK_FALSE(Claim::take(folder.path(), 5, 60.0));
+  CHECK(sweep::claimant_of(folder.path(), 5, 60.0) == "elsewhere (process 1)");
+  make_old(claim / "owner.json", 59.0);
+  CHECK_FALSE(Claim::take(folder.path(), 5, 60.0));
+  make_old(claim / "owner.json", 62.0);
+  CHECK(Claim::take(folder.path(), 5, 60.0));
+}
+
+TEST_CASE("A claim without an owner's file is as old as its folder") {
+  const TemporaryFolder folder;
+  const fs::path claim = folder.path() / "5.0";
+  fs::create_directory(claim);
+  CHECK_FALSE(Claim::take(folder.path(), 5, 60.0));
+  make_old(claim, 62.0);
+  CHECK(Claim::take(folder.path(), 5, 60.0));
+}
+
+TEST_CASE("A claim is renewed as long as it lives") {
+  const TemporaryFolder folder;
+  const auto claim = Claim::take(folder.path(), 0, 0.2);
+  REQUIRE(claim);
+  const fs::path owner = folder.path() / "0.0" / "owner.json";
+  make_old(owner, 1000.0);
+  const auto old = fs::last_write_time(owner);
+  for (int i = 0; i < 500 && fs::last_write_time(owner) == old; ++i) std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  CHECK(fs::last_write_time(owner) > old);
+}
+
+TEST_CASE("A run's folder appears when it is complete, and older attempts go") {
+  const TemporaryFolder folder;
+  const auto plan = plan_with({1.0});
+  const fs::path run = folder.path() / plan[0].folder;
+  leave_manifest(run.string() + ".attempt-4", "running");
+  const Result result = sweep::attempt(folder.path(), plan[0], long_lease_s, [&](const fs::path& own) {
+    CHECK(own == fs::path{run.string() + ".attempt-5"});
+    CHECK_FALSE(fs::exists(run));
+    leave_manifest(own, "complete");
+  });
+  CHECK(result.ended == Ended::complete);
+  CHECK(sweep::is_complete(folder.path(), plan[0]));
+  CHECK_FALSE(fs::exists(run.string() + ".attempt-4"));
+  CHECK_FALSE(fs::exists(run.string() + ".attempt-5"));
+  const Result again = sweep::attempt(folder.path(), plan[0], long_lease_s, [](const fs::path&) { FAIL("done twice"); });
+  CHECK(again.ended == Ended::was_complete);
+}
+
+TEST_CASE("What is claimed is elsewhere, what throws has failed, what a signal ends is stopped") {
+  const TemporaryFolder folder;
+  const auto plan = plan_with({1.0});
+  const auto attempt = [&](const std::function<void(const fs::path&)>& work) {
+    return sweep::attempt(folder.path(), plan[0], long_lease_s, work);
+  };
+  {
+    const auto claim = Claim::take(folder.path() / sweep::claims_name, 0, long_lease_s);
+    const Result result = attempt([](const fs::path&) { FAIL("is not ours"); });
+    CHECK(result.ended == Ended::elsewhere);
+    CHECK(result.text.find("process") != std::string::npos);
+  }
+  const Result failed = attempt([](const fs::path&) { throw std::runtime_error{"diverged"}; });
+  CHECK(failed.ended == Ended::failed);
+  CHECK(failed.text == "diverged");
+  CHECK(attempt([](const fs::path& own) { leave_manifest(own, "stopped"); }).ended == Ended::stopped);
+  CHECK_FALSE(sweep::is_complete(folder.path(), plan[0]));
+}
+
+TEST_CASE("Of two programs that do the same run, the slower one finds it done") {
+  const TemporaryFolder folder;
+  const auto plan = plan_with({1.0});
+  const fs::path run = folder.path() / plan[0].folder;
+  const auto faster = [&](const fs::path& own) {
+    leave_manifest(run, "complete");
+    fs::remove_all(own);
+    throw std::runtime_error{"its folder is gone"};
+  };
+  CHECK(sweep::attempt(folder.path(), plan[0], long_lease_s, faster).ended == Ended::complete);
+  fs::remove_all(run);
+  const auto same_time = [&](const fs::path& own) {
+    leave_manifest(own, "complete");
+    leave_manifest(run, "complete");
+  };
+  CHECK(sweep::attempt(folder.path(), plan[0], long_lease_s, same_time).ended == Ended::complete);
+  CHECK_FALSE(fs::exists(run.string() + ".attempt-0"));
+}
+
+TEST_CASE("Shards are written I/N, hold each run once and none is empty of sense") {
+  for (const char* bad : {"", "1", "0/4", "5/4", "1/0", "1/", "/4", "1/4x", "a/b", "-1/4"}) {
+    CAPTURE(bad);
+    CHECK_THROWS_AS(static_cast<void>(sweep::shard_of(bad)), std::invalid_argument);
+  }
+  std::vector<int> held(10, 0);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    for (std::size_t run = 0; run < held.size(); ++run) held[run] += sweep::shard_of(shard).holds(run) ? 1 : 0;
+  }
+  CHECK(std::ranges::all_of(held, [](int times) { return times == 1; }));
+}
+
+TEST_CASE("The longest runs are begun first, equal ones in the plan's order") {
+  const auto plan = plan_with({1.0, 3.0, 2.0, 3.0});
+  CHECK(sweep::longest_first(plan) == std::vector<std::size_t>{1, 3, 2, 0});
+  CHECK(sweep::longest_first(plan, {2, 2}) == std::vector<std::size_t>{1, 3});
+}
+
+TEST_CASE("Every run is tried once; what is elsewhere is waited for; a failure takes no other run with it") {
+  const auto plan = plan_with({5.0, 4.0, 3.0, 2.0, 1.0});
+  std::mutex mutex;
+  std::vector<std::size_t> tried;
+  const auto attempt = [&](const PlannedRun& run) -> Result {
+    const std::scoped_lock lock{mutex};
+    tried.push_back(run.index);
+    if (run.index == 1) return {Ended::failed, "diverged"};
+    if (run.index == 2) return {Ended::was_complete};
+    if (run.index == 3 && std::ranges::count(tried, std::size_t{3}) == 1) return {Ended::elsewhere, "other (process 1)"};
+    return {Ended::complete};
+  };
+  for (const std::size_t jobs : {1U, 3U}) {
+    tried.clear();
+    const sweep::Tally tally = sweep::work_through(plan, {}, jobs, attempt, [] { return true; });
+    CHECK(tally.kept == 1);
+    CHECK(tally.complete == 3);
+    CHECK(tally.unfinished == std::vector<std::string>{"cell-1/replicate-00: diverged"});
+    CHECK(tried.size() == 6);
+  }
+}
+
+TEST_CASE("A signal ends the work; what was not begun is said") {
+  const auto plan = plan_with({2.0, 1.0});
+  int tried = 0;
+  const auto attempt = [&](const PlannedRun&) -> Result {
+    ++tried;
+    return {Ended::stopped, "status \"stopped\""};
+  };
+  const sweep::Tally tally = sweep::work_through(plan, {}, 1, attempt, [&] { return tried == 0; });
+  CHECK(tally.unfinished ==
+        std::vector<std::string>{"cell-0/replicate-00: status \"stopped\"", "cell-1/replicate-00: not begun"});
+}
+
+TEST_CASE("A sweep's folder is made once and joined with the same plan only") {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "sweep";
+  const auto plan = plan_with({1.0, 2.0});
+  sweep::make_or_join(out, plan, {{"sweep.toml", "[grid]\n"}, {"cell-0/replicates.json", "{}"}});
+  CHECK(fs::exists(out / "cell-0" / "replicates.json"));
+  CHECK(sweep::read_plan(out / sweep::plan_name).size() == 2);
+  sweep::make_or_join(out, plan, {});
+  auto other = plan;
+  other[1].settings["rules.x"] = 9;
+  try {
+    sweep::make_or_join(out, other, {});
+    FAIL("another plan was accepted");
+  } catch (const std::invalid_argument& error) {
+    CHECK(std::string{error.what()}.find("plan.jsonl:2: the folder holds another plan") != std::string::npos);
+  }
+  fs::create_directory(folder.path() / "notes");
+  CHECK_THROWS_WITH_AS(sweep::make_or_join(folder.path() / "notes", plan, {}),
+                       doctest::Contains("is no sweep's folder; runs are never overwritten"), std::invalid_argument);
+  for (const auto& entry : fs::directory_iterator{folder.path()}) {
+    CHECK(entry.path().filename().string().find("making") == std::string::npos);
+  }
+}

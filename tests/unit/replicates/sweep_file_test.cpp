@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Sweeps: which cells a file makes, and which files are refused.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <trophic/replicates/sweep/sweep_file.hpp>
+#include <vector>
+
+#include "../../support/temporary_folder.hpp"
+
+using namespace trophic;
+using sweep::SweepFile;
+using test::TemporaryFolder;
+
+namespace {
+
+SweepFile read(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "sweep.toml";
+  std::ofstream{path} << text;
+  return sweep::read_sweep(path);
+}
+
+/// What is said of a text, without the file's name.
+std::string refusal_of(const std::string& text) {
+  try {
+    static_cast<void>(read(text));
+  } catch (const std::invalid_argument& error) {
+    const std::string what = error.what();
+    return what.substr(what.find("sweep.toml") + std::string{"sweep.toml"}.size());
+  }
+  return "accepted";
+}
+
+std::vector<std::string> texts_of(const std::string& text) {
+  const SweepFile file = read(text);
+  std::vector<std::string> texts;
+  for (const auto& cell : sweep::cells_of(file)) texts.push_back(sweep::text_of(cell, file));
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("A grid makes every combination, the last key fastest, in the order of the file") {
+  CHECK(texts_of("[grid]\nrules.b.x = [1, 2]\nrules.a.y = [0.5, 0.25, 1.0]\n") ==
+        std::vector<std::string>{"rules.b.x=1 rules.a.y=0.5", "rules.b.x=1 rules.a.y=0.25", "rules.b.x=1 rules.a.y=1.0",
+                                 "rules.b.x=2 rules.a.y=0.5", "rules.b.x=2 rules.a.y=0.25", "rules.b.x=2 rules.a.y=1.0"});
+}
+
+TEST_CASE("Lists of a zip go together, and with each cell of a grid") {
+  CHECK(texts_of("[zip]\na = [1, 2]\nb = [3, 4]\n[grid]\nc = [true, false]\n") ==
+        std::vector<std::string>{"a=1 b=3 c=true", "a=1 b=3 c=false", "a=2 b=4 c=true", "a=2 b=4 c=false"});
+}
+
+TEST_CASE("Runs that are listed stay as they are, and what is set is in all of them") {
+  const SweepFile file =
+      read("rule_table = \"paper\"\n[set]\necology.duration_s = 60.0\n[[runs]]\nrules.a = 1\n[[runs]]\nrules.b = \"x\"\n");
+  const auto cells = sweep::cells_of(file);
+  REQUIRE(cells.size() == 2);
+  CHECK(cells[0].dump() == R"({"ecology.duration_s":60.0,"rule_table":"paper","rules.a":1})");
+  CHECK(cells[1].dump() == R"({"ecology.duration_s":60.0,"rule_table":"paper","rules.b":"x"})");
+}
+
+TEST_CASE("What a file leaves out has its default") {
+  const SweepFile file = read("[grid]\na = [1]\n");
+  CHECK(file.numbers.replicates == 10);
+  CHECK(file.numbers.seed == 1);
+  CHECK(file.numbers.paired);
+  CHECK_FALSE(file.numbers.shadow);
+  CHECK(file.numbers.replay_hz == 0.0);
+}
+
+TEST_CASE("A file that is no sweep is refused in one line") {
+  CHECK(refusal_of("") == ": has neither [grid] nor [zip] nor [[runs]]: nothing varies");
+  CHECK(refusal_of("[grid]\n") == ": [grid]: is empty");
+  CHECK(refusal_of("[grid]\na = []\n") == ": [grid] a = []: must have a value");
+  CHECK(refusal_of("[grid]\na = 1\n").starts_with(": [grid] a = 1: must be a list of values"));
+  CHECK(refusal_of("[grid]\na = [[1]]\n").ends_with("must be a finite number, a text, true or false"));
+  CHECK(refusal_of("[grid]\na = [nan]\n").ends_with("must be a finite number, a text, true or false"));
+  CHECK(refusal_of("[zip]\na = [1, 2]\nb = [1]\n") == ": [zip] b: has 1 values: must have 2, as a");
+  CHECK(refusal_of("[set]\na = 1\n[grid]\na = [1]\n") == ": a: is in [set] and in [grid]");
+  CHECK(refusal_of("[zip]\na = [1]\n[grid]\na = [1]\n") == ": a: is in [grid] and in [zip]");
+  CHECK(refusal_of("engine = \"ode\"\n[grid]\nengine = [\"ode\"]\n") == ": engine: is in [set] and in [grid]");
+  CHECK(refusal_of("[grid]\nseed = [1, 2]\n") == ": [grid] seed: is no setting of a sweep");
+  CHECK(refusal_of("replicates = 0\n[grid]\na = [1]\n") == ": replicates = 0: must be >= 1 and <= 1e+06");
+  CHECK(refusal_of("replicate = 3\n[grid]\na = [1]\n").starts_with(": replicate: unknown key"));
+  CHECK(refusal_of("replay_hz = 7\n[grid]\na = [1]\n") == ": replay_hz = 7: must be 0, 5, 10 or 30");
+  CHECK(refusal_of("grid = 3\n") == ": grid: must be a section, [grid]");
+  CHECK(refusal_of("runs = 3\n") == ": runs: must be sections, [[runs]]");
+  CHECK(refusal_of("[grid\n").starts_with(":1: "));
+}
+
+TEST_CASE("A million runs by accident are refused before they are made") {
+  std::string list = "[0";
+  for (int i = 1; i < 100; ++i) list += ", " + std::to_string(i);
+  list += "]\n";
+  const std::string grid = "[grid]\na = " + list + "b = " + list + "c = " + list + "d = " + list + "e = " + list;
+  CHECK(refusal_of(grid) == ": makes more than 1000000 runs (cells x replicates): must be fewer");
+}
