@@ -214,6 +214,8 @@
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/search.hpp>
+#include <trophic/population/search_tree.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/spatial_grid.hpp>
 #include <trophic/population/state.hpp>

@@ -70,6 +70,13 @@ TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
         CHECK(says(moved, self, other) == seen);
         conformance::on_same_worlds(
             robots, [&](const test::HandPopulation& same) { CHECK(says(same, order[self], order[other]) == seen); });
+        if (!seen) continue;
+        // what it says in advance is true
+        const perception::Horizon horizon = perception::ask::horizon(policy, robots.individuals[order[self]]);
+        const Individual& one = robots.individuals[order[other]];
+        CHECK(robots.view().distance_m(order[self], order[other]) <= horizon.within_m);
+        CHECK(horizon.tag.value_or(one.tag) == one.tag);
+        CHECK((one.active || !horizon.only_active));
       }
     }
   });

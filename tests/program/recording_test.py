@@ -116,6 +116,7 @@ class Pages(InFolderWithSets):
         for name, seed in (("run", 1), ("other", 2)):
             Recordings.make.__func__(cls, name, "--backend", "kinematic", "--duration", 60, "--seed", seed)
         Recordings.make.__func__(cls, "unrecorded", "--backend", "kinematic", "--duration", 20, "--replay-hz", 0)
+        Recordings.make.__func__(cls, "thinned", "--backend", "kinematic", "--duration", 20, "--agents-every", 2)
         Recordings.make.__func__(cls, "set", "--backend", "kinematic", "--duration", 20, "--replicates", 2)
 
     def show(self, *arguments):
@@ -155,6 +156,7 @@ class Pages(InFolderWithSets):
     def test_folders_that_are_no_recorded_runs(self):
         self.assert_refused(r"none: is not a folder", "none")
         self.assert_refused(r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded")
+        self.assert_refused(r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown", self.sets / "thinned")
         self.assert_refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)
 
     def test_damaged_and_foreign_recordings(self):

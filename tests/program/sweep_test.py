@@ -340,6 +340,7 @@ class Refusals(Sweeps):
             ("--lease-s", "0"): "--lease-s 0: must be >= 1",
             ("--set", "rules.mutation.sd=0.1"): "--set: not with --sweep",
             ("--replicates", "3"): "--replicates: not with --sweep",
+            ("--agents-every", "3"): "--agents-every: not with --sweep",
             ("--seed", "3"): "--seed: not with --sweep",
             ("--resume",): "--resume: not with --sweep",
         }.items():

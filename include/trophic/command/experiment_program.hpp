@@ -51,6 +51,7 @@ struct ExperimentOptions {
   std::string out;
   std::string save_mjcf;
   std::optional<std::uint64_t> replay_hz;
+  std::uint64_t agents_every = 1;
   bool print_config = false;
   std::string sweep;  ///< file of a grid of settings
   std::string shard;  ///< "I/N"; empty: all of it
@@ -69,6 +70,7 @@ struct OriginRun {
   std::string fingerprint;
   std::uint64_t seed = 0;
   double at_s = 0.0;
+  std::int64_t agents_every_ticks = 1;
   toml::table params;
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
   std::function<bool()> make;           ///< makes the new run's folder as this run was; false if a signal came first
@@ -125,6 +127,9 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams&
 
 /// What --replay-hz says.
 [[nodiscard]] double replay_hz_of(const ExperimentOptions& options);
+
+/// What --agents-every says.
+[[nodiscard]] std::int64_t agents_every_ticks_of(const ExperimentOptions& options);
 
 /// Tells of replicates that are not complete, a sentence each, and returns the exit code.
 [[nodiscard]] int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished);

@@ -70,6 +70,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
     origin.fingerprint = json.at("fingerprint").get<std::string>();
     origin.seed = json.at("seed").get<std::uint64_t>();
+    origin.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
     origin.params = detail::toml_of(json.at("params"));
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
@@ -116,11 +117,16 @@ TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::u
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
           .resume = options.resume,
           .checkpoints = {.every_s = options.checkpoint_s},
-          .replay_hz = replay_hz_of(options)};
+          .replay_hz = replay_hz_of(options),
+          .agents_every_ticks = agents_every_ticks_of(options)};
 }
 
 TROPHIC_INLINE double replay_hz_of(const ExperimentOptions& options) {
   return options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz;
+}
+
+TROPHIC_INLINE std::int64_t agents_every_ticks_of(const ExperimentOptions& options) {
+  return static_cast<std::int64_t>(options.agents_every);
 }
 
 TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
@@ -204,6 +210,8 @@ namespace detail {
        "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that goes on keeps its own; nothing else "
        "of a run depends "
        "on it"},
+      {"--agents-every", &options.agents_every,
+       "agents.csv has the ticks whose number is a multiple of this (1); a run that goes on keeps its own; for large ecologies"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--print-config", &options.print_config, "print every number as TOML and stop"},
@@ -230,6 +238,9 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {
     throw std::invalid_argument{"--replay-hz " + std::to_string(*hz) + ": must be 0, 5, 10 or 30"};
+  }
+  if (options.agents_every < 1 || options.agents_every > 1'000'000) {
+    throw std::invalid_argument{"--agents-every " + std::to_string(options.agents_every) + ": must be >= 1 and <= 1000000"};
   }
   if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to go on in"};
 }

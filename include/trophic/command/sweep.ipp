@@ -256,6 +256,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   refuse(options.replicates.has_value(), "--replicates", in_file);
   refuse(options.shadow, "--shadow", in_file);
   refuse(options.replay_hz.has_value(), "--replay-hz", in_file);
+  refuse(options.agents_every != 1, "--agents-every", "its runs have every tick");
   refuse(!options.config.empty(), "--config", in_file);
   refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
   refuse(options.resume, "--resume", "a sweep always goes on with what is not complete");

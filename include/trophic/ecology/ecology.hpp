@@ -96,7 +96,7 @@ class Ecology {
     Archive::require(poses_.size() == population_.individuals().size(), "another number of robots");
     locomotion_.restore(rhythms);
     backend_.restore(bodies);
-    grid_ = SpatialGrid{poses_};
+    tree_ = SearchTree{poses_, population_.individuals()};
   }
 
   [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * params_.ecology.tick_s; }
@@ -115,7 +115,8 @@ class Ecology {
             .arena = habitat_.arena,
             .robots = population_.individuals(),
             .poses = poses_,
-            .grid = poses_.size() >= grid_from_robots ? &grid_ : nullptr};
+            .tree = poses_.size() >= tree_from_robots ? &tree_ : nullptr,
+            .members = population_.members()};
   }
 
   /// What determines this run, for observers.
@@ -194,7 +195,7 @@ class Ecology {
                       .y_m = root.position_m.y(),
                       .heading_rad = rules_.heading.heading_rad(root, habitat_.robot.forward_rad)};
     }
-    grid_ = SpatialGrid{poses_};
+    tree_ = SearchTree{poses_, population_.individuals()};
     ++tick_;
     population_.walk(poses_before_, view());
     return true;
@@ -235,6 +236,7 @@ class Ecology {
       if (population_[body].active) continue;
       if (!death::ask::activates(rules_.activation, states().activation[body], body, view())) continue;
       population_.activate(body, time_s(), rules_.activation.restarts_age());
+      tree_.mark(body, poses_[body], population_[body]);
       emit(audience, observe::EventKind::activation, body);
     }
   }
@@ -314,6 +316,7 @@ class Ecology {
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;
     emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
     population_.succeed(vacancy.body, *heir, succession, view());
+    tree_.mark(vacancy.body, poses_[vacancy.body], population_[vacancy.body]);
     emit(audience, observe::EventKind::birth, vacancy.body);
   }
 
@@ -345,8 +348,9 @@ class Ecology {
 
   [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common) {
     const View now = view();
-    const auto sighting =
-        perception::adversary(body, now, [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); });
+    const auto sighting = perception::adversary(
+        body, now, [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); },
+        perception::ask::horizon(rules_.visibility, population_[body]));
     if (!sighting && !rules_.blind_rule.decides()) return {sighting, std::nullopt};
     const SensorValues inputs = rules_.sensors.sense(body, sighting, now, common, [&](std::size_t sensor) {
       return Rng{params_.seed, Stream::sensors, population_[body].id, static_cast<std::uint64_t>(tick_), sensor};
@@ -363,12 +367,13 @@ class Ecology {
     if (!perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view())) return;
     const bool switched = choice.decision->tag != self.tag;
     population_.show_tag(body, choice.decision->tag);
+    if (switched) tree_.mark(body, poses_[body], self);
     if (rules_.tag_switch.restarts(switched)) population_.restart_tag_clock(body, time_s());
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }
 
-  /// From so many on, a grid finds the closest robot sooner than a look at everybody; both give the same.
-  static constexpr std::size_t grid_from_robots = 64;
+  /// From so many on, a tree finds the closest robot sooner than a look at everybody; both give the same.
+  static constexpr std::size_t tree_from_robots = 64;
 
   Params params_;
   Habitat habitat_;
@@ -377,7 +382,7 @@ class Ecology {
   FoodWeb web_;
   Population<Rules> population_;
   std::vector<GroundPose> poses_;
-  SpatialGrid grid_{poses_};
+  SearchTree tree_{poses_, population_.individuals()};
   B backend_;
   locomotion::Locomotion<typename Rules::Steering> locomotion_;
   death::StarvationClock starvation_clock_;

@@ -24,6 +24,7 @@
 #include <trophic/support/rule_error.hpp>
 #include <trophic/support/units.hpp>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -54,19 +55,23 @@ class Population {
       : rules_{rules}, web_{web}, seed_{seed}, tags_{rules.brain.tags()} {
     check_tags(tags_);
     for (const Species species : founders) check_index("community", "species", species, web.size());
+    members_.resize(web.size());
     for (const Species species : founders) {
       Individual born = newborn(species, 0.0, 0, nullptr);
       for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
         states.push_back(policy.born(born, nullptr, StateOf<P>{}));
       });
       born.genome = drawn_genome(born.id);
+      ++members_[species];
+      if constexpr (has_states) bodies_[born.id] = individuals_.size();
       individuals_.push_back(std::move(born));
     }
   }
 
   [[nodiscard]] std::span<const Individual> individuals() const { return individuals_; }
-  [[nodiscard]] const std::vector<int>& tags() const { return tags_; }  ///< that an individual may show
-  [[nodiscard]] IndividualId next_id() const { return next_id_; }       ///< of whoever is born next
+  [[nodiscard]] std::span<const std::size_t> members() const { return members_; }  ///< of each species
+  [[nodiscard]] const std::vector<int>& tags() const { return tags_; }             ///< that an individual may show
+  [[nodiscard]] IndividualId next_id() const { return next_id_; }                  ///< of whoever is born next
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
 
@@ -85,6 +90,12 @@ class Population {
     if (!archive.reads()) return;
     Archive::require(individuals_.size() == bodies, "another number of robots");
     for (const Individual& individual : individuals_) check_saved(individual);
+    std::ranges::fill(members_, std::size_t{0});
+    bodies_.clear();
+    for (BodyIndex body = 0; body < bodies; ++body) {
+      ++members_[individuals_[body].species];
+      if constexpr (has_states) bodies_[individuals_[body].id] = body;
+    }
     for_each_state(rules_, states_, [&](const auto&, const auto& states) {
       Archive::require(states.all().size() == bodies, "another number of states than of robots");
     });
@@ -174,6 +185,12 @@ class Population {
       born.genome = drawn_genome(born.id);
       if (succession.inherits) born.origin = rules_.genome_source.without_parent();
     }
+    --members_[individuals_[body].species];
+    ++members_[species];
+    if constexpr (has_states) {
+      bodies_.erase(individuals_[body].id);
+      bodies_[born.id] = body;
+    }
     individuals_[body] = std::move(born);
   }
 
@@ -189,12 +206,10 @@ class Population {
     if (!sound) throw std::invalid_argument{"an individual that cannot live by these rules"};
   }
 
-  /// Where an individual lives; none for the dead.
+  /// Where an individual lives; none for the dead, and where no rule has a state.
   [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {
-    if constexpr (!has_states) return std::nullopt;
-    const auto found = std::ranges::find(individuals_, id, &Individual::id);
-    if (found == individuals_.end()) return std::nullopt;
-    return static_cast<BodyIndex>(found - individuals_.begin());
+    const auto found = bodies_.find(id);
+    return found == bodies_.end() ? std::nullopt : std::optional{found->second};
   }
 
   /// What the rules keep for a newborn.
@@ -257,6 +272,8 @@ class Population {
   IndividualId next_id_ = 0;
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;
+  std::vector<std::size_t> members_;                         ///< of each species
+  std::unordered_map<IndividualId, BodyIndex> bodies_ = {};  ///< of everybody, where rules have states
   RuleStates<Rules> states_;
 };
 

@@ -24,13 +24,17 @@ TROPHIC_INLINE double flat_half_side_m(const HeightField& field) {
   return 0.0;
 }
 
-TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view installed) {
+TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view installed, std::size_t robots) {
   const auto file = detail::TomlTable::read(find_model(ModelKind::arena, name_or_path, installed));
   Arena arena;
   arena.name = file.text("name");
   arena.friction = file.has("friction") ? file.number("friction", at_least(0.0)) : 1.0;
   if (!file.has("height_m")) {
-    arena.extent_m = file.number("side_m", above(0.0));
+    if (file.has("robots_per_m2")) {
+      arena.extent_m = std::sqrt(static_cast<double>(robots) / file.number("robots_per_m2", above_to(0.0, 1e6)));
+    } else {
+      arena.extent_m = file.number("side_m", above(0.0));
+    }
     arena.half_side_m = arena.extent_m / 2.0;
     file.no_other_keys();
     return arena;

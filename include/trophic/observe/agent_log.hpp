@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
-// agents.csv: every robot at every tick.
+// agents.csv: every robot at every tick, or at every so many.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/tables.hpp>
 #include <trophic/population/view.hpp>
 
 namespace trophic::observe {
 
-/// Writes an AgentRow per robot and tick.
+/// Writes an AgentRow per robot and tick, or only at the ticks whose number is a multiple of `every_ticks`.
 class AgentLog {
  public:
-  explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
+  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::gone_on_with` `persist` comes next: the file goes on
+  /// with the ticks that it began with.
+  explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::made_new, std::int64_t every_ticks = 1)
+      : every_ticks_{checked(every_ticks)}, file_{path, opening} {}
 
   void on_tick(const View& view) {
+    if (view.tick % every_ticks_ != 0) return;
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       const Individual& self = view.robots[body];
       const GroundPose& pose = view.poses[body];
@@ -39,10 +46,20 @@ class AgentLog {
     file_.flush();
   }
 
-  void persist(Archive& archive) { archive(file_); }
+  void persist(Archive& archive) {
+    archive(every_ticks_, file_);
+    Archive::require(every_ticks_ >= 1, "agents.csv at every 0th tick");
+  }
   [[nodiscard]] TableSum sum() const { return file_.sum(); }
+  [[nodiscard]] std::int64_t every_ticks() const { return every_ticks_; }
 
  private:
+  static std::int64_t checked(std::int64_t every_ticks) {
+    if (every_ticks >= 1) return every_ticks;
+    throw std::invalid_argument{"agents_every_ticks = " + std::to_string(every_ticks) + ": must be >= 1"};
+  }
+
+  std::int64_t every_ticks_;
   CsvFile<AgentRow> file_;
 };
 

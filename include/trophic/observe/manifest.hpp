@@ -2,6 +2,7 @@
 // manifest.json: what made a run, and how it ended.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -47,6 +48,9 @@ class Manifest {
   void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
   void on_failure(std::string_view what);
 
+  /// Which ticks agents.csv has, where not every one; before `on_start`.
+  void set_agents_every_ticks(std::int64_t every) { agents_every_ticks_ = every; }
+
   /// What it says of the run's tables when it is written next.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
 
@@ -72,6 +76,7 @@ class Manifest {
   Provenance origin_;
   std::unique_ptr<Content> content_;
   Tally tally_;
+  std::int64_t agents_every_ticks_ = 1;
   double until_s_ = 0.0;
   double reached_s_ = 0.0;
 };

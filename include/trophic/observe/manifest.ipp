@@ -85,6 +85,7 @@ TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& vi
     content_->json["continued"].push_back(std::move(json));
   }
   content_->json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
+  if (agents_every_ticks_ != 1) content_->json["agents_every_ticks"] = agents_every_ticks_;
   for (Species species = 0; species < view.web.size(); ++species) content_->json["species"].push_back(view.web.name(species));
   content_->json["food_web"] = nlohmann::ordered_json::array();
   for (const Feeding& link : view.web.links()) {

@@ -2,6 +2,7 @@
 // A folder with everything that a run leaves behind.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -28,10 +29,11 @@ class RunFolder {
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
 
   /// Makes the folder at once: see make_new_folder. `replay_hz`: frames of the recording in a simulated second; 0: no recording.
-  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, with the rate at
-  /// which the recording began; throws std::runtime_error if a file is missing or another program works in it.
+  /// `agents_every_ticks`: agents.csv has the ticks whose number is a multiple of it; the manifest says so where it is not 1.
+  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, with the rates at
+  /// which the recording and agents.csv began; throws std::runtime_error if a file is missing or another program works in it.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, double replay_hz = default_replay_hz,
-                     Opening opening = Opening::made_new);
+                     Opening opening = Opening::made_new, std::int64_t agents_every_ticks = 1);
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();

@@ -52,11 +52,12 @@ struct RunFolder::Tables {
   }
 };
 
-TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, double replay_hz, Opening opening)
+TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, double replay_hz, Opening opening,
+                                    std::int64_t agents_every_ticks)
     : path_{opening == Opening::made_new ? make_new_folder(path) : path},
       lock_{path_},
       tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv", opening},
-                                              .agents = AgentLog{path_ / "agents.csv", opening},
+                                              .agents = AgentLog{path_ / "agents.csv", opening, agents_every_ticks},
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv", opening},
                                               .genomes = GenomeLog{path_ / "genomes.csv", opening}})},
       manifest_{path_ / "manifest.json", std::move(provenance)},
@@ -70,6 +71,7 @@ TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
 }
 
 TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& view) {
+  manifest_.set_agents_every_ticks(tables_->agents.every_ticks());
   manifest_.on_start(run, view);
   recording_.on_start(run, view);
 }

@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <optional>
+#include <trophic/perception/visibility/contract.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/units.hpp>
@@ -12,12 +13,17 @@ namespace trophic::perception {
 
 /// The adversary of `self`: "the closest observable robot of the opposite species" (Sec. "Inputs"); with more than two
 /// species, of any species that eats its own or that its own eats. `perceives(self, other)` is the run's Visibility rule. On
-/// equal distance the lower body index.   Random draws: those of the Visibility rule.
+/// equal distance the lower body index. `horizon`: whom at most self perceives.   Random draws: those of the Visibility rule.
 template <std::predicate<BodyIndex, BodyIndex> Sees>
-[[nodiscard]] std::optional<Sighting> adversary(BodyIndex self, const View& view, const Sees& perceives) {
+[[nodiscard]] std::optional<Sighting> adversary(BodyIndex self, const View& view, const Sees& perceives,
+                                                const Horizon& horizon = {}) {
   const Species own = view.robots[self].species;
+  const Search search{
+      .within_m = horizon.within_m,
+      .among = view.marks([&](Species other) { return view.web.opponents(own, other); }, horizon.tag, horizon.only_active)};
   const auto found = view.closest(
-      self, [&](BodyIndex other) { return view.web.opponents(own, view.robots[other].species) && perceives(self, other); });
+      self, [&](BodyIndex other) { return view.web.opponents(own, view.robots[other].species) && perceives(self, other); },
+      search);
   if (!found) return std::nullopt;
   return Sighting{.self = self,
                   .adversary = *found,

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <span>
 #include <trophic/population/individual.hpp>
 #include <trophic/support/units.hpp>
@@ -14,8 +13,7 @@
 
 namespace trophic {
 
-/// Robots sorted into the square cells of a grid over the box that holds them all, about two to a cell. Searches give exactly
-/// what looking at every robot gives, ties included. Holds indices only: the poses that it was built from must be given again.
+/// Robots sorted into the square cells of a grid over the box that holds them all, about two to a cell. Holds indices only.
 class SpatialGrid {
  public:
   SpatialGrid() = default;
@@ -31,6 +29,7 @@ class SpatialGrid {
     const double side_m = std::max({high_x_m - low_x_m_, high_y_m - low_y_m_, 1e-6});
     cells_ = static_cast<std::ptrdiff_t>(std::ceil(std::sqrt(static_cast<double>(poses.size()) / 2.0)));
     cell_m_ = side_m / static_cast<double>(cells_);
+    rounding_m_ = 1e-9 * (std::abs(low_x_m_) + std::abs(low_y_m_) + side_m);
     starts_.assign(static_cast<std::size_t>(cells_ * cells_) + 1, 0);
     for (const GroundPose& pose : poses) ++starts_[index(column(pose), row(pose)) + 1];
     for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
@@ -41,29 +40,29 @@ class SpatialGrid {
     }
   }
 
-  /// The body closest to `self` for which `accepts(body)` holds, itself excluded; on equal distance the lower index.
-  template <class Accepts>
-  [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, std::span<const GroundPose> poses, Accepts&& accepts) const {
-    std::optional<BodyIndex> best;
-    double best_m = std::numeric_limits<double>::infinity();
-    const std::ptrdiff_t home_column = column(poses[self]);
-    const std::ptrdiff_t home_row = row(poses[self]);
-    for (std::ptrdiff_t ring = 0; ring < cells_; ++ring) {
-      // Whoever stands beyond the rings searched so far is at least ring - 1 cells away.
-      if (best_m < (static_cast<double>(ring) - 1.0) * cell_m_) break;
-      for_each_cell_of_ring(home_column, home_row, ring, [&](std::size_t cell) {
-        for (std::size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
-          const BodyIndex body = bodies_[i];
-          if (body == self || !accepts(body)) continue;
-          const double d = distance_m(poses[self], poses[body]);
-          if (d < best_m || (d == best_m && best && body < *best)) {
-            best_m = d;
-            best = body;
-          }
-        }
-      });
-    }
-    return best;
+  /// Cells in a row, and where a robot's is; beyond the box it is the closest.
+  [[nodiscard]] std::ptrdiff_t side() const { return cells_; }
+  [[nodiscard]] std::ptrdiff_t column(const GroundPose& pose) const { return cell_of(pose.x_m - low_x_m_); }
+  [[nodiscard]] std::ptrdiff_t row(const GroundPose& pose) const { return cell_of(pose.y_m - low_y_m_); }
+  /// Who stands in a cell, ascending.
+  [[nodiscard]] std::span<const BodyIndex> bodies_in(std::ptrdiff_t column, std::ptrdiff_t row) const {
+    const std::size_t cell = index(column, row);
+    return std::span{bodies_}.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+  }
+  /// How many stand in the cells before it.
+  [[nodiscard]] std::size_t first_in(std::ptrdiff_t column, std::ptrdiff_t row) const { return starts_[index(column, row)]; }
+  /// False only if everybody in the square of `cells` x `cells` cells, the one of these numbers, is farther than `distance_m`.
+  [[nodiscard]] bool may_reach(const GroundPose& from, double distance_m, std::ptrdiff_t column, std::ptrdiff_t row,
+                               std::ptrdiff_t cells) const {
+    const double square_m = static_cast<double>(cells) * cell_m_;
+    const auto gap_m = [&](double offset_m, std::ptrdiff_t place) {
+      const double low_m = static_cast<double>(place) * square_m;
+      return std::max({low_m - offset_m, offset_m - low_m - square_m, 0.0});
+    };
+    const double dx = gap_m(from.x_m - low_x_m_, column);
+    const double dy = gap_m(from.y_m - low_y_m_, row);
+    const double reach_m = distance_m + rounding_m_;
+    return dx * dx + dy * dy <= reach_m * reach_m;
   }
 
   /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
@@ -83,30 +82,14 @@ class SpatialGrid {
   [[nodiscard]] std::ptrdiff_t cell_of(double offset_m) const {
     return std::clamp(static_cast<std::ptrdiff_t>(offset_m / cell_m_), std::ptrdiff_t{0}, cells_ - 1);
   }
-  [[nodiscard]] std::ptrdiff_t column(const GroundPose& pose) const { return cell_of(pose.x_m - low_x_m_); }
-  [[nodiscard]] std::ptrdiff_t row(const GroundPose& pose) const { return cell_of(pose.y_m - low_y_m_); }
   [[nodiscard]] std::size_t index(std::ptrdiff_t column, std::ptrdiff_t row) const {
     return static_cast<std::size_t>(row * cells_ + column);
-  }
-
-  /// The cells inside the grid whose larger distance from home in columns and rows is exactly `ring`.
-  template <class Visit>
-  void for_each_cell_of_ring(std::ptrdiff_t home_column, std::ptrdiff_t home_row, std::ptrdiff_t ring, Visit&& visit) const {
-    const std::ptrdiff_t first = std::max(home_column - ring, std::ptrdiff_t{0});
-    const std::ptrdiff_t last = std::min(home_column + ring, cells_ - 1);
-    for (std::ptrdiff_t row = std::max(home_row - ring, std::ptrdiff_t{0}); row <= std::min(home_row + ring, cells_ - 1); ++row) {
-      if (row == home_row - ring || row == home_row + ring) {
-        for (std::ptrdiff_t column = first; column <= last; ++column) visit(index(column, row));
-        continue;
-      }
-      if (home_column - ring >= 0) visit(index(home_column - ring, row));
-      if (home_column + ring < cells_) visit(index(home_column + ring, row));
-    }
   }
 
   double low_x_m_ = std::numeric_limits<double>::infinity();
   double low_y_m_ = std::numeric_limits<double>::infinity();
   double cell_m_ = 1.0;
+  double rounding_m_ = 0.0;  ///< more than what rounding does to the edge of a square
   std::ptrdiff_t cells_ = 0;
   std::vector<std::size_t> starts_;  ///< bodies_[starts_[c]] to bodies_[starts_[c + 1]] stand in cell c, ascending
   std::vector<BodyIndex> bodies_;

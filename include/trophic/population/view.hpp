@@ -6,13 +6,13 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
-#include <trophic/population/spatial_grid.hpp>
+#include <trophic/population/search.hpp>
+#include <trophic/population/search_tree.hpp>
 #include <trophic/support/units.hpp>
 
 namespace trophic {
@@ -27,41 +27,54 @@ struct View {
   const Arena& arena;
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
-  const SpatialGrid* grid = nullptr;  ///< over the poses; without one, searches look at everybody
+  const SearchTree* tree = nullptr;           ///< over the poses; without one, searches look at everybody
+  std::span<const std::size_t> members = {};  ///< of each species; where there are none, they are counted
 
   [[nodiscard]] std::size_t count(Species species) const {
+    if (!members.empty()) return species < members.size() ? members[species] : 0;
     return static_cast<std::size_t>(std::ranges::count(robots, species, &Individual::species));
   }
   /// Number of individuals whose species eats somebody (the paper's p, the number of predators).
   [[nodiscard]] std::size_t count_hunters() const {
-    return static_cast<std::size_t>(std::ranges::count_if(robots, [&](const Individual& i) { return web.hunts(i.species); }));
+    std::size_t hunters = 0;
+    for (Species species = 0; species < web.size(); ++species) hunters += web.hunts(species) ? count(species) : 0;
+    return hunters;
   }
   [[nodiscard]] double distance_m(BodyIndex a, BodyIndex b) const { return trophic::distance_m(poses[a], poses[b]); }
+  /// The marks of all whose species `accepts`: of everybody, of those who show one tag, of the active ones.
+  template <std::predicate<Species> Accepts>
+  [[nodiscard]] Marks marks(Accepts&& accepts, std::optional<int> tag = {}, bool only_active = false) const {
+    Marks all = 0;
+    for (Species species = 0; species < web.size(); ++species) all |= accepts(species) ? marks_of(species, tag, only_active) : 0;
+    return all;
+  }
   [[nodiscard]] double age_s(const Individual& individual) const { return time_s - individual.age_from_s; }
   /// Ticks since birth or last catch (Sec. "Predator Death").
   [[nodiscard]] std::int64_t hunger_ticks(const Individual& individual) const { return tick - individual.fed_tick; }
 
   /// The body closest to `self` among those for which `accepts(individual)` or `accepts(body)` holds, itself excluded; on equal
-  /// distance the lower index. None if nobody is accepted.
+  /// distance the lower index. None if nobody within the bounds of the search is accepted. A rule that states those bounds looks
+  /// at a few in a large ecology, where one that does not looks at all before it finds that there is nobody.
   template <class Accepts>
-  [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, Accepts&& accepts) const {
+  [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, Accepts&& accepts, const Search& search = {}) const {
     if constexpr (std::predicate<Accepts&, const Individual&>) {
-      return closest_body(self, [&](BodyIndex other) { return accepts(robots[other]); });
+      return closest_body(
+          self, [&](BodyIndex other) { return accepts(robots[other]); }, search);
     } else {
-      return closest_body(self, accepts);
+      return closest_body(self, accepts, search);
     }
   }
 
  private:
   template <class Accepts>
-  [[nodiscard]] std::optional<BodyIndex> closest_body(BodyIndex self, Accepts&& accepts) const {
-    if (grid != nullptr) return grid->closest(self, poses, accepts);
+  [[nodiscard]] std::optional<BodyIndex> closest_body(BodyIndex self, Accepts&& accepts, const Search& search) const {
+    if (tree != nullptr) return tree->closest(self, poses[self], accepts, search);
     std::optional<BodyIndex> best;
-    double best_m = std::numeric_limits<double>::infinity();
+    double best_m = search.within_m;
     for (BodyIndex other = 0; other < robots.size(); ++other) {
       if (other == self || !accepts(other)) continue;
       const double d = distance_m(self, other);
-      if (d < best_m) {
+      if (d < best_m || (d == best_m && !best)) {
         best_m = d;
         best = other;
       }

@@ -43,6 +43,7 @@ struct Plan {
   bool resume = false;                    ///< go on in a folder that exists: run what is missing, go on with what was cut off
   checkpoint::Schedule checkpoints = {};  ///< of each replicate
   double replay_hz = observe::default_replay_hz;  ///< frames of each run's recording in a simulated second; 0: none
+  std::int64_t agents_every_ticks = 1;            ///< each agents.csv has the ticks whose number is a multiple of it
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

@@ -112,6 +112,9 @@ class by_species : public detail::StateBySpecies<by_species<Policy, Community>, 
                                const Own& own) const requires perception::Visibility<Policy> {
     return perception::ask::perceives(of(view.robots[self].species), own, self, other, view, rng);
   }
+  [[nodiscard]] perception::Horizon horizon(const Individual& self) const requires perception::Visibility<Policy> {
+    return perception::ask::horizon(of(self.species), self);
+  }
   [[nodiscard]] bool spared(BodyIndex hunter, const View& view, const perception::Perceives& perceives,
                             const Own& own) const requires death::Reprieve<Policy> {
     return death::ask::spared(of(view.robots[hunter].species), own, hunter, view, perceives);

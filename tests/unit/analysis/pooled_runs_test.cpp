@@ -45,3 +45,16 @@ TEST_CASE("runs of other rules are not pooled, nor is one run counted twice") {
           static_cast<void>(pooled_runs(Paths{a, c}, false));
         }).find("seed 1 as in " + a.string()) != std::string::npos);
 }
+
+TEST_CASE("runs that tell of other ticks are not pooled") {
+  const TemporaryFolder folder;
+  const std::string text = manifest("aa", 2);
+  const auto all = write_run(folder.path() / "all", manifest("aa", 1));
+  const auto thinned = write_run(folder.path() / "thinned", text.substr(0, text.size() - 1) + ", \"agents_every_ticks\": 5}");
+  for (const bool is_cut : {false, true}) {
+    CHECK(message_of<std::invalid_argument>([&] {
+            static_cast<void>(pooled_runs(Paths{all, thinned}, is_cut));
+          }) == thinned.string() + ": agents_every_ticks 5, but " + all.string() +
+                    " has 1; runs that say more and less of their robots are not pooled");
+  }
+}

@@ -157,3 +157,21 @@ TEST_CASE("a table that was cut at a line's end, or whose rows are doubled, reve
   CHECK(refusal({0, 5, 4, 3, 2, 1}).starts_with(path + ": has 5 rows and checksum "));
   CHECK(refusal({0}).starts_with(path + ": has 0 rows and checksum "));
 }
+
+TEST_CASE("a thinned table has the ticks that its manifest says, and no others") {
+  const TemporaryFolder folder;
+  const auto thinned = [&](const std::string& name, const std::string& every) {
+    const std::string text = manifest.substr(0, manifest.size() - 1) + ", \"agents_every_ticks\": " + every + "}";
+    return test::write_run(folder.path() / name, text);
+  };
+  CHECK(analysis::read_manifest(thinned("two", "2")).agents_every_ticks == 2);
+  CHECK(analysis::read_manifest(test::write_run(folder.path() / "all", manifest)).agents_every_ticks == 1);
+  const auto run = analysis::read_run(folder.path() / "two");
+  CHECK_FALSE(run.agents);
+  REQUIRE(run.remarks.size() == 1);
+  CHECK(run.remarks[0] ==
+        (folder.path() / "two/agents.csv").string() + ":4: tick = \"1\": must be a multiple of 2, as its manifest says");
+  const auto broken = thinned("none", "0");
+  CHECK(message_of<std::runtime_error>([&] { static_cast<void>(analysis::read_manifest(broken)); }) ==
+        (broken / "manifest.json").string() + ": agents_every_ticks = 0: must be >= 1");
+}

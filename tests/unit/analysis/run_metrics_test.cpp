@@ -65,3 +65,48 @@ TEST_CASE("three species: each link of the food web is measured") {
   CHECK(*value({"tag_symmetry", "grass+sheep", "inherited", "1"}) == 2.0);
   CHECK(*value({"tag_symmetry", "sheep+wolf", "inherited", "1"}) == 0.0);
 }
+
+TEST_CASE("a thinned table gives the same velocities from fewer starts, or none where no row stands 12 s later") {
+  // A predator that walks 0.1 m a tick towards a prey at rest: 0.05 m/s, and nobody is stuck.
+  const auto every = [](std::int64_t ticks) {
+    RunData run = empty_run();
+    run.manifest.folder = "run";
+    run.manifest.agents_every_ticks = ticks;
+    run.agents.emplace();
+    for (std::int64_t tick = 0; tick <= 60; tick += ticks) {
+      run.agents->push_back(test::robot(tick, 0, test::prey, 0.0, 0.0));
+      run.agents->push_back(test::robot(tick, 1, test::predator, 9.0 - 0.1 * static_cast<double>(tick), 0.0, 0));
+    }
+    return run;
+  };
+  const auto value = [](const RunData& run, const MetricName& name) {
+    const auto metrics = measure_run(run);
+    return std::ranges::find(metrics.measurements, name, &Measurement::name)->value;
+  };
+  const MetricName velocity{"velocity", "predator", "all", "m/s"};
+  const MetricName stored{"velocity_stored", "predator", "all", "m/s"};
+  const MetricName stuck{"stuck", "predator", "all", "1"};
+  const MetricName walls{"wall_sticking", "prey", "all", "1"};
+  CHECK(*value(every(1), stored) == doctest::Approx(0.05));
+  for (const std::int64_t ticks : {1, 2, 3, 6}) {
+    CAPTURE(ticks);
+    CHECK(*value(every(ticks), velocity) == doctest::Approx(0.05));
+    CHECK(value(every(ticks), stuck).has_value() == (ticks == 1));
+    CHECK(value(every(ticks), stored).has_value() == (ticks == 1));
+    CHECK(value(every(ticks), walls) == 0.0);
+  }
+  for (const std::int64_t ticks : {4, 5, 10}) {
+    CAPTURE(ticks);
+    CHECK_FALSE(value(every(ticks), velocity));
+    CHECK(value(every(ticks), walls) == 0.0);
+  }
+  CHECK(*value(every(5), stuck) == 0.0);
+  CHECK(lost_to_thinning(every(1).manifest).empty());
+  CHECK(
+      lost_to_thinning(every(3).manifest) ==
+      "run/agents.csv: has the ticks that are multiples of 3: no velocity_stored, which needs every tick, no stuck, which needs "
+      "rows 5 ticks apart");
+  CHECK(lost_to_thinning(every(5).manifest) ==
+        "run/agents.csv: has the ticks that are multiples of 5: no velocity_stored, which needs every tick, no velocity, which "
+        "needs rows 6 ticks apart");
+}

@@ -4,6 +4,8 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/load/arena.hpp>
+#include <trophic/load/habitat.hpp>
+#include <utility>
 
 using namespace trophic;
 
@@ -55,12 +57,35 @@ TEST_CASE("the floor is the largest centred square of zeros") {
   CHECK(flat_half_side_m(field) == 0.0);
 }
 
+TEST_CASE("a floor that follows the number of robots: 30 on 20 m x 20 m, four times as many on twice the side") {
+  for (const auto& [robots, side_m] : {std::pair{30, 20.0}, {120, 40.0}, {3000, 200.0}}) {
+    CAPTURE(robots);
+    const Arena arena = load_arena("walled_by_density", TROPHIC_MODEL_DIR, static_cast<std::size_t>(robots));
+    CHECK(arena.name == "walled_by_density");
+    CHECK(arena.extent_m == doctest::Approx(side_m).epsilon(1e-15));
+    CHECK(arena.half_side_m == arena.extent_m / 2.0);
+    CHECK_FALSE(arena.height_field);
+  }
+}
+
+TEST_CASE("a habitat's floor follows ecology.robots where its arena says so, and nowhere else") {
+  EcologyParams ecology;
+  ecology.robots = 120;
+  CHECK(load_habitat(ecology).arena.extent_m == 20.0);
+  ecology.arena = "walled_by_density";
+  CHECK(load_habitat(ecology).arena.extent_m == doctest::Approx(40.0).epsilon(1e-15));
+}
+
 TEST_CASE("bad arenas name key and value") {
+  CHECK(complaint("name = \"a\"\nrobots_per_m2 = 0\n") == ": robots_per_m2 = 0: must be > 0 and <= 1e+06");
+  CHECK(complaint("name = \"a\"\nrobots_per_m2 = \"few\"\n") == ": robots_per_m2 = 'few': must be a number");
+  CHECK(complaint("name = \"a\"\nrobots_per_m2 = 1\nside_m = 5\n") ==
+        ": side_m: unknown key; known here: friction, height_m, name, robots_per_m2");
   CHECK(complaint("name = \"a\"\n") == ": side_m: missing");
   CHECK(complaint("name = \"a\"\nside_m = 0\n") == ": side_m = 0: must be > 0");
   CHECK(complaint("name = \"a\"\nside_m = inf\n") == ": side_m = inf: must be > 0");
   CHECK(complaint("name = \"a\"\nside_m = 5\nwalls = 4\n") ==
-        ": walls: unknown key; known here: friction, height_m, name, side_m");
+        ": walls: unknown key; known here: friction, height_m, name, robots_per_m2, side_m");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0]]\n") == ": height_m: 1 rows: must be >= 2");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0]]\n") ==
         ": height_m: row 1 has 1 numbers: must have 2, one a row");

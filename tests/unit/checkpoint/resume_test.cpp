@@ -98,6 +98,27 @@ TEST_CASE("so does a run that was stopped, and one that is made longer") {
   CHECK(results_in(folder.path() / "whole") == results_in(folder.path() / "parts"));
 }
 
+TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that goes on is told") {
+  const TemporaryFolder folder;
+  const fs::path whole = folder.path() / "whole";
+  const fs::path parts = folder.path() / "parts";
+  run_part(brief<rules::Released>(5), whole, never, 50.0, 7);
+  run_part(brief<rules::Released>(5), parts, 101, 50.0, 7);
+  run_part(brief<rules::Released>(5), parts, 209, 50.0, 1);
+  run_part(brief<rules::Released>(5), parts, never, 50.0, 5);
+  CHECK(results_in(whole) == results_in(parts));
+  const auto manifest = nlohmann::json::parse(content(parts / "manifest.json"));
+  CHECK(manifest["agents_every_ticks"] == 7);
+  CHECK(manifest["tables"]["agents.csv"]["rows"] == 30 * (300 / 7 + 1));
+
+  run_part(brief<rules::Released>(5), folder.path() / "all", never, 50.0);
+  for (const char* file : {"events.csv", "phylogeny.csv", "genomes.csv", "replay.trp"}) {
+    CAPTURE(file);
+    CHECK(content(whole / file) == content(folder.path() / "all" / file));
+  }
+  CHECK_FALSE(nlohmann::json::parse(content(folder.path() / "all/manifest.json")).contains("agents_every_ticks"));
+}
+
 TEST_CASE("a checkpoint of 30 robots is small") {
   const TemporaryFolder folder;
   run_in_parts(brief<rules::Released>(3), folder.path() / "run", {}, 100.0, unchanged);

@@ -54,12 +54,12 @@ inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 /// Begins or goes on with a run in a folder, with a checkpoint every so many seconds of its clock, until it ends or crashes.
 template <class Rules, class B>
 void run_part(const Experiment<Rules, B>& experiment, const std::filesystem::path& folder, std::int64_t crash_tick,
-              double every_s) {
+              double every_s, std::int64_t agents_every_ticks = 1) {
   Ecology<Rules, B> ecology{experiment};
   const double until_s = experiment.ecology.duration_s;
   const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
   Crash crash{.at_tick = crash_tick};
-  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening()};
+  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening(), agents_every_ticks};
   const checkpoint::Schedule schedule{.every_s = every_s, .most_share = std::numeric_limits<double>::infinity()};
   try {
     checkpoint::run_kept(ecology, until_s, folder, schedule, standing.from, files, crash);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -64,4 +65,28 @@ TEST_CASE("scattered: too many robots or one too large is an error, not a loop w
   CHECK_THROWS_WITH_AS(static_cast<void>(Scattered{}.place(1, arena(1.0), 1.5, rng)),
                        "robot bounding radius = 1.5 m: must be <= 1, the arena's half side", std::invalid_argument);
   CHECK(Scattered{}.place(0, Arena{}, 0.2, rng).empty());
+}
+
+TEST_CASE("scattered: a thousand stand where a look at everybody placed before puts them") {
+  for (const double radius_m : {0.05, 0.1, 0.2}) {
+    CAPTURE(radius_m);
+    Rng rng{7, Stream::placement};
+    const std::vector<GroundPose> poses = Scattered{}.place(1000, Arena{}, radius_m, rng);
+    Rng again{7, Stream::placement};
+    const double reach_m = 10.0 - radius_m;
+    std::vector<GroundPose> expected;
+    while (expected.size() < 1000) {
+      GroundPose pose;
+      pose.x_m = again.uniform(-reach_m, reach_m);
+      pose.y_m = again.uniform(-reach_m, reach_m);
+      pose.heading_rad = again.uniform(-std::numbers::pi, std::numbers::pi);
+      const auto is_apart = [&](const GroundPose& other) { return distance_m(other, pose) >= 2.0 * radius_m; };
+      if (std::ranges::all_of(expected, is_apart)) expected.push_back(pose);
+    }
+    for (std::size_t i = 0; i < 1000; ++i) {
+      CHECK(poses[i].x_m == expected[i].x_m);
+      CHECK(poses[i].y_m == expected[i].y_m);
+      CHECK(poses[i].heading_rad == expected[i].heading_rad);
+    }
+  }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <stdexcept>
+#include <support/temporary_folder.hpp>
 #include <trophic/observe/agent_log.hpp>
 #include <unit/observe/scene.hpp>
 
@@ -18,4 +20,17 @@ TEST_CASE("agents: a row a robot and tick, empty where there is nothing to say")
         "6,3,0,7,predator,random,1,-1,1.500000,-2.000000,0.000000,0.700000,8,2.500000,2\n"
         "6,3,1,8,prey,random,1,-1,0.250000,0.000000,0.500000,0.000000,,,\n"
         "6,3,2,9,prey,inherited,0,1,0.000000,4.000000,0.000000,0.000000,,,\n");
+}
+
+TEST_CASE("agents: thinned, the ticks that are multiples, the start among them") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "agents.csv";
+  test::HandPopulation robots{{{}}};
+  observe::AgentLog log{path, Opening::made_new, 3};
+  for (std::int64_t tick = 0; tick <= 7; ++tick) log.on_tick(robots.at_tick(tick).view());
+  CHECK(log.sum().rows == 3);
+  const std::string text = test::content(path);
+  for (const char* row : {"\n0,0,0,", "\n6,3,0,", "\n12,6,0,"}) CHECK(text.find(row) != std::string::npos);
+  CHECK_THROWS_WITH_AS(observe::AgentLog(folder.path() / "none.csv", Opening::made_new, 0),
+                       "agents_every_ticks = 0: must be >= 1", std::invalid_argument);
 }

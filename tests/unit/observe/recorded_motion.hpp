@@ -72,8 +72,7 @@ inline const RobotModel& robot_model() {
 inline void record(const std::filesystem::path& path, const Motion& motion, bool to_the_end = true) {
   const Arena arena{.name = "square", .half_side_m = 10.0, .extent_m = 20.0, .height_field = {}};
   const FoodWeb web{{"prey", "predator"}, {{1, 0}}};
-  const View view{
-      .time_s = 0.0, .tick = 0, .tick_s = 2.0, .web = web, .arena = arena, .robots = {}, .poses = {}, .grid = nullptr};
+  const View view{.time_s = 0.0, .tick = 0, .tick_s = 2.0, .web = web, .arena = arena, .robots = {}, .poses = {}};
   const observe::FrameTimes times{.steps = 120, .tick_s = 2.0, .clock_scale = 1.0};
   observe::Recording recording{path, 5.0};
   observe::RunDescription run;

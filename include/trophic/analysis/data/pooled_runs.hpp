@@ -59,6 +59,10 @@ struct PooledRuns {
   if (other.seed == manifest.seed) {
     return here + "seed " + std::to_string(manifest.seed) + " as in " + there + "; the same run twice is no second replicate";
   }
+  if (other.agents_every_ticks != manifest.agents_every_ticks) {
+    return here + "agents_every_ticks " + std::to_string(manifest.agents_every_ticks) + ", but " + there + " has " +
+           std::to_string(other.agents_every_ticks) + "; runs that say more and less of their robots are not pooled";
+  }
   if (is_cut) return "";
   const auto lasted = [](const RunManifest& run) {
     return "status \"" + run.status + "\" at " + (run.reached_s ? number_text(*run.reached_s) : "an unknown time") + " of " +
@@ -72,8 +76,8 @@ struct PooledRuns {
 }
 
 /// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
-/// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, status or duration,
-/// or if one is there twice; std::runtime_error if nothing can be read.
+/// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, status, duration or
+/// the ticks in agents.csv, or if one is there twice; std::runtime_error if nothing can be read.
 [[nodiscard]] inline PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut) {
   PooledRuns pooled;
   std::vector<std::filesystem::path> folders;

@@ -66,14 +66,17 @@ inline void check_sum(const CsvReader& csv, const std::filesystem::path& path,
 }
 
 /// Reads an agents.csv. Throws std::runtime_error "FILE:LINE: ..."; of a file that was cut off the last tick is left out, and
-/// `remarks` say so. `sums`: as in read_events.
+/// `remarks` say so. `sums`: as in read_events. `every_ticks`: what the manifest says of the ticks that it has.
 [[nodiscard]] inline std::vector<AgentRow> read_agents(const std::filesystem::path& path, const FoodWeb& web,
                                                        std::vector<std::string>& remarks,
-                                                       const std::map<std::string, observe::TableSum>& sums = {}) {
+                                                       const std::map<std::string, observe::TableSum>& sums = {},
+                                                       std::int64_t every_ticks = 1) {
   TableReader<AgentRow> table{path, web};
   detail::check_sum(table.csv(), path, sums);
   std::vector<AgentRow> rows;
   for (AgentRow row; table.next(row);) {
+    if (row.tick % every_ticks != 0)
+      table.reject("tick", "a multiple of " + std::to_string(every_ticks) + ", as its manifest says");
     if (!rows.empty() && row.tick < rows.back().tick) table.reject("tick", ">= that of the row before");
     rows.push_back(row);
   }
@@ -116,7 +119,10 @@ inline void cut_to(RunData& run, double until_s) {
     }
   };
   attempt([&] { run.events = read_events(folder / "events.csv", run.manifest.web, run.remarks, run.manifest.tables); });
-  attempt([&] { run.agents = read_agents(folder / "agents.csv", run.manifest.web, run.remarks, run.manifest.tables); });
+  attempt([&] {
+    run.agents =
+        read_agents(folder / "agents.csv", run.manifest.web, run.remarks, run.manifest.tables, run.manifest.agents_every_ticks);
+  });
   return run;
 }
 

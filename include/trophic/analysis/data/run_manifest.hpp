@@ -29,7 +29,8 @@ struct RunManifest {
   double until_s = 0.0;             ///< planned; after cut_to, what is left
   std::optional<double> reached_s;  ///< none for a run that was killed or is still running
   double half_side_m = 0.0;
-  nlohmann::json policies;  ///< by slot
+  std::int64_t agents_every_ticks = 1;  ///< agents.csv has the ticks whose number is a multiple of it
+  nlohmann::json policies;              ///< by slot
   nlohmann::json params;
   FoodWeb web{{}, {}};
   std::map<std::string, observe::TableSum> tables;  ///< by file name; empty for a run that was killed
@@ -48,6 +49,11 @@ struct RunManifest {
     manifest.seed = json.at("seed").get<std::uint64_t>();
     manifest.until_s = json.at("clock").at("until_s").get<double>();
     manifest.half_side_m = json.at("arena").at("half_side_m").get<double>();
+    manifest.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
+    if (manifest.agents_every_ticks < 1) {
+      throw std::runtime_error{path.string() + ": agents_every_ticks = " + std::to_string(manifest.agents_every_ticks) +
+                               ": must be >= 1"};
+    }
     if (json.contains("result")) manifest.reached_s = json["result"].at("reached_s").get<double>();
     manifest.policies = json.value("rules", nlohmann::json::object());
     manifest.params = json.value("params", nlohmann::json::object());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -139,8 +140,22 @@ inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result)
 
 }  // namespace detail
 
+/// What a run does not say because its agents.csv leaves ticks out: a sentence, or nothing. All other metrics are means over
+/// ticks or come from events.
+[[nodiscard]] inline std::string lost_to_thinning(const RunManifest& run) {
+  const std::int64_t every = run.agents_every_ticks;
+  if (every == 1) return {};
+  std::string lost = "no velocity_stored, which needs every tick";
+  const auto add = [&](const std::string& metric, std::int64_t apart) {
+    if (apart % every != 0) lost += ", no " + metric + ", which needs rows " + std::to_string(apart) + " ticks apart";
+  };
+  add("velocity", velocity_ticks);
+  add("stuck", stuck_ticks);
+  return (run.folder / "agents.csv").string() + ": has the ticks that are multiples of " + std::to_string(every) + ": " + lost;
+}
+
 /// All metrics of a run, for any number of species, in an order that depends only on the food web. A metric whose table is
-/// missing or has no row is there without a value.
+/// missing, has no row or lacks the ticks for it is there without a value.
 [[nodiscard]] inline RunMetrics measure_run(const RunData& run) {
   RunMetrics result;
   const Events events = run.events ? Events{*run.events} : Events{};
@@ -149,7 +164,8 @@ inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result)
   detail::measure_attribution(events, web, result);
   detail::measure_deaths(events, web, run.manifest.until_s, result);
   detail::measure_velocity("velocity", velocity_samples(agents), web, result);
-  detail::measure_velocity("velocity_stored", stored_velocity_samples(agents), web, result);
+  const Agents every_tick = run.manifest.agents_every_ticks == 1 ? agents : Agents{};
+  detail::measure_velocity("velocity_stored", stored_velocity_samples(every_tick), web, result);
   detail::measure_walls(agents, web, run.manifest.half_side_m, result);
   detail::measure_tags(agents, web, result);
   detail::measure_populations(agents, web, result);

@@ -34,6 +34,7 @@ struct RunSet {
     if (until_s) cut_to(run, *until_s);
     manifest.until_s = run.manifest.until_s;
     set.remarks.insert(set.remarks.end(), run.remarks.begin(), run.remarks.end());
+    if (std::string lost = lost_to_thinning(run.manifest); !lost.empty()) set.remarks.push_back(std::move(lost));
     set.runs.push_back(measure_run(run));
   }
   return set;

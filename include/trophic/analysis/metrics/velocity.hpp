@@ -46,10 +46,13 @@ template <class AdversaryOf>
 
 }  // namespace detail
 
-/// Every stretch of `ticks` ticks (6, that is 12 s, in the paper) of every robot that has an adversary at its start, one starting
+/// A stretch of the paper: 12 s.
+inline constexpr std::int64_t velocity_ticks = 6;
+
+/// Every stretch of `ticks` ticks of every robot that has an adversary at its start, one starting
 /// at each tick. The adversary may die meanwhile: only its position at the start counts. A robot that is reborn meanwhile is
 /// somebody else: no sample; nor are there any in the last `ticks` ticks.
-[[nodiscard]] inline std::vector<VelocitySample> velocity_samples(Agents agents, std::int64_t ticks = 6) {
+[[nodiscard]] inline std::vector<VelocitySample> velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks) {
   return detail::samples_towards(agents, ticks, [](const AgentRow& from, const Moment& start) {
     return from.adversary ? start.find(*from.adversary) : nullptr;
   });
@@ -57,8 +60,8 @@ template <class AdversaryOf>
 
 /// As velocity_samples, with the adversary that the authors' log stores: of each body the body that it last perceived as closest,
 /// kept while it sees nobody and across births. Bodies that have never perceived anybody give no sample. The published velocities
-/// come from such a log.
-[[nodiscard]] inline std::vector<VelocitySample> stored_velocity_samples(Agents agents, std::int64_t ticks = 6) {
+/// come from such a log. Needs the rows of every tick: between two that are farther apart somebody else may have been perceived.
+[[nodiscard]] inline std::vector<VelocitySample> stored_velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks) {
   std::map<BodyIndex, BodyIndex> stored;
   return detail::samples_towards(agents, ticks, [&stored](const AgentRow& from, const Moment& start) -> const AgentRow* {
     const AgentRow* seen = from.adversary ? start.find(*from.adversary) : nullptr;

@@ -83,6 +83,11 @@ inline void check_events(const RecordedRun& run) {
   try {
     observe::RecordingReader recording{path};
     auto manifest = read_manifest(folder, recording.head());
+    if (manifest.value("agents_every_ticks", std::int64_t{1}) != 1) {
+      throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
+                                  manifest["agents_every_ticks"].dump() +
+                                  ": must have all to be shown, as with --agents-every 1"};
+    }
     RecordedRun run{folder, std::move(manifest), std::move(recording), {}};
     if (!run.recording.remark().empty()) run.remarks.push_back(run.recording.remark());
     check_events(run);

@@ -2,6 +2,7 @@
 // The released code's catch: predators in shuffled order, one catch each, on a list that changes under way.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <string_view>
@@ -32,14 +33,10 @@ struct CatchClosest {
 
   [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng) const {
     std::vector<bool> caught(view.robots.size(), false);
-    const auto hunters = [&] {
-      std::vector<BodyIndex> bodies;
-      for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-        if (caught[body] || view.web.hunts(view.robots[body].species)) bodies.push_back(body);
-      }
-      return bodies;
-    };
-    std::vector<BodyIndex> list = hunters();
+    std::vector<BodyIndex> list;  // of hunters, in the order of bodies
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      if (view.web.hunts(view.robots[body].species)) list.push_back(body);
+    }
     std::vector<std::size_t> order(list.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     rng.shuffle(std::span{order});
@@ -49,13 +46,16 @@ struct CatchClosest {
       const BodyIndex hunter = list[index];
       if (caught[hunter] || view.age_s(view.robots[hunter]) < params.min_age_s) continue;
       const Species species = view.robots[hunter].species;
-      const auto victim = view.closest(hunter, [&](BodyIndex other) {
-        return view.robots[other].active && !caught[other] && view.web.eats(species, view.robots[other].species);
-      });
+      const auto eats = [&](Species other) { return view.web.eats(species, other); };
+      const auto victim = view.closest(
+          hunter,
+          [&](BodyIndex other) { return view.robots[other].active && !caught[other] && eats(view.robots[other].species); },
+          {.within_m = params.reach_m, .among = view.marks(eats, {}, true)});
       if (!victim || view.distance_m(hunter, *victim) >= params.reach_m) continue;
       caught[*victim] = true;
       result.push_back({hunter, *victim});
-      list = hunters();
+      const auto place = std::ranges::lower_bound(list, *victim);
+      if (place == list.end() || *place != *victim) list.insert(place, *victim);
     }
     return result;
   }

@@ -39,12 +39,11 @@ struct CatchWithinReach {
     for (BodyIndex victim = 0; victim < view.robots.size(); ++victim) {
       const Individual& prey = view.robots[victim];
       if (!prey.active) continue;
-      const auto hunter = view.closest(victim, [&](const Individual& other) {
-        return view.web.eats(other.species, prey.species) && view.age_s(other) >= params.min_age_s;
-      });
-      if (!hunter) continue;
-      const double d = view.distance_m(*hunter, victim);
-      if (d <= params.reach_m) reached.push_back({d, {*hunter, victim}});
+      const auto eats = [&](Species other) { return view.web.eats(other, prey.species); };
+      const auto hunter = view.closest(
+          victim, [&](const Individual& other) { return eats(other.species) && view.age_s(other) >= params.min_age_s; },
+          {.within_m = params.reach_m, .among = view.marks(eats)});
+      if (hunter) reached.push_back({view.distance_m(*hunter, victim), {*hunter, victim}});
     }
     std::ranges::sort(reached, {}, [](const Reached& r) { return std::tuple{r.distance_m, r.capture.hunter, r.capture.victim}; });
     std::vector<Capture> result;

@@ -26,9 +26,11 @@ struct NearPerceivedVictim {
 
   [[nodiscard]] bool spared(BodyIndex hunter, const View& view, const perception::Perceives& perceives) const {
     const Species own = view.robots[hunter].species;
-    const auto closest = view.closest(
-        hunter, [&](BodyIndex other) { return view.web.eats(own, view.robots[other].species) && perceives(hunter, other); });
-    return closest && view.distance_m(hunter, *closest) <= params.range_m;
+    const auto eats = [&](Species other) { return view.web.eats(own, other); };
+    const auto closest =
+        view.closest(hunter, [&](BodyIndex other) { return eats(view.robots[other].species) && perceives(hunter, other); },
+                     {.within_m = params.range_m, .among = view.marks(eats)});
+    return closest.has_value();
   }
 };
 static_assert(Reprieve<NearPerceivedVictim>);

@@ -4,6 +4,8 @@
 
 #include <concepts>
 #include <functional>
+#include <limits>
+#include <optional>
 #include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
@@ -23,6 +25,28 @@ template <class P>
 concept Visibility = requires(const P policy, const StateOf<P> own, BodyIndex self, BodyIndex other, const View& view, Rng& rng) {
   { ask::perceives(policy, own, self, other, view, rng) } -> std::same_as<bool>;
 };
+
+/// Whom at most a robot can perceive: nobody farther away, nobody who shows another tag, nobody inactive.
+struct Horizon {
+  double within_m = std::numeric_limits<double>::infinity();
+  std::optional<int> tag = {};  ///< none: whatever the tag
+  bool only_active = false;
+};
+
+namespace ask {
+
+/// A Visibility rule may say in advance whom it never perceives: `Horizon horizon(const Individual& self) const`. That changes no
+/// result: large ecologies search faster. One that is inherited does not count, as who inherits it may perceive more.
+template <class P>
+[[nodiscard]] Horizon horizon([[maybe_unused]] const P& policy, [[maybe_unused]] const Individual& self) {
+  if constexpr (requires { requires std::same_as<decltype(&P::horizon), Horizon (P::*)(const Individual&) const>; }) {
+    return policy.horizon(self);
+  } else {
+    return {};
+  }
+}
+
+}  // namespace ask
 
 /// The Visibility rule of a run at one tick, as other rules may ask it.
 using Perceives = std::function<bool(BodyIndex self, BodyIndex other)>;

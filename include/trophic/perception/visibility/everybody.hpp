@@ -13,6 +13,7 @@ struct Everybody {
   static constexpr std::string_view name = "everybody";
   static constexpr std::string_view source = "control";
   [[nodiscard]] bool perceives(BodyIndex, BodyIndex other, const View& view, Rng&) const { return view.robots[other].active; }
+  [[nodiscard]] Horizon horizon(const Individual&) const { return {.only_active = true}; }
 };
 static_assert(Visibility<Everybody>);
 

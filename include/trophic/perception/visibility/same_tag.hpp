@@ -15,6 +15,7 @@ struct SameTag {
   [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng&) const {
     return view.robots[self].tag == view.robots[other].tag && view.robots[other].active;
   }
+  [[nodiscard]] Horizon horizon(const Individual& self) const { return {.tag = self.tag, .only_active = true}; }
 };
 static_assert(Visibility<SameTag>);
 

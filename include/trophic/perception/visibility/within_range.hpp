@@ -28,6 +28,9 @@ struct WithinRange {
     const Individual& seen = view.robots[other];
     return view.robots[self].tag == seen.tag && seen.active && view.distance_m(self, other) <= params.range_m;
   }
+  [[nodiscard]] Horizon horizon(const Individual& self) const {
+    return {.within_m = params.range_m, .tag = self.tag, .only_active = true};
+  }
 };
 static_assert(Visibility<WithinRange>);
 

@@ -16,7 +16,8 @@ struct NearestConspecific {
   static constexpr std::string_view source = "not in the paper";
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
     const Species heir = vacancy.heir.value_or(view.robots[vacancy.body].species);
-    const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return other.species == heir; });
+    const auto closest =
+        view.closest(vacancy.body, [&](const Individual& other) { return other.species == heir; }, {.among = marks_of(heir)});
     if (!closest) return std::nullopt;
     return view.robots[*closest].as_ancestor();
   }

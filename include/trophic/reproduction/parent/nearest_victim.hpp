@@ -28,8 +28,10 @@ struct NearestVictim {
 
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
     const Species dying = view.robots[vacancy.body].species;
-    const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return view.web.eats(dying, other.species); });
-    if (!closest || view.distance_m(vacancy.body, *closest) > params.range_m) return std::nullopt;
+    const auto eats = [&](Species other) { return view.web.eats(dying, other); };
+    const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return eats(other.species); },
+                                      {.within_m = params.range_m, .among = view.marks(eats)});
+    if (!closest) return std::nullopt;
     return view.robots[*closest].as_ancestor();
   }
 };

@@ -18,8 +18,9 @@ struct SafeDistance {
 /// Whether the closest individual that eats the species in `body`, whatever the tags, is farther away than the distance.
 [[nodiscard]] inline bool away_from_hunters(const SafeDistance& safe, BodyIndex body, const View& view) {
   const Species own = view.robots[body].species;
-  const auto hunter = view.closest(body, [&](const Individual& other) { return view.web.eats(other.species, own); });
-  return !hunter || view.distance_m(body, *hunter) > safe.distance_m;
+  const auto eats = [&](Species other) { return view.web.eats(other, own); };
+  return !view.closest(body, [&](const Individual& other) { return eats(other.species); },
+                       {.within_m = safe.distance_m, .among = view.marks(eats)});
 }
 
 }  // namespace trophic::death::activation::detail

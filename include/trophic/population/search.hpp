@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Whom a search for the closest robot need not look at.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <trophic/population/food_web.hpp>
+#include <trophic/population/individual.hpp>
+
+namespace trophic {
+
+/// Marks of individuals, a bit for each species, tag and activity. Different ones may share a bit: who lacks a mark is not
+/// searched, who has it must still be asked.
+using Marks = std::uint64_t;
+inline constexpr Marks every_mark = ~Marks{0};
+
+[[nodiscard]] constexpr Marks mark_of(Species species, int tag, bool active) {
+  const auto folded = static_cast<unsigned>(8 * (species % 8) + 2 * (static_cast<unsigned>(tag) % 4) + (active ? 1 : 0));
+  return Marks{1} << folded;
+}
+[[nodiscard]] inline Marks mark_of(const Individual& individual) {
+  return mark_of(individual.species, individual.tag, individual.active);
+}
+
+/// All marks of a species, or of those of it that show one tag or are active.
+[[nodiscard]] constexpr Marks marks_of(Species species, std::optional<int> tag = {}, bool only_active = false) {
+  Marks marks = 0;
+  for (int any = 0; any < 4; ++any) {
+    const int shown = tag.value_or(any);
+    marks |= mark_of(species, shown, true);
+    if (!only_active) marks |= mark_of(species, shown, false);
+  }
+  return marks;
+}
+
+/// The bounds of a search. Nobody farther away is found. Nobody without one of the marks may be acceptable: it is for the asker
+/// to know.
+struct Search {
+  double within_m = std::numeric_limits<double>::infinity();
+  Marks among = every_mark;
+};
+
+}  // namespace trophic

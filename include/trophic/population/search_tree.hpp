@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Finds the closest robot without looking at all of them, however rare it is whom one looks for.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <trophic/population/individual.hpp>
+#include <trophic/population/search.hpp>
+#include <trophic/population/spatial_grid.hpp>
+#include <trophic/support/units.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// A grid of robots under squares of two times two cells, four times four, ..., each of which knows the marks of those who stand
+/// in it. A search goes into the nearest squares first and passes over those that are too far or lack the marks: its cost grows
+/// with the logarithm of the number of robots. Gives exactly what looking at every robot gives, ties included. Keeps positions
+/// cell by cell, as robots that stand together are far apart in memory.
+class SearchTree {
+ public:
+  SearchTree() = default;
+  SearchTree(std::span<const GroundPose> poses, std::span<const Individual> robots) : grid_{poses} {
+    for (std::ptrdiff_t side = grid_.side(); side > 0; side = side == 1 ? 0 : (side + 1) / 2) {
+      levels_.push_back({side, std::vector<Marks>(static_cast<std::size_t>(side * side), 0)});
+    }
+    standing_.reserve(poses.size());
+    for (std::ptrdiff_t row = 0; row < grid_.side(); ++row) {
+      for (std::ptrdiff_t column = 0; column < grid_.side(); ++column) {
+        for (const BodyIndex body : grid_.bodies_in(column, row)) {
+          standing_.push_back({poses[body], mark_of(robots[body]), body});
+          levels_[0].at(column, row) |= standing_.back().marks;
+        }
+      }
+    }
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+      const std::ptrdiff_t side = levels_[level - 1].side;
+      for (std::ptrdiff_t row = 0; row < side; ++row) {
+        for (std::ptrdiff_t column = 0; column < side; ++column) {
+          levels_[level].at(column / 2, row / 2) |= levels_[level - 1].at(column, row);
+        }
+      }
+    }
+  }
+
+  /// Somebody else lives in a body, or shows another tag, or is active now. Must be told before the next search.
+  void mark(BodyIndex body, const GroundPose& pose, const Individual& robot) {
+    std::ptrdiff_t column = grid_.column(pose);
+    std::ptrdiff_t row = grid_.row(pose);
+    for (Standing& one : std::span{standing_}.subspan(grid_.first_in(column, row), grid_.bodies_in(column, row).size())) {
+      if (one.body == body) one.marks |= mark_of(robot);
+    }
+    for (Level& level : levels_) {
+      level.at(column, row) |= mark_of(robot);
+      column /= 2;
+      row /= 2;
+    }
+  }
+
+  /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, itself excluded; on equal distance the
+  /// lower index.
+  template <class Accepts>
+  [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, const GroundPose& pose, Accepts&& accepts,
+                                                 const Search& search = {}) const {
+    Found found{.most_m = search.within_m, .body = {}};
+    const Home home{.self = self, .pose = pose, .column = grid_.column(pose), .row = grid_.row(pose)};
+    if (!levels_.empty()) look(levels_.size() - 1, 0, 0, home, accepts, search.among, found);
+    return found.body;
+  }
+
+ private:
+  struct Level {
+    std::ptrdiff_t side;  ///< squares in a row
+    std::vector<Marks> marks;
+    [[nodiscard]] Marks& at(std::ptrdiff_t column, std::ptrdiff_t row) {
+      return marks[static_cast<std::size_t>(row * side + column)];
+    }
+    [[nodiscard]] const Marks& at(std::ptrdiff_t column, std::ptrdiff_t row) const {
+      return marks[static_cast<std::size_t>(row * side + column)];
+    }
+  };
+  struct Standing {
+    GroundPose pose;
+    Marks marks;  ///< since the tree was made: it never loses one
+    BodyIndex body;
+  };
+  /// Who searches, and from where.
+  struct Home {
+    BodyIndex self;
+    const GroundPose& pose;
+    std::ptrdiff_t column;
+    std::ptrdiff_t row;
+  };
+  struct Found {
+    double most_m;
+    std::optional<BodyIndex> body;
+  };
+
+  template <class Accepts>
+  void look(std::size_t level, std::ptrdiff_t column, std::ptrdiff_t row, const Home& home, Accepts& accepts, Marks among,
+            Found& found) const {
+    const Level& here = levels_[level];
+    if (column >= here.side || row >= here.side || (here.at(column, row) & among) == 0) return;
+    if (!grid_.may_reach(home.pose, found.most_m, column, row, std::ptrdiff_t{1} << level)) return;
+    if (level == 0) {
+      for (const Standing& other :
+           std::span{standing_}.subspan(grid_.first_in(column, row), grid_.bodies_in(column, row).size())) {
+        if (other.body == home.self || (other.marks & among) == 0) continue;
+        const double d = distance_m(home.pose, other.pose);
+        const bool is_closer = d < found.most_m || (d == found.most_m && (!found.body || other.body < *found.body));
+        if (is_closer && accepts(other.body)) found = {d, other.body};
+      }
+      return;
+    }
+    // The square that is nearest to home first, so that the others are often too far.
+    const auto nearest = [&](std::ptrdiff_t place, std::ptrdiff_t first) {
+      return std::clamp(place >> (level - 1), first, first + 1);
+    };
+    const std::ptrdiff_t near_column = nearest(home.column, 2 * column);
+    const std::ptrdiff_t near_row = nearest(home.row, 2 * row);
+    const std::ptrdiff_t far_column = 4 * column + 1 - near_column;
+    const std::ptrdiff_t far_row = 4 * row + 1 - near_row;
+    look(level - 1, near_column, near_row, home, accepts, among, found);
+    look(level - 1, far_column, near_row, home, accepts, among, found);
+    look(level - 1, near_column, far_row, home, accepts, among, found);
+    look(level - 1, far_column, far_row, home, accepts, among, found);
+  }
+
+  SpatialGrid grid_;
+  std::vector<Standing> standing_;  ///< cell by cell
+  std::vector<Level> levels_;       ///< the first of cells, the last of one square
+};
+
+}  // namespace trophic

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// How a tick of a large ecology grows with the number of robots, and what share of it each part takes: perception and brains,
+// catches, births, hunger, logs, and the bodies, on the kinematic backend and on MuJoCo.
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/backend/mujoco.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/load/habitat.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/with.hpp>
+
+namespace {
+
+using namespace trophic;
+
+/// What a tick consists of, in the order in which it first comes.
+enum class Part { bodies, activation, catches, ageing, hunger, perception, births, logs };
+constexpr std::array<const char*, 8> part_names{"bodies_%", "activation_%", "catches_%", "ageing_%",
+                                                "hunger_%", "perception_%", "births_%",  "logs_%"};
+
+/// Where the wall time goes: what passes between two calls of `enter` belongs to the part that the first one named.
+class Clock {
+ public:
+  static void enter(Part part) {
+    const auto now = std::chrono::steady_clock::now();
+    spent_s.at(static_cast<std::size_t>(at)) += std::chrono::duration<double>(now - since).count();
+    since = now;
+    at = part;
+  }
+  static void reset() {
+    spent_s = {};
+    since = std::chrono::steady_clock::now();
+    at = Part::bodies;
+  }
+
+  static inline Part at = Part::bodies;
+  static inline std::array<double, part_names.size()> spent_s{};
+
+ private:
+  static inline std::chrono::steady_clock::time_point since;
+};
+
+// Rules that the ecology asks once a tick tell the clock that their part begins.
+struct TimedCapture : death::capture::CatchWithinReach {
+  [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng& rng) const {
+    Clock::enter(Part::catches);
+    return CatchWithinReach::captures(view, rng);
+  }
+};
+struct TimedSenescence : death::senescence::NoSenescence {
+  [[nodiscard]] bool dies(const Individual& individual, const View& view, Rng& rng) const {
+    if (Clock::at != Part::ageing) Clock::enter(Part::ageing);
+    return NoSenescence::dies(individual, view, rng);
+  }
+};
+struct TimedSchedule : death::starvation_schedule::DelayedCrowdingInterval {
+  [[nodiscard]] bool due(const death::StarvationClock& clock, const View& view) const {
+    Clock::enter(Part::hunger);
+    return DelayedCrowdingInterval::due(clock, view);
+  }
+};
+struct TimedTagRatio : perception::sensors::TagRatioOfAll {
+  [[nodiscard]] std::array<double, size> sense(const View& view) const {
+    Clock::enter(Part::perception);
+    return TagRatioOfAll::sense(view);
+  }
+};
+using TimedSensors =
+    perception::sensors::List<perception::sensors::SideOfAdversary, perception::sensors::DistanceOverTerrain, TimedTagRatio>;
+using TimedPaper = with_sensors<
+    with_starvation_schedule<with_senescence<with_capture<rules::Paper, TimedCapture>, TimedSenescence>, TimedSchedule>,
+    TimedSensors>;
+
+/// A backend that tells the clock when the bodies have moved: the ecology looks at them from the first to the last.
+template <class Backend>
+struct Timed : Backend {
+  using Backend::Backend;
+  [[nodiscard]] Pose pose(std::size_t robot) const {
+    if (robot == 0) Clock::enter(Part::activation);
+    return Backend::pose(robot);
+  }
+};
+
+/// The observers before and after the logs.
+struct BeforeLogs {
+  static inline Part during = Part::bodies;
+  void on_event(const observe::Event&, const View&) {
+    if (Clock::at != Part::births) during = Clock::at;
+    Clock::enter(Part::logs);
+  }
+  void on_tick(const View&) { Clock::enter(Part::logs); }
+};
+struct AfterLogs {
+  void on_event(const observe::Event& event, const View&) {
+    Clock::enter(event.kind == observe::EventKind::death ? Part::births : BeforeLogs::during);
+  }
+  void on_tick(const View&) { Clock::enter(Part::bodies); }
+};
+
+/// A folder that is gone afterwards.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_{std::filesystem::temp_directory_path() / ("trophic-scale-" + std::to_string(::getpid()))} {
+    std::filesystem::remove_all(path_);
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+double resident_bytes() {
+  std::ifstream file{"/proc/self/statm"};
+  double total_pages = 0.0, resident_pages = 0.0;
+  file >> total_pages >> resident_pages;
+  return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Processor time of this process, seconds: other programs on the machine do not count.
+double processor_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Starts the measurement once so many ticks are over.
+class WarmUp {
+ public:
+  explicit WarmUp(std::int64_t ticks) : ticks_{ticks} {}
+  void on_tick(const View& view) {
+    if (view.tick != ticks_) return;
+    from_s_ = processor_s();
+    Clock::reset();
+  }
+  [[nodiscard]] double elapsed_s() const { return processor_s() - from_s_; }
+
+ private:
+  std::int64_t ticks_;
+  double from_s_ = 0.0;
+};
+
+/// Ticks of the paper's rules at the paper's density and share of predators, with all tables of a run's folder and no recording.
+/// Those of the warm-up are not measured: at the start all robots show the same tag. agents.csv has every tick or every tenth.
+/// The time reported is the processor's for one tick; shares are of wall time.
+template <class Backend>
+void tick(benchmark::State& state, std::int64_t warm_up, std::int64_t ticks) {
+  Experiment<TimedPaper, Timed<Backend>> numbers;
+  numbers.ecology.robots = static_cast<std::size_t>(state.range(0));
+  numbers.ecology.arena = "walled_by_density";
+  numbers.rules.community.predators = numbers.ecology.robots * 14 / 30;
+  if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 1;
+
+  ::malloc_trim(0);
+  const double before_bytes = resident_bytes();
+  Ecology<TimedPaper, Timed<Backend>> ecology{numbers};
+  const TemporaryFolder folder;
+  observe::RunFolder files{folder.path(), {}, 0.0, Opening::made_new, state.range(1)};
+  BeforeLogs before;
+  AfterLogs after;
+  WarmUp warm{warm_up};
+  for (auto _ : state) {
+    ecology.run_until(static_cast<double>(warm_up + ticks) * numbers.ecology.tick_s, before, files, after, warm);
+    Clock::enter(Part::bodies);
+    state.SetIterationTime(warm.elapsed_s() / static_cast<double>(ticks));
+  }
+
+  double all_s = 0.0;
+  for (const double part_s : Clock::spent_s) all_s += part_s;
+  const auto share = [&](std::size_t part) { return 100.0 * Clock::spent_s.at(part) / all_s; };
+  for (std::size_t part = 0; part < part_names.size(); ++part) state.counters[part_names.at(part)] = share(part);
+  state.counters["rules_%"] = 100.0 - share(static_cast<std::size_t>(Part::bodies)) - share(static_cast<std::size_t>(Part::logs));
+  const auto robots = static_cast<double>(numbers.ecology.robots);
+  state.counters["us/robot"] = warm.elapsed_s() * 1e6 / static_cast<double>(ticks) / robots;
+  state.counters["bytes/robot"] = (resident_bytes() - before_bytes) / robots;
+  state.counters["predators_%"] = 100.0 * static_cast<double>(ecology.view().count(1)) / robots;
+}
+
+void kinematic(benchmark::State& state) {
+  tick<backend::Kinematic>(state, 30, 10);
+}
+void mujoco(benchmark::State& state) {
+  const std::int64_t ticks = state.range(0) > 10'000 ? 1 : 3;
+  tick<backend::Mujoco>(state, ticks, ticks);
+}
+
+}  // namespace
+
+BENCHMARK(kinematic)
+    ->ArgNames({"robots", "agents_every"})
+    ->ArgsProduct({{1000, 10'000, 100'000}, {1, 10}})
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(mujoco)
+    ->ArgNames({"robots", "agents_every"})
+    ->ArgsProduct({{1000, 10'000, 100'000}, {1}})
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);

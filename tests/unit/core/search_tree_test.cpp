@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <optional>
+#include <support/hand_population.hpp>
+#include <trophic/perception/visibility/same_tag.hpp>
+#include <trophic/perception/visibility/within_range.hpp>
+#include <trophic/population/search_tree.hpp>
+#include <trophic/population/view.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::test;
+
+namespace {
+
+/// As the population sees itself, with a tree.
+View with_tree(const HandPopulation& robots, const SearchTree& tree) {
+  View view = robots.view();
+  view.tree = &tree;
+  return view;
+}
+
+/// Robots on the crossings of a grid: many are equally far from one another.
+HandPopulation on_crossings(std::uint64_t seed, std::size_t robots) {
+  HandPopulation population = random_population(seed, robots);
+  Rng rng{seed, Stream::user, 2};
+  for (GroundPose& pose : population.poses) {
+    pose.x_m = static_cast<double>(rng.index(9));
+    pose.y_m = static_cast<double>(rng.index(9));
+  }
+  return population;
+}
+
+}  // namespace
+
+TEST_CASE("search tree: whatever the bounds, it finds whom a look at everybody finds, ties included") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    const std::size_t size = 1 + 7 * seed;
+    for (const HandPopulation& robots : {random_population(seed, size, chain_web()), on_crossings(seed, size)}) {
+      const SearchTree tree{robots.poses, robots.individuals};
+      const View plain = robots.view();
+      const View fast = with_tree(robots, tree);
+      for (BodyIndex self = 0; self < size; ++self) {
+        for (const double within_m : {0.0, 1.0, 3.7, 1e9}) {
+          for (const std::optional<int> tag : {std::optional<int>{}, std::optional{1}, std::optional{-1}}) {
+            for (const bool only_active : {false, true}) {
+              const auto opponent = [&](Species other) { return plain.web.opponents(plain.robots[self].species, other); };
+              const auto accepts = [&](const Individual& other) {
+                return opponent(other.species) && other.tag == tag.value_or(other.tag) && (other.active || !only_active);
+              };
+              const Search search{.within_m = within_m, .among = plain.marks(opponent, tag, only_active)};
+              CHECK(fast.closest(self, accepts, search) == plain.closest(self, accepts, {.within_m = within_m}));
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("search tree: at exactly the bound somebody is found, beyond it nobody") {
+  const HandPopulation robots{{{}, {.x_m = 3.0, .y_m = 4.0}, {.x_m = -3.0, .y_m = 4.0}}};
+  const SearchTree tree{robots.poses, robots.individuals};
+  const auto anybody = [](const Individual&) { return true; };
+  for (const View& view : {robots.view(), with_tree(robots, tree)}) {
+    CHECK(view.closest(0, anybody, {.within_m = 5.0}) == 1);
+    CHECK(view.closest(0, anybody, {.within_m = 4.999}) == std::nullopt);
+  }
+}
+
+TEST_CASE("search tree: somebody rare is found without asking many, and that there is nobody is known at once") {
+  HandPopulation robots = random_population(1, 20'000, predator_prey_web(), 250.0);
+  for (Individual& one : robots.individuals) {
+    one.species = prey;
+    one.tag = 1;
+    one.active = true;
+  }
+  robots.individuals[7].species = predator;
+  robots.individuals[8].tag = -1;
+  const SearchTree tree{robots.poses, robots.individuals};
+  const View view = with_tree(robots, tree);
+  std::size_t asked = 0;
+  const auto look = [&](auto accepts, const Search& search) {
+    asked = 0;
+    return view.closest(
+        19'999,
+        [&](const Individual& other) {
+          ++asked;
+          return accepts(other);
+        },
+        search);
+  };
+  CHECK(look([](const Individual& other) { return other.species == predator; }, {.among = marks_of(predator)}) == 7);
+  CHECK(asked < 50);
+  CHECK(look([](const Individual& other) { return other.tag == -1; }, {.among = marks_of(prey, -1)}) == 8);
+  CHECK(asked < 50);
+  CHECK(look([](const Individual& other) { return !other.active; }, {.among = marks_of(2)}) == std::nullopt);
+  CHECK(asked == 0);
+  CHECK(look([](const Individual& other) { return !other.active; }, {.within_m = 5.0}) == std::nullopt);
+  CHECK(asked < 200);
+}
+
+TEST_CASE("search tree: who changes its marks is found once the tree is told") {
+  HandPopulation robots = random_population(3, 500);
+  for (Individual& one : robots.individuals) one.species = prey;
+  SearchTree tree{robots.poses, robots.individuals};
+  const auto is_predator = [](const Individual& other) { return other.species == predator; };
+  CHECK(with_tree(robots, tree).closest(0, is_predator, {.among = marks_of(predator)}) == std::nullopt);
+  robots.individuals[400].species = predator;
+  tree.mark(400, robots.poses[400], robots.individuals[400]);
+  CHECK(with_tree(robots, tree).closest(0, is_predator, {.among = marks_of(predator)}) == 400);
+}
+
+TEST_CASE("view: members that are known need not be counted") {
+  const HandPopulation robots = with_predators(14);
+  const std::vector<std::size_t> members{5, 25};
+  View view = robots.view();
+  view.members = members;
+  CHECK(view.count(prey) == 5);
+  CHECK(view.count_hunters() == 25);
+  CHECK(view.count(2) == 0);
+}
+
+TEST_CASE("horizon: what a rule says in advance holds for itself alone") {
+  struct Sharp : perception::visibility::SameTag {};
+  Individual self;
+  self.tag = -1;
+  CHECK(perception::ask::horizon(perception::visibility::SameTag{}, self).tag == -1);
+  CHECK(perception::ask::horizon(perception::visibility::WithinRange{{.range_m = 3.0}}, self).within_m == 3.0);
+  CHECK_FALSE(perception::ask::horizon(Sharp{}, self).tag);
+}
