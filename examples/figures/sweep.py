@@ -5,7 +5,8 @@
     python3 examples/figures/sweep.py ANALYSIS [--out FOLDER] [--metric NAME ...] [--axes AXIS ...]
 
 ANALYSIS is the folder with cells.csv, sweep_metrics.csv and sweep_differences.csv. Each figure goes to FOLDER (ANALYSIS/figures) as
-PNG and PDF. NAME is a metric, METRIC:SPECIES or METRIC:SPECIES:GROUP; without it the headline metrics are drawn, of all groups together.
+PNG and PDF. NAME is a metric, METRIC:SPECIES or METRIC:SPECIES:GROUP; without it those that
+`trophic analyze --metric` compared are drawn or, where it compared all, the headline metrics of all groups together.
 AXIS is a column of cells.csv: the first is drawn along x, the second as lines, the third as panels; further ones stay at the
 reference cell's value. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
 """
@@ -92,10 +93,16 @@ class Sweep:
                 if not any(list(key[: len(part)]) == part for key in keys.itertuples(index=False)):
                     raise KeyError(f"--metric {choice}: no such metric in sweep_metrics.csv")
             keys = keys[named]
+        elif self.chosen_before_looking(keys):
+            keys = keys.merge(self.differences[["metric", "species", "group"]].drop_duplicates())
         else:
             keys = keys[keys.metric.isin(HEADLINE) & ((keys.group == "all") | (keys.metric == "tag_symmetry"))]
         metrics = ((metric, list(rows.itertuples(index=False))) for metric, rows in keys.groupby("metric", sort=False))
         return [(metric, list(filter(self.varies, rows))) for metric, rows in metrics]
+
+    def chosen_before_looking(self, keys):
+        """Whether `trophic analyze` was told which metrics to compare."""
+        return 0 < len(self.differences[["metric", "species", "group"]].drop_duplicates()) < len(keys)
 
     def at(self, free):
         """The cells in which the axes that are not free have the reference cell's values."""
@@ -297,7 +304,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze` wrote of a sweep")
     parser.add_argument("--out", type=pathlib.Path, help="folder for the figures (ANALYSIS/figures)")
-    parser.add_argument("--metric", nargs="+", help="METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP (the headline metrics)")
+    parser.add_argument("--metric", nargs="+", help="METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP (those that were chosen in the analysis, or the headline metrics)")
     parser.add_argument("--axes", nargs="+", help="what is drawn along x, as lines and as panels (numbers with most values first)")
     options = parser.parse_args()
     try:

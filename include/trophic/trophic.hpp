@@ -23,6 +23,8 @@
 #include <trophic/analysis/metrics/tag_symmetry.hpp>
 #include <trophic/analysis/metrics/velocity.hpp>
 #include <trophic/analysis/metrics/wall_sticking.hpp>
+#include <trophic/analysis/report/axis_effects.hpp>
+#include <trophic/analysis/report/axis_rows.hpp>
 #include <trophic/analysis/report/cell_differences.hpp>
 #include <trophic/analysis/report/claim_verdict.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>

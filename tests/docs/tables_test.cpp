@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <trophic/analysis/report/axis_rows.hpp>
 #include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/analysis/report/metrics_table.hpp>
 #include <trophic/analysis/report/sweep_rows.hpp>
@@ -90,6 +91,8 @@ std::string document() {
                                            "Each metric of each cell of a sweep, alone and over its shadow.") +
          section<analysis::SweepDifferenceRow>("sweep_differences.csv",
                                                "Each metric of each cell of a sweep beside the reference cell.") +
+         section<analysis::AxisEffectRow>("sweep_effects.csv",
+                                          "What each value of an axis does to each metric, averaged over the other axes.") +
          section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "A row a generation.") +
          section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
                                            "Every candidate in the ALife data standard, time in generations.");

@@ -14,7 +14,7 @@ from in_folder import InFolderWithSets
 
 PREDATOR_PREY, TROPHIC, SWEEP = (sys.argv.pop(1) for _ in range(3))
 SPEEDS, TICKS, REPLICATES, UNTIL_S = (1.0, 4.0), (15, 25), 6, 400.0
-FILES = ("cells.csv", "runs.csv", "sweep_metrics.csv", "sweep_differences.csv", "summary.json")
+FILES = ("cells.csv", "runs.csv", "sweep_metrics.csv", "sweep_differences.csv", "sweep_effects.csv", "summary.json")
 
 
 def call(*arguments, cwd):

@@ -15,6 +15,8 @@
 #include <trophic/analysis/data/sweep_runs.hpp>
 #include <trophic/analysis/metrics/metric_choice.hpp>
 #include <trophic/analysis/metrics/sweep_values.hpp>
+#include <trophic/analysis/report/axis_effects.hpp>
+#include <trophic/analysis/report/axis_rows.hpp>
 #include <trophic/analysis/report/cell_differences.hpp>
 #include <trophic/analysis/report/sweep_json.hpp>
 #include <trophic/analysis/report/sweep_tables.hpp>
@@ -117,15 +119,18 @@ inline void measure_sweep(const std::filesystem::path& folder, const std::filesy
 
   analysis::print_sweep(std::cout, sweep, differences, reference, until_s);
   analysis::print_cell_differences(std::cout, sweep.grid, differences);
+  const auto effects = analysis::axis_effects(sweep.grid, values, reference, names);
+  analysis::print_axis_effects(std::cout, effects);
   analysis::print_runs_for_difference(std::cout, answers, differences);
   analysis::write_cells(out / "cells.csv", sweep, until_s);
   analysis::write_runs(out / "runs.csv", sweep, values);
   analysis::write_sweep_metrics(out / "sweep_metrics.csv", sweep.grid, values);
   analysis::write_sweep_differences(out / "sweep_differences.csv", differences, reference);
+  analysis::write_axis_effects(out / "sweep_effects.csv", effects);
   nlohmann::ordered_json json{{"trophic", trophic::version}};
   json["sweep"] = analysis::sweep_json(sweep, differences, reference, answers);
   write_json(out / "summary.json", json);
-  std::cout << "files   " << out.string() << "/{cells.csv,runs.csv,sweep_metrics.csv,sweep_differences.csv,summary.json}\n";
+  std::cout << "files   " << out.string() << "/{cells.csv,runs.csv,sweep_metrics.csv,sweep_differences.csv,sweep_effects.csv,summary.json}\n";
   flush_output();
 }
 

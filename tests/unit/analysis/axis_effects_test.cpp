@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Effects of axes: by hand on a grid of two axes, and as often wrong as they say.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/analysis/report/axis_effects.hpp>
+#include <trophic/analysis/report/axis_rows.hpp>
+#include <trophic/support/rng.hpp>
+#include <trophic/support/whole_file.hpp>
+#include <unit/analysis/sweep_grids.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::analysis;
+
+namespace {
+
+/// A grid of a = 0, 1, 2 and b = 0, 1; cells are numbered a first.
+std::vector<sweep::PlannedRun> plan_of_two_axes(std::size_t replicates, bool with_shadow = false, bool paired = true) {
+  auto plan = test::plan_of({.cells = 6, .replicates = replicates, .with_shadow = with_shadow, .paired = paired});
+  for (sweep::PlannedRun& run : plan) run.settings = {{"a", run.cell / 2}, {"b", run.cell % 2}};
+  return plan;
+}
+
+const AxisEffect& effect_of(const std::vector<AxisEffect>& effects, const std::string& axis, const std::string& value) {
+  for (const AxisEffect& effect : effects) {
+    if (effect.axis == axis && effect.value == value) return effect;
+  }
+  FAIL("no effect of " << axis << " = " << value);
+  return effects.front();
+}
+
+}  // namespace
+
+TEST_CASE("an axis' effect is the mean difference over the other axes' values, with an interval over seeds") {
+  const auto plan = plan_of_two_axes(6);
+  // 10 a + 3 b a + the seed's own number: b does nothing at a = 0, 3 at a = 1 and 6 at a = 2.
+  const auto values = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
+    const auto a = static_cast<double>(run.cell / 2);
+    const auto b = static_cast<double>(run.cell % 2);
+    return 10.0 * a + 3.0 * b * a + static_cast<double>(run.replicate) * (1.0 + a);
+  });
+  const std::array names{test::hunger};
+  const auto effects = axis_effects(grid_of(plan), values, 0, names);
+  REQUIRE(effects.size() == 3);
+  const AxisEffect& a1 = effect_of(effects, "a", "1");
+  CHECK(a1.reference == "0");
+  CHECK(a1.settings == 2);
+  CHECK(a1.seeds == 6);
+  // 10 + the mean of 0 and 3 + the mean of the seeds' 0, ..., 5, whose standard error is sqrt(3.5 / 6).
+  CHECK(*a1.difference.value == doctest::Approx(10.0 + 1.5 + 2.5));
+  const double half = 2.570581835636314 * std::sqrt(3.5 / 6.0);
+  CHECK(a1.difference.interval->lower == doctest::Approx(14.0 - half));
+  CHECK(a1.difference.interval->upper == doctest::Approx(14.0 + half));
+  CHECK(*effect_of(effects, "a", "2").difference.value == doctest::Approx(20.0 + 3.0 + 5.0));
+  const AxisEffect& b1 = effect_of(effects, "b", "1");
+  CHECK(b1.settings == 3);
+  CHECK(*b1.difference.value == doctest::Approx(3.0));
+  CHECK(*b1.mean_reference == doctest::Approx(10.0 + 2.5 * 2.0));
+}
+
+TEST_CASE("only settings at which both values were run are averaged, and seeds that all of their cells have") {
+  auto plan = plan_of_two_axes(6);
+  auto values = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
+    return static_cast<double>(run.cell) + static_cast<double>(run.replicate);
+  });
+  values.of_run[3] = {};  // replicate 3 of a = 0, b = 0
+  const std::array names{test::hunger};
+  const auto effects = axis_effects(grid_of(plan), values, 1, names);
+  CHECK(effect_of(effects, "a", "1").seeds == 5);
+  CHECK_FALSE(effect_of(effects, "a", "1").difference.interval);
+  std::erase_if(plan, [](const sweep::PlannedRun& run) { return run.cell == 3; });
+  for (std::size_t i = 0; i < plan.size(); ++i) plan[i].index = i;
+  const auto fewer = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
+    return static_cast<double>(run.cell) + static_cast<double>(run.replicate);
+  });
+  const auto without = axis_effects(grid_of(plan), fewer, 0, names);
+  CHECK(effect_of(without, "a", "1").settings == 1);
+  CHECK(effect_of(without, "b", "1").settings == 2);
+}
+
+TEST_CASE("a metric that needs it is compared over the shadow; cells with seeds of their own have no effects of axes") {
+  const auto plan = plan_of_two_axes(6, true);
+  const auto values = test::values_of_plan(plan, test::velocity, [](const sweep::PlannedRun& run) {
+    return (run.shadow ? 1.0 : 4.0) * static_cast<double>(run.cell / 2) + static_cast<double>(run.replicate);
+  });
+  const std::array names{test::velocity};
+  const AxisEffect effect = effect_of(axis_effects(grid_of(plan), values, 0, names), "a", "1");
+  CHECK(effect.over_shadow);
+  CHECK(*effect.difference.value == doctest::Approx(3.0));
+  const auto unpaired = plan_of_two_axes(6, true, false);
+  CHECK(axis_effects(grid_of(unpaired), values, 0, names).empty());
+}
+
+TEST_CASE("without an effect any axis is decided in at most 5 % of sweeps, within 1.5 points") {
+  constexpr int trials = 1000;
+  const auto plan = plan_of_two_axes(8);
+  const SweepGrid grid = grid_of(plan);
+  const std::array names{test::hunger};
+  int wrong = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    Rng rng{3, Stream::user, static_cast<std::uint64_t>(trial)};
+    const auto values = test::values_of_plan(
+        plan, test::hunger, [&](const sweep::PlannedRun& run) { return rng.normal(0.0, run.cell < 2 ? 1.0 : 2.0); });
+    bool decided = false;
+    for (const AxisEffect& effect : axis_effects(grid, values, 0, names)) decided = decided || effect.difference.differs();
+    wrong += decided ? 1 : 0;
+  }
+  MESSAGE("decided in " << wrong << " of " << trials << " sweeps");
+  CHECK(wrong <= 65);
+  CHECK(wrong >= 10);  // it can find something
+}
+
+TEST_CASE("sweep_effects.csv and its summary say what is decided") {
+  const auto plan = plan_of_two_axes(6);
+  const auto values = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
+    return 10.0 * static_cast<double>(run.cell / 2) + static_cast<double>(run.replicate % 2) * static_cast<double>(run.cell);
+  });
+  const std::array names{test::hunger};
+  const auto effects = axis_effects(grid_of(plan), values, 0, names);
+  const test::TemporaryFolder folder;
+  write_axis_effects(folder.path() / "sweep_effects.csv", effects);
+  const std::string text = read_whole_file(folder.path() / "sweep_effects.csv");
+  CHECK(text.starts_with("axis,value,reference,metric,species,group,unit,compared,settings,seeds,mean,"));
+  CHECK(text.find("\na,1,0,hunger,predator,all,ticks,raw,2,6,11.25,0.25,11,") != std::string::npos);
+  std::ostringstream out;
+  print_axis_effects(out, effects);
+  CHECK(out.str().find("of 3 effects of an axis are decided (Holm); the largest of each:") != std::string::npos);
+  CHECK(out.str().find("a 0 -> 2") != std::string::npos);
+}
