@@ -130,7 +130,8 @@ inline void measure_sweep(const std::filesystem::path& folder, const std::filesy
   nlohmann::ordered_json json{{"trophic", trophic::version}};
   json["sweep"] = analysis::sweep_json(sweep, differences, reference, answers);
   write_json(out / "summary.json", json);
-  std::cout << "files   " << out.string() << "/{cells.csv,runs.csv,sweep_metrics.csv,sweep_differences.csv,sweep_effects.csv,summary.json}\n";
+  std::cout << "files   " << out.string()
+            << "/{cells.csv,runs.csv,sweep_metrics.csv,sweep_differences.csv,sweep_effects.csv,summary.json}\n";
   flush_output();
 }
 

@@ -6,13 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <sstream>
 #include <string>
-#include <support/temporary_folder.hpp>
 #include <trophic/analysis/report/axis_effects.hpp>
-#include <trophic/analysis/report/axis_rows.hpp>
 #include <trophic/support/rng.hpp>
-#include <trophic/support/whole_file.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>
 
@@ -20,13 +16,6 @@ using namespace trophic;
 using namespace trophic::analysis;
 
 namespace {
-
-/// A grid of a = 0, 1, 2 and b = 0, 1; cells are numbered a first.
-std::vector<sweep::PlannedRun> plan_of_two_axes(std::size_t replicates, bool with_shadow = false, bool paired = true) {
-  auto plan = test::plan_of({.cells = 6, .replicates = replicates, .with_shadow = with_shadow, .paired = paired});
-  for (sweep::PlannedRun& run : plan) run.settings = {{"a", run.cell / 2}, {"b", run.cell % 2}};
-  return plan;
-}
 
 const AxisEffect& effect_of(const std::vector<AxisEffect>& effects, const std::string& axis, const std::string& value) {
   for (const AxisEffect& effect : effects) {
@@ -39,7 +28,7 @@ const AxisEffect& effect_of(const std::vector<AxisEffect>& effects, const std::s
 }  // namespace
 
 TEST_CASE("an axis' effect is the mean difference over the other axes' values, with an interval over seeds") {
-  const auto plan = plan_of_two_axes(6);
+  const auto plan = test::plan_of_two_axes(6);
   // 10 a + 3 b a + the seed's own number: b does nothing at a = 0, 3 at a = 1 and 6 at a = 2.
   const auto values = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
     const auto a = static_cast<double>(run.cell / 2);
@@ -66,7 +55,7 @@ TEST_CASE("an axis' effect is the mean difference over the other axes' values, w
 }
 
 TEST_CASE("only settings at which both values were run are averaged, and seeds that all of their cells have") {
-  auto plan = plan_of_two_axes(6);
+  auto plan = test::plan_of_two_axes(6);
   auto values = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
     return static_cast<double>(run.cell) + static_cast<double>(run.replicate);
   });
@@ -86,7 +75,7 @@ TEST_CASE("only settings at which both values were run are averaged, and seeds t
 }
 
 TEST_CASE("a metric that needs it is compared over the shadow; cells with seeds of their own have no effects of axes") {
-  const auto plan = plan_of_two_axes(6, true);
+  const auto plan = test::plan_of_two_axes(6, true);
   const auto values = test::values_of_plan(plan, test::velocity, [](const sweep::PlannedRun& run) {
     return (run.shadow ? 1.0 : 4.0) * static_cast<double>(run.cell / 2) + static_cast<double>(run.replicate);
   });
@@ -94,13 +83,13 @@ TEST_CASE("a metric that needs it is compared over the shadow; cells with seeds 
   const AxisEffect effect = effect_of(axis_effects(grid_of(plan), values, 0, names), "a", "1");
   CHECK(effect.over_shadow);
   CHECK(*effect.difference.value == doctest::Approx(3.0));
-  const auto unpaired = plan_of_two_axes(6, true, false);
+  const auto unpaired = test::plan_of_two_axes(6, true, false);
   CHECK(axis_effects(grid_of(unpaired), values, 0, names).empty());
 }
 
 TEST_CASE("without an effect any axis is decided in at most 5 % of sweeps, within 1.5 points") {
   constexpr int trials = 1000;
-  const auto plan = plan_of_two_axes(8);
+  const auto plan = test::plan_of_two_axes(8);
   const SweepGrid grid = grid_of(plan);
   const std::array names{test::hunger};
   int wrong = 0;
@@ -115,22 +104,4 @@ TEST_CASE("without an effect any axis is decided in at most 5 % of sweeps, withi
   MESSAGE("decided in " << wrong << " of " << trials << " sweeps");
   CHECK(wrong <= 65);
   CHECK(wrong >= 10);  // it can find something
-}
-
-TEST_CASE("sweep_effects.csv and its summary say what is decided") {
-  const auto plan = plan_of_two_axes(6);
-  const auto values = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
-    return 10.0 * static_cast<double>(run.cell / 2) + static_cast<double>(run.replicate % 2) * static_cast<double>(run.cell);
-  });
-  const std::array names{test::hunger};
-  const auto effects = axis_effects(grid_of(plan), values, 0, names);
-  const test::TemporaryFolder folder;
-  write_axis_effects(folder.path() / "sweep_effects.csv", effects);
-  const std::string text = read_whole_file(folder.path() / "sweep_effects.csv");
-  CHECK(text.starts_with("axis,value,reference,metric,species,group,unit,compared,settings,seeds,mean,"));
-  CHECK(text.find("\na,1,0,hunger,predator,all,ticks,raw,2,6,11.25,0.25,11,") != std::string::npos);
-  std::ostringstream out;
-  print_axis_effects(out, effects);
-  CHECK(out.str().find("of 3 effects of an axis are decided (Holm); the largest of each:") != std::string::npos);
-  CHECK(out.str().find("a 0 -> 2") != std::string::npos);
 }

@@ -52,6 +52,13 @@ inline std::vector<sweep::PlannedRun> plan_of(const PlanShape& shape) {
   return plan;
 }
 
+/// A grid of a = 0, 1, 2 and b = 0, 1; cells are numbered a first.
+inline std::vector<sweep::PlannedRun> plan_of_two_axes(std::size_t replicates, bool with_shadow = false, bool paired = true) {
+  auto plan = plan_of({.cells = 6, .replicates = replicates, .with_shadow = with_shadow, .paired = paired});
+  for (sweep::PlannedRun& run : plan) run.settings = {{"a", run.cell / 2}, {"b", run.cell % 2}};
+  return plan;
+}
+
 /// Values of one metric in every run of a plan.
 inline analysis::SweepValues values_of_plan(const std::vector<sweep::PlannedRun>& plan, const analysis::MetricName& name,
                                             const std::function<double(const sweep::PlannedRun&)>& value) {
