@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -14,13 +15,13 @@
 namespace trophic {
 
 /// While it lives, no other FolderLock on the folder can be made, in this program or another; the system drops it when a program
-/// dies.
+/// dies. A file system without locks, as some of networks, gives none: then nobody is kept out.
 class FolderLock {
  public:
   /// Throws std::runtime_error if the folder cannot be opened or is locked.
   explicit FolderLock(const std::filesystem::path& folder) : file_{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
     if (file_ < 0) throw std::runtime_error{folder.string() + ": is not a folder that can be opened"};
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(file_);
       throw std::runtime_error{folder.string() + ": another program is running in it"};
     }
