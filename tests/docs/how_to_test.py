@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""how_to_test.py ROOT PROGRAMS: the robot, the arena and the Python of the how-tos do what they say; the C++ is compiled by CMake."""
+"""how_to_test.py ROOT PROGRAMS: the robot, the arena, the sweep and the Python of the how-tos do what they say; the C++ is compiled by CMake."""
 
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
 from documents import parse
-from follow import PYTHON
+from follow import PYTHON, follow
 
 ROOT, PROGRAMS = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 
@@ -32,6 +33,7 @@ def main() -> int:
         run(*ecology, *few, "--robot", "tripod.toml", "--set", "ecology.arena=pit.toml", *gait, "--out", "runs/own")
         run(*ecology, "--duration", "600", "--out", "runs/first-1")
         run(*ecology, "--duration", "200", "--replicates", "2", "--shadow", "--out", "runs/paper")
+        follow(ROOT / "docs/how-to/a-sweep.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         for document in ("read-in-pandas", "a-null-for-my-metric"):
             for block in parse(ROOT / f"docs/how-to/{document}.md").blocks:
                 if block.language == "python" and PYTHON:
