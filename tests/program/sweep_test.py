@@ -42,7 +42,7 @@ rules.mutation.sd = [0.05, 0.2]
 LONG = f"""
 replicates = 3
 [set]
-ecology.duration_s = 200.0
+ecology.duration_s = 40.0
 [grid]
 engine = {json.dumps(ENGINES)}
 rules.capture.reach_m = [0.5, 1.0, 2.0]
