@@ -74,7 +74,7 @@ TEST_CASE("only settings at which both values were run are averaged, and seeds t
   CHECK(effect_of(without, "b", "1").settings == 2);
 }
 
-TEST_CASE("a metric that needs it is compared over the shadow; cells with seeds of their own have no effects of axes") {
+TEST_CASE("a metric that needs it is compared over the shadow, cells with seeds of their own have no effects of axes") {
   const auto plan = test::plan_of_two_axes(6, true);
   const auto values = test::values_of_plan(plan, test::velocity, [](const sweep::PlannedRun& run) {
     return (run.shadow ? 1.0 : 4.0) * static_cast<double>(run.cell / 2) + static_cast<double>(run.replicate);

@@ -81,7 +81,7 @@ TEST_CASE("any cell may be the reference, and it must be one") {
         "reference = 3: must be a cell of the sweep, 0 to 2");
 }
 
-TEST_CASE("what needs a shadow is compared over it, run by run; the rest is raw") {
+TEST_CASE("what needs a shadow is compared over it, run by run, the rest is raw") {
   const auto plan = test::plan_of({.cells = 2, .replicates = 6, .with_shadow = true});
   const auto value = [](const PlannedRun& run) {
     const double of_cell = run.cell == 1 ? 5.0 : 0.0;  // the shadow has it, too

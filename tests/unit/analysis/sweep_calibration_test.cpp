@@ -94,7 +94,7 @@ TEST_CASE("with an effect in every cell corrected intervals hold it in all of th
   }
 }
 
-TEST_CASE("seeds that are alike are worth more in pairs; those that are not cost the pairs their degrees of freedom") {
+TEST_CASE("seeds that are alike are worth more in pairs, those that are not cost the pairs their degrees of freedom") {
   const World alike{.replicates = 10, .shared = 2.0, .effect = 1.6};
   World apart = alike;
   apart.paired = false;

@@ -238,7 +238,7 @@ TEST_CASE("The longest runs are begun first, equal ones in the plan's order") {
   CHECK(sweep::longest_first(plan, {2, 2}) == std::vector<std::size_t>{1, 3});
 }
 
-TEST_CASE("Every run is tried once; what is elsewhere is waited for; a failure takes no other run with it") {
+TEST_CASE("Every run is tried once, what is elsewhere is waited for, a failure takes no other run with it") {
   const auto plan = plan_with({5.0, 4.0, 3.0, 2.0, 1.0});
   std::mutex mutex;
   std::vector<std::size_t> tried;
@@ -260,7 +260,7 @@ TEST_CASE("Every run is tried once; what is elsewhere is waited for; a failure t
   }
 }
 
-TEST_CASE("A signal ends the work; what was not begun is said") {
+TEST_CASE("A signal ends the work, what was not begun is said") {
   const auto plan = plan_with({2.0, 1.0});
   int tried = 0;
   const auto attempt = [&](const PlannedRun&) -> Result {
