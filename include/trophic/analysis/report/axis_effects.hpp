@@ -69,7 +69,7 @@ using CellPair = std::pair<std::size_t, std::size_t>;
   std::map<std::uint64_t, double> means;
   for (const auto& [seed, first] : *cells.front()) {
     double sum = 0.0;
-    const bool in_all = std::ranges::all_of(cells, [&](const auto* cell) {
+    const bool in_all = std::ranges::all_of(cells, [&, seed = seed](const auto* cell) {
       const auto found = cell->find(seed);
       if (found == cell->end()) return false;
       sum += found->second;
