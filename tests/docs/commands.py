@@ -196,8 +196,8 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         offences = check_flags(programs.help(executable), arguments, name)
         if offences:
             return offences
-    if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments):
-        return []  # what a placeholder stands for, and a run to go on with, are the reader's
+    if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments) or "--sweep" in arguments:
+        return []  # what a placeholder stands for, a run to go on with, and a sweep's file are the reader's
     ask = "--list" if name == "trophic-ablations" else "--print-config"
     if ask not in programs.help(executable, *(arguments[:1] if name == "trophic" else [])):
         return []
