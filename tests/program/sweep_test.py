@@ -77,9 +77,7 @@ class Sweeps(InFolderWithSets):
     def make(cls, text):
         (cls.sets / "sweep.toml").write_text(text)
         words = [OPTIONS.program, "--sweep", "sweep.toml", "--out", "one", "--jobs", "1"]
-        began = time.monotonic()
         subprocess.run(words, cwd=cls.sets, check=True, capture_output=True, timeout=3600)
-        cls.whole_s = time.monotonic() - began
 
     def setUp(self):
         super().setUp()
@@ -248,6 +246,14 @@ class Killed(Sweeps):
     def make_sets(cls):
         cls.make(KILLED)
 
+    def wait_for_work(self, out="out"):
+        """Until runs have been claimed, and a moment of any length more."""
+        for _ in range(3000):
+            if list((self.folder / out).glob("claims/*.*")):
+                break
+            time.sleep(0.01)
+        time.sleep(random.uniform(0.0, 0.5))
+
     def ranks_of(self, out):
         """Processes of the program that work on a folder, oldest first."""
         wanted = f"{OPTIONS.program} --sweep killed.toml --out {out}".split()
@@ -265,7 +271,7 @@ class Killed(Sweeps):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "2", "--checkpoint-s", "100"]
         for _ in range(2):
             program = self.start(*words)
-            time.sleep(random.uniform(0.1, 0.4) * self.whole_s)
+            self.wait_for_work()
             program.kill()
             program.wait()
         self.assert_done(self.run_words(*words))
@@ -274,7 +280,7 @@ class Killed(Sweeps):
     def test_one_of_two_is_killed(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1", "--checkpoint-s", "100"]
         lives, dies = self.start(*words), self.start(*words)
-        time.sleep(0.3 * self.whole_s)
+        self.wait_for_work()
         dies.kill()
         dies.wait()
         self.assertEqual(lives.wait(600), 0)
@@ -283,7 +289,7 @@ class Killed(Sweeps):
     def test_stopped_program_says_how_to_go_on(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1"]
         program = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.3 * self.whole_s)
+        self.wait_for_work()
         program.send_signal(signal.SIGTERM)
         said = program.communicate(timeout=600)
         self.assertEqual(program.returncode, 3, said)
@@ -295,7 +301,7 @@ class Killed(Sweeps):
     def test_worker_of_mpi_is_killed(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "100"]
         job = subprocess.Popen([*self.mpirun(4, "--enable-recovery"), *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.25 * self.whole_s)
+        self.wait_for_work()
         ranks = self.ranks_of("out")
         self.assertEqual(len(ranks), 4)
         os.kill(random.choice(ranks[1:]), signal.SIGKILL)
@@ -308,7 +314,7 @@ class Killed(Sweeps):
     def test_first_rank_is_killed_and_the_job_started_again(self):
         words = [*self.mpirun(3), OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "100"]
         job = self.start(*words)
-        time.sleep(0.3 * self.whole_s)
+        self.wait_for_work()
         os.kill(self.ranks_of("out")[0], signal.SIGKILL)
         time.sleep(1.0)
         job.terminate()
