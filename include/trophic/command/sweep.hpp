@@ -3,7 +3,7 @@
 #pragma once
 
 #include <string>
-#include <trophic/command/experiment_program.hpp>
+#include <trophic/command/pairing.hpp>
 #include <trophic/replicates/sweep/plan_file.hpp>
 #include <trophic/replicates/sweep/sweep_file.hpp>
 #include <trophic/replicates/sweep/team.hpp>

@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <trophic/command/backends.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/sweep.hpp>
