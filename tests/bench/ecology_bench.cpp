@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What a tick costs beside its physics: rules, perception, brains, gait control and logging, with and without MuJoCo.
 #include <benchmark/benchmark.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
+#include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/load/habitat.hpp>
@@ -51,21 +50,6 @@ class NoPhysics {
 };
 static_assert(trophic::JointDriven<NoPhysics>);
 
-/// A folder that is gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_{std::filesystem::temp_directory_path() / ("trophic-bench-" + std::to_string(::getpid()))} {
-    std::filesystem::create_directory(path_);
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// Ten ticks of the paper's rules with events, agents and genomes logged; the time reported is that of one.
 template <class Backend>
 void tick(benchmark::State& state, const typename Backend::Params& params) {
@@ -73,7 +57,7 @@ void tick(benchmark::State& state, const typename Backend::Params& params) {
   trophic::EcologyParams numbers = trophic::rules::Paper::ecology();
   numbers.robots = static_cast<std::size_t>(state.range(0));
   trophic::Ecology<trophic::rules::Paper, Backend> ecology({.ecology = numbers, .backend = params});
-  const TemporaryFolder folder;
+  const trophic::test::TemporaryFolder folder;
   trophic::observe::EventLog events{folder.path() / "events.csv"};
   trophic::observe::AgentLog agents{folder.path() / "agents.csv"};
   trophic::observe::GenomeLog genomes{folder.path() / "genomes.csv"};

@@ -3,10 +3,10 @@
 // robots.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <bench/resident_bytes.hpp>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -39,13 +39,7 @@ const std::array<Way, 5> ways{Way{"one_model", Stepping::one_model, 1}, Way{"isl
                               Way{"islands_2", Stepping::islands, 2}, Way{"fast_1", Stepping::fast, 1},
                               Way{"fast_2", Stepping::fast, 2}};
 
-/// Bytes of memory that the process holds now, and the most that it held since `forget_peak`.
-double resident_bytes() {
-  std::ifstream file{"/proc/self/statm"};
-  double total_pages = 0.0, resident_pages = 0.0;
-  file >> total_pages >> resident_pages;
-  return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
+/// The most memory that the process held since `forget_peak`, bytes.
 void forget_peak() {
   std::ofstream{"/proc/self/clear_refs"} << "5";
 }
@@ -94,7 +88,7 @@ class World {
     // Dropped with moving legs: 300 robots flat on their bellies make more contacts than one model has room for.
     for (trophic::Pose& start : starts) start.position_m.z() += 0.1;
     ::malloc_trim(0);
-    const double before_bytes = resident_bytes();
+    const double before_bytes = trophic::test::resident_bytes();
     forget_peak();
     backend_.emplace(spider, arena, starts, trophic::Physics{}, Mujoco::Params{.stepping = stepping, .threads = threads});
     const int ticks = robots > 1000 ? 15 : 30;

@@ -3,16 +3,15 @@
 // catches, births, hunger, logs, and the bodies, on the kinematic backend and on MuJoCo.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
-#include <unistd.h>
 
 #include <array>
+#include <bench/resident_bytes.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
-#include <filesystem>
-#include <fstream>
 #include <string>
+#include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -109,28 +108,6 @@ struct AfterLogs {
   void on_tick(const View&) { Clock::enter(Part::bodies); }
 };
 
-/// A folder that is gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_{std::filesystem::temp_directory_path() / ("trophic-scale-" + std::to_string(::getpid()))} {
-    std::filesystem::remove_all(path_);
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-double resident_bytes() {
-  std::ifstream file{"/proc/self/statm"};
-  double total_pages = 0.0, resident_pages = 0.0;
-  file >> total_pages >> resident_pages;
-  return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
-
 /// Processor time of this process, seconds: other programs on the machine do not count.
 double processor_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -164,10 +141,10 @@ void tick(benchmark::State& state, std::int64_t warm_up, std::int64_t ticks) {
   if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 1;
 
   ::malloc_trim(0);
-  const double before_bytes = resident_bytes();
+  const double before_bytes = test::resident_bytes();
   Ecology<TimedPaper, Timed<Backend>> ecology{numbers};
-  const TemporaryFolder folder;
-  observe::RunFolder files{folder.path(), {}, 0.0, Opening::made_new, state.range(1)};
+  const trophic::test::TemporaryFolder folder;
+  observe::RunFolder files{folder.path() / "run", {}, 0.0, Opening::made_new, state.range(1)};
   BeforeLogs before;
   AfterLogs after;
   WarmUp warm{warm_up};
@@ -184,7 +161,7 @@ void tick(benchmark::State& state, std::int64_t warm_up, std::int64_t ticks) {
   state.counters["rules_%"] = 100.0 - share(static_cast<std::size_t>(Part::bodies)) - share(static_cast<std::size_t>(Part::logs));
   const auto robots = static_cast<double>(numbers.ecology.robots);
   state.counters["us/robot"] = warm.elapsed_s() * 1e6 / static_cast<double>(ticks) / robots;
-  state.counters["bytes/robot"] = (resident_bytes() - before_bytes) / robots;
+  state.counters["bytes/robot"] = (test::resident_bytes() - before_bytes) / robots;
   state.counters["predators_%"] = 100.0 * static_cast<double>(ecology.view().count(1)) / robots;
 }
 
