@@ -80,13 +80,11 @@ struct AxisEffectRow {
           .mean = of.mean,
           .mean_reference = of.mean_reference,
           .difference = d.value,
-          .lower = d.interval ? std::optional{d.interval->lower} : std::nullopt,
-          .upper = d.interval ? std::optional{d.interval->upper} : std::nullopt,
+          .lower = lower_of(d.interval),
+          .upper = upper_of(d.interval),
           .p = d.p,
           .p_holm = d.adjusted,
-          .decided = !d.adjusted   ? ""
-                     : d.differs() ? "yes"
-                                   : "no"};
+          .decided = decided_text(d)};
 }
 
 /// Writes sweep_effects.csv. Throws std::runtime_error if it exists or cannot be written.

@@ -73,13 +73,11 @@ struct FlipRow {
           .base = effect.base.mean,
           .flipped = effect.flipped.mean,
           .difference = d.value,
-          .lower = d.interval ? std::optional{d.interval->lower} : std::nullopt,
-          .upper = d.interval ? std::optional{d.interval->upper} : std::nullopt,
+          .lower = lower_of(d.interval),
+          .upper = upper_of(d.interval),
           .p = d.p,
           .p_holm = d.adjusted,
-          .decided = !d.adjusted   ? ""
-                     : d.differs() ? "yes"
-                                   : "no"};
+          .decided = decided_text(d)};
 }
 
 /// A Markdown table of the effects that are decided, in the units that people read.

@@ -165,12 +165,6 @@ struct SweepDifferenceRow {
 };
 
 [[nodiscard]] inline SweepDifferenceRow row_of(const CellDifference& of, std::size_t reference) {
-  const auto lower = [](const std::optional<Interval>& interval) {
-    return interval ? std::optional{interval->lower} : std::nullopt;
-  };
-  const auto upper = [](const std::optional<Interval>& interval) {
-    return interval ? std::optional{interval->upper} : std::nullopt;
-  };
   const Difference& d = of.difference;
   return {.cell = of.cell,
           .reference = reference,
@@ -185,15 +179,13 @@ struct SweepDifferenceRow {
           .mean = of.mean,
           .mean_reference = of.mean_reference,
           .difference = d.value,
-          .lower = lower(d.interval),
-          .upper = upper(d.interval),
-          .lower_corrected = lower(of.corrected),
-          .upper_corrected = upper(of.corrected),
+          .lower = lower_of(d.interval),
+          .upper = upper_of(d.interval),
+          .lower_corrected = lower_of(of.corrected),
+          .upper_corrected = upper_of(of.corrected),
           .p = d.p,
           .p_holm = d.adjusted,
-          .decided = !d.adjusted   ? ""
-                     : d.differs() ? "yes"
-                                   : "no",
+          .decided = decided_text(d),
           .hedges_g = of.hedges_g,
           .runs_needed = of.runs_needed,
           .smallest_detectable = of.detectable};

@@ -38,18 +38,14 @@ namespace detail {
   row.runs = raw.runs;
   row.mean = raw.mean;
   row.deviation = raw.deviation;
-  if (raw.interval) {
-    row.lower = raw.interval->lower;
-    row.upper = raw.interval->upper;
-  }
+  row.lower = lower_of(raw.interval);
+  row.upper = upper_of(raw.interval);
   row.shadow_runs = values.shadow.size();
   row.shadow = mean_of(numbers(values.shadow));
   row.pairs = over.runs;
   row.over_shadow = over.mean;
-  if (over.interval) {
-    row.over_lower = over.interval->lower;
-    row.over_upper = over.interval->upper;
-  }
+  row.over_lower = lower_of(over.interval);
+  row.over_upper = upper_of(over.interval);
   return row;
 }
 

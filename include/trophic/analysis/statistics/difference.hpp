@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <trophic/analysis/statistics/holm.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
 #include <vector>
@@ -20,6 +21,12 @@ struct Difference {
   std::optional<double> adjusted;
   [[nodiscard]] bool differs() const { return adjusted && *adjusted <= 0.05; }
 };
+
+/// As tables have it: yes or no; empty without a p value.
+[[nodiscard]] inline std::string decided_text(const Difference& difference) {
+  if (!difference.adjusted) return "";
+  return difference.differs() ? "yes" : "no";
+}
 
 /// `value` is given by the caller, as a contrast needs more runs than a difference does.
 [[nodiscard]] inline Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of) {

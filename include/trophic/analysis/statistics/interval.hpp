@@ -21,6 +21,14 @@ struct Interval {
   double upper = 0.0;
 };
 
+/// The ends of an interval, where there is one.
+[[nodiscard]] inline std::optional<double> lower_of(const std::optional<Interval>& interval) {
+  return interval ? std::optional{interval->lower} : std::nullopt;
+}
+[[nodiscard]] inline std::optional<double> upper_of(const std::optional<Interval>& interval) {
+  return interval ? std::optional{interval->upper} : std::nullopt;
+}
+
 /// The plain mean; none of nothing.
 [[nodiscard]] inline std::optional<double> mean_of(std::span<const double> values) {
   if (values.empty()) return std::nullopt;
