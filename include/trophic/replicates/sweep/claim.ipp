@@ -17,6 +17,7 @@
 #include <thread>
 #include <trophic/replicates/sweep/claim.hpp>
 #include <trophic/support/host_name.hpp>
+#include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 
@@ -101,16 +102,6 @@ inline constexpr const char* owner_file = "owner.json";
   return last;
 }
 
-/// Writes who has a claim. Whoever reads it half written sees a live owner of unknown name.
-inline void write_owner(const std::filesystem::path& claim) {
-  const std::string text =
-      nlohmann::json{{"host", host_name()}, {"process", ::getpid()}, {"space", process_space()}}.dump() + "\n";
-  const int file = ::open((claim / owner_file).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  const bool is_written = file >= 0 && ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  if (file >= 0) ::close(file);
-  if (!is_written) throw std::runtime_error{"cannot write " + (claim / owner_file).string()};
-}
-
 }  // namespace detail
 
 struct Claim::Renewal {
@@ -161,7 +152,8 @@ TROPHIC_INLINE std::optional<Claim> Claim::take(const std::filesystem::path& cla
     if (errno == EEXIST) return std::nullopt;
     throw std::runtime_error{"cannot make " + folder.string() + ": " + std::generic_category().message(errno)};
   }
-  detail::write_owner(folder);
+  const nlohmann::json owner{{"host", host_name()}, {"process", ::getpid()}, {"space", detail::process_space()}};
+  replace_file(folder / detail::owner_file, owner.dump() + "\n");
   return Claim{claims, run, generation, lease_s};
 }
 

@@ -34,6 +34,12 @@ struct Tally {
   std::vector<std::string> unfinished;  ///< a sentence for each that failed, was stopped or was not begun
 };
 
+/// Counts how the last attempts at the runs of a shard ended; `results` by the plan's numbers.
+[[nodiscard]] Tally tally_of(const std::vector<PlannedRun>& plan, const Shard& shard, const std::vector<Result>& results);
+
+/// What stands in place of a result before the first attempt.
+inline constexpr const char* not_begun = "not begun";
+
 /// Makes attempts at the runs of a shard, `jobs` at a time, until each is complete or has failed here; waits for those that other
 /// programs work on and takes over those whose claims go stale. `go_on` is asked before each attempt and while waiting.
 [[nodiscard]] Tally work_through(const std::vector<PlannedRun>& plan, const Shard& shard, std::size_t jobs,

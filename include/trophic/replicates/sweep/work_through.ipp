@@ -78,10 +78,27 @@ class Queue {
 
 }  // namespace detail
 
+TROPHIC_INLINE Tally tally_of(const std::vector<PlannedRun>& plan, const Shard& shard, const std::vector<Result>& results) {
+  Tally tally;
+  for (std::size_t run = 0; run < plan.size(); ++run) {
+    const Result& result = results[run];
+    if (!shard.holds(run)) continue;
+    if (result.ended == Ended::was_complete) {
+      ++tally.kept;
+    } else if (result.ended == Ended::complete) {
+      ++tally.complete;
+    } else {
+      const std::string at_work = result.ended == Ended::elsewhere && result.text != not_begun ? "at work elsewhere: " : "";
+      tally.unfinished.push_back(plan[run].folder.string() + ": " + at_work + result.text);
+    }
+  }
+  return tally;
+}
+
 TROPHIC_INLINE Tally work_through(const std::vector<PlannedRun>& plan, const Shard& shard, std::size_t jobs,
                                   const std::function<Result(const PlannedRun&)>& attempt, const std::function<bool()>& go_on) {
   const std::vector<std::size_t> order = longest_first(plan, shard);
-  std::vector<Result> results(plan.size(), Result{Ended::elsewhere, "not begun"});
+  std::vector<Result> results(plan.size(), Result{Ended::elsewhere, not_begun});
   detail::Queue queue{order};
   const auto work = [&] {
     while (const auto run = queue.next(go_on)) {
@@ -94,19 +111,7 @@ TROPHIC_INLINE Tally work_through(const std::vector<PlannedRun>& plan, const Sha
     for (std::size_t i = 1; i < std::min(jobs, order.size()); ++i) helpers.emplace_back(work);
     work();
   }
-  Tally tally;
-  for (const std::size_t run : order) {
-    const Result& result = results[run];
-    if (result.ended == Ended::was_complete) {
-      ++tally.kept;
-    } else if (result.ended == Ended::complete) {
-      ++tally.complete;
-    } else {
-      const std::string at_work = result.ended == Ended::elsewhere && result.text != "not begun" ? "at work elsewhere: " : "";
-      tally.unfinished.push_back(plan[run].folder.string() + ": " + at_work + result.text);
-    }
-  }
-  return tally;
+  return tally_of(plan, shard, results);
 }
 
 }  // namespace trophic::sweep

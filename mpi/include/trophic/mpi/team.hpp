@@ -4,7 +4,6 @@
 
 #include <mpi.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
@@ -14,11 +13,12 @@
 #include <iostream>
 #include <map>
 #include <memory>
-#include <stdexcept>
+#include <set>
 #include <string>
 #include <thread>
 #include <trophic/replicates/sweep/claim.hpp>
 #include <trophic/replicates/sweep/team.hpp>
+#include <trophic/replicates/sweep/work_through.hpp>
 #include <utility>
 #include <vector>
 
@@ -54,7 +54,11 @@ struct Report {
 class Leader {
  public:
   Leader(const std::vector<sweep::PlannedRun>& plan, std::filesystem::path sweep, double lease_s, std::size_t workers)
-      : plan_{plan}, sweep_{std::move(sweep)}, lease_s_{lease_s}, workers_{workers}, results_(plan.size(), {{}, "not begun"}) {
+      : plan_{plan},
+        sweep_{std::move(sweep)},
+        lease_s_{lease_s},
+        workers_{workers},
+        results_(plan.size(), {sweep::Ended::elsewhere, sweep::not_begun}) {
     for (const std::size_t run : sweep::longest_first(plan)) pending_.push_back(run);
   }
 
@@ -70,10 +74,10 @@ class Leader {
       std::this_thread::sleep_for(pause);
     }
     for (const int worker : free_) send(worker, no_run);
-    return tally();
+    return sweep::tally_of(plan_, {}, results_);
   }
 
-  /// Whether a worker died: then MPI_Finalize would wait for it.
+  /// Whether a worker died: then there is no MPI_Finalize, in which all ranks take part.
   [[nodiscard]] bool has_lost_workers() const { return !lost_.empty(); }
 
  private:
@@ -101,6 +105,7 @@ class Leader {
 
   void hear(int worker, const Report& report) {
     given_.erase(worker);
+    suspects_.erase(worker);
     lost_.erase(worker);
     free_.push_back(worker);
     if (report.run == no_run) return;
@@ -140,7 +145,7 @@ class Leader {
       const sweep::PlannedRun& run = plan_[given.run];
       if (!sweep::claimant_of(sweep_ / sweep::claims_name, run.index, lease_s_).empty()) {
         suspects_.erase(worker);
-      } else if (!suspects_.insert_or_assign(worker, given.run).second) {
+      } else if (!suspects_.insert(worker).second) {
         silent.push_back(worker);
       }
     }
@@ -154,23 +159,8 @@ class Leader {
       }
       given_.erase(worker);
       suspects_.erase(worker);
-      lost_[worker] = true;
+      lost_.insert(worker);
     }
-  }
-
-  [[nodiscard]] sweep::Tally tally() const {
-    sweep::Tally tally;
-    for (std::size_t run = 0; run < plan_.size(); ++run) {
-      const sweep::Result& result = results_[run];
-      if (result.ended == sweep::Ended::was_complete) {
-        ++tally.kept;
-      } else if (result.ended == sweep::Ended::complete) {
-        ++tally.complete;
-      } else {
-        tally.unfinished.push_back(plan_[run].folder.string() + ": " + result.text);
-      }
-    }
-    return tally;
   }
 
   const std::vector<sweep::PlannedRun>& plan_;
@@ -182,8 +172,8 @@ class Leader {
   std::deque<std::pair<std::size_t, Clock::time_point>> later_;  ///< those that programs of another job work on
   std::deque<int> free_;
   std::map<int, Given> given_;
-  std::map<int, std::size_t> suspects_;
-  std::map<int, bool> lost_;
+  std::set<int> suspects_;  ///< whose run nobody claimed at the last look
+  std::set<int> lost_;
   Clock::time_point next_look_;
 };
 
@@ -203,7 +193,7 @@ class Team final : public sweep::Team {
 
   ~Team() override {
     if (has_lost_workers_) {
-      // MPI_Finalize would wait for ranks that are no more.
+      // All ranks take part in MPI_Finalize, and one is no more.
       std::cout.flush();
       std::cerr.flush();
       return;
