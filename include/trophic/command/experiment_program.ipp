@@ -18,6 +18,7 @@
 #include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/sweep.hpp>
+#include <trophic/command/toml_of_json.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/load/toml_writer.hpp>
 #include <trophic/observe/next_free_folder.hpp>
@@ -37,14 +38,8 @@ namespace detail {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
       table.insert(key, toml_of(value));
-    } else if (value.is_boolean()) {
-      table.insert(key, value.get<bool>());
-    } else if (value.is_number_integer()) {
-      table.insert(key, value.get<std::int64_t>());
-    } else if (value.is_number()) {
-      table.insert(key, value.get<double>());
     } else {
-      table.insert(key, value.get<std::string>());
+      insert_value(table, key, value);
     }
   }
   return table;

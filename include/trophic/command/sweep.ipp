@@ -20,6 +20,7 @@
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/sweep.hpp>
+#include <trophic/command/toml_of_json.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/next_free_folder.hpp>
@@ -51,15 +52,7 @@ inline void insert(toml::table& table, std::string_view path, const nlohmann::or
     if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is below a key that has a value"};
     return insert(*nested->as_table(), path.substr(dot + 1), value);
   }
-  if (value.is_boolean()) {
-    table.insert(path, value.get<bool>());
-  } else if (value.is_number_integer()) {
-    table.insert(path, value.get<std::int64_t>());
-  } else if (value.is_number()) {
-    table.insert(path, value.get<double>());
-  } else {
-    table.insert(path, value.get<std::string>());
-  }
+  insert_value(table, path, value);
 }
 
 /// Settings as a configuration file has them.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Numbers, texts and switches of JSON as a configuration file has them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <trophic/params/toml.hpp>
+
+namespace trophic::command {
+
+/// Puts a value into a table under a key. Throws nlohmann::json::exception for what is no number, text or switch.
+template <class Json>
+void insert_value(toml::table& table, std::string_view key, const Json& value) {
+  if (value.is_boolean()) {
+    table.insert(key, value.template get<bool>());
+  } else if (value.is_number_integer()) {
+    table.insert(key, value.template get<std::int64_t>());
+  } else if (value.is_number()) {
+    table.insert(key, value.template get<double>());
+  } else {
+    table.insert(key, value.template get<std::string>());
+  }
+}
+
+}  // namespace trophic::command
