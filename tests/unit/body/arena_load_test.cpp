@@ -58,11 +58,15 @@ TEST_CASE("the floor is the largest centred square of zeros") {
 }
 
 TEST_CASE("a floor that follows the number of robots: 30 on 20 m x 20 m, four times as many on twice the side") {
-  for (const auto& [robots, side_m] : {std::pair{30, 20.0}, {120, 40.0}, {3000, 200.0}}) {
-    CAPTURE(robots);
-    const Arena arena = load_arena("walled_by_density", TROPHIC_MODEL_DIR, static_cast<std::size_t>(robots));
+  struct Case {
+    std::size_t robots;
+    double side_m;
+  };
+  for (const Case& expected : {Case{30, 20.0}, Case{120, 40.0}, Case{3000, 200.0}}) {
+    CAPTURE(expected.robots);
+    const Arena arena = load_arena("walled_by_density", TROPHIC_MODEL_DIR, expected.robots);
     CHECK(arena.name == "walled_by_density");
-    CHECK(arena.extent_m == doctest::Approx(side_m).epsilon(1e-15));
+    CHECK(arena.extent_m == doctest::Approx(expected.side_m).epsilon(1e-15));
     CHECK(arena.half_side_m == arena.extent_m / 2.0);
     CHECK_FALSE(arena.height_field);
   }
