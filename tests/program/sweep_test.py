@@ -6,6 +6,7 @@ same files, and what cannot be run is refused in one line.
 SWEEPS: the folder of examples with a Slurm script and a Snakefile. The quick part has a small grid; --long runs 24 cells x 3."""
 
 import argparse
+import csv
 import filecmp
 import json
 import os
@@ -32,6 +33,7 @@ HAS_MPI = "libmpi" in subprocess.run(["ldd", OPTIONS.program], capture_output=Tr
 
 SHORT = f"""
 replicates = 2
+agents_every = 2
 [set]
 ecology.duration_s = 10.0
 [grid]
@@ -137,6 +139,13 @@ class Ways(Sweeps):
         self.assertTrue(all(len(each) == 1 for each in seeds.values()), "replicate k has one seed in all cells")
         self.assertEqual(sorted(path.name for path in (self.sets / "one").iterdir() if not path.name.startswith("cell-")),
                          ["plan.jsonl", "sweep.toml"])
+
+    @unittest.skipIf(OPTIONS.long, "the long sweep has every tick")
+    def test_agents_of_every_other_tick(self):
+        for run in (self.sets / "one").glob("cell-*/replicate-*"):
+            with open(run / "agents.csv", newline="") as file:
+                times = {float(row["time_s"]) for row in csv.DictReader(file)}
+            self.assertEqual(times, {0.0, 4.0, 8.0})
 
     def test_jobs(self):
         self.assert_done(self.sweep("--jobs", "2"))
@@ -377,6 +386,9 @@ class Refusals(Sweeps):
         done = self.sweep(file="small.toml", out="small")
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
         self.assertIn("small/plan.jsonl:2: the folder holds another plan", done.stderr)
+        for keeps in ("replay_hz = 5.0", "agents_every = 2"):
+            self.write("small.toml", f"{keeps}\n{text}")
+            self.assertIn("small/plan.jsonl:1: the folder holds another plan", self.sweep(file="small.toml", out="small").stderr)
 
     def test_folder_of_something_else(self):
         (self.folder / "out").mkdir()

@@ -100,6 +100,8 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
     run.index = plan.size();
     run.replicate = replicate;
     run.seed = replicates::seed_of(master_seed, replicate);
+    run.replay_hz = file.numbers.replay_hz;
+    run.agents_every = file.numbers.agents_every;
     run.folder = like.folder / replicates::name_of(replicate);
     plan.push_back(std::move(run));
   }
@@ -150,11 +152,11 @@ class Runner {
       : options_{options}, pairings_{pairings}, stop_{stop} {}
 
   /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder.
-  void run(const PlannedRun& run, double replay_hz, const std::filesystem::path& folder, observe::JointProgress& progress,
+  void run(const PlannedRun& run, const std::filesystem::path& folder, observe::JointProgress& progress,
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, replay_hz};
+    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, run.replay_hz, run.agents_every};
     keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
     pairing_of(run.rule_table, run.engine, pairings_)
         .run_planned(config, run.shadow, run.seed, folder, keeping, progress.watch(run.folder.string()), stop_);
@@ -179,7 +181,7 @@ class Runner {
   for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
     const std::filesystem::path folder = observe::next_free_folder(beside);
     const observe::Stopwatch watch;
-    runner.run(run, 0.0, folder, quiet, until_s);
+    runner.run(run, folder, quiet, until_s);
     const double wall_s = watch.elapsed_s();
     std::filesystem::remove_all(folder);
     if (wall_s > 0.5 || until_s >= run.until_s) return wall_s / (run.work * until_s / run.until_s);
@@ -250,7 +252,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   refuse(options.replicates.has_value(), "--replicates", in_file);
   refuse(options.shadow, "--shadow", in_file);
   refuse(options.replay_hz.has_value(), "--replay-hz", in_file);
-  refuse(options.agents_every != 1, "--agents-every", "its runs have every tick");
+  refuse(options.agents_every != 1, "--agents-every", in_file);
   refuse(!options.config.empty(), "--config", in_file);
   refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
   refuse(options.resume, "--resume", "a sweep always goes on with what is not complete");
@@ -309,12 +311,10 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector
   const observe::StopOnSignal stop;
   const detail::sweeps::Runner runner{options, pairings, stop};
   std::vector<sweep::PlannedRun> plan;
-  double replay_hz = 0.0;
   sweep::Shard shard;
   try {
     detail::sweeps::check(options, team);
     const sweep::SweepFile file = sweep::read_sweep(options.sweep);
-    replay_hz = file.numbers.replay_hz;
     if (!options.shard.empty()) shard = sweep::shard_of(options.shard);
     if (leads) {
       plan = plan_of(file, pairings);
@@ -336,7 +336,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector
   observe::JointProgress progress{runs, plan.front().until_s, std::cout};
   const auto attempt = [&](const sweep::PlannedRun& run) {
     return sweep::attempt(options.out, run, options.lease_s,
-                          [&](const std::filesystem::path& folder) { runner.run(run, replay_hz, folder, progress); });
+                          [&](const std::filesystem::path& folder) { runner.run(run, folder, progress); });
   };
   const auto go_on = [&] { return stop.keep_running(); };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());

@@ -90,6 +90,8 @@ TEST_CASE("a broken plan is refused with line, field, value and bound") {
            std::tuple{"6000.0", "0", "plan.jsonl:3: until_s = 0: must be > 0"},
            std::tuple{"6000.0", "\"long\"", "plan.jsonl:3: until_s = \"long\": must be a number"},
            std::tuple{"180000.0", "-1", "plan.jsonl:3: work = -1: must be >= 0"},
+           std::tuple{"\"replay_hz\":0.0", "\"replay_hz\":-5.0", "plan.jsonl:3: replay_hz = -5.0: must be >= 0"},
+           std::tuple{"\"agents_every\":1", "\"agents_every\":0", "plan.jsonl:3: agents_every = 0: must be >= 1 and <= 9"},
            std::tuple{"cell-1/replicate-0", "../replicate-0",
                       "plan.jsonl:3: folder = \"../replicate-0\": must be a folder within"},
            std::tuple{"cell-1/replicate-0", "a/../../b", "must be a folder within"},
@@ -126,6 +128,10 @@ TEST_CASE("the runs of a cell are those of one cell") {
   CHECK(refused([](auto& runs) { runs[3].settings["a.switch"] = false; }).starts_with("plan.jsonl:4: settings = {"));
   CHECK(refused([](auto& runs) { runs[7].until_s = 5.0; }) ==
         "plan.jsonl:8: until_s = 5.0: must be 6000.0, as in the other runs of cell 1");
+  CHECK(refused([](auto& runs) { runs[6].agents_every = 3; }) ==
+        "plan.jsonl:7: agents_every = 3: must be 1, as in the other runs of cell 1");
+  CHECK(refused([](auto& runs) { runs[7].replay_hz = 5.0; }) ==
+        "plan.jsonl:8: replay_hz = 5.0: must be 0.0, as in the other runs of cell 1");
   CHECK(refused([](auto& runs) { runs[7].fingerprint = "f0o"; }) ==
         "plan.jsonl:8: fingerprint = \"f0o\": must be \"f1s\", as in the other runs of cell 1");
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -43,6 +44,11 @@ class PlanLine {
   [[nodiscard]] std::uint64_t whole(std::string_view field) const {
     if (!at(field).is_number_unsigned()) reject(field, "be a whole number >= 0");
     return at(field).get<std::uint64_t>();
+  }
+  [[nodiscard]] std::int64_t ticks(std::string_view field) const {
+    constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    if (whole(field) < 1 || whole(field) > most) reject(field, "be >= 1 and <= " + std::to_string(most));
+    return static_cast<std::int64_t>(whole(field));
   }
   [[nodiscard]] double number(std::string_view field) const {
     if (!at(field).is_number()) reject(field, "be a number");
@@ -91,6 +97,9 @@ class PlanLine {
   run.seed = line.whole("seed");
   run.until_s = line.number("until_s");
   if (!(run.until_s > 0.0)) line.reject("until_s", "be > 0");
+  run.replay_hz = line.number("replay_hz");
+  if (!(run.replay_hz >= 0.0)) line.reject("replay_hz", "be >= 0");
+  run.agents_every = line.ticks("agents_every");
   run.work = line.number("work");
   if (!(run.work >= 0.0)) line.reject("work", "be >= 0");
   run.folder = line.folder("folder");
@@ -125,6 +134,8 @@ class RunsSoFar {
     same("engine", run.engine, first.engine);
     same("settings", run.settings, first.settings);
     same("until_s", run.until_s, first.until_s);
+    same("replay_hz", run.replay_hz, first.replay_hz);
+    same("agents_every", run.agents_every, first.agents_every);
     same("fingerprint", run.fingerprint, fingerprints_.emplace(std::pair{run.cell, run.shadow}, run.fingerprint).first->second);
   }
 
@@ -166,6 +177,8 @@ TROPHIC_INLINE std::string plan_text(std::span<const PlannedRun> runs) {
                                       {"settings", run.settings},
                                       {"seed", run.seed},
                                       {"until_s", run.until_s},
+                                      {"replay_hz", run.replay_hz},
+                                      {"agents_every", run.agents_every},
                                       {"work", run.work},
                                       {"folder", run.folder.string()},
                                       {"fingerprint", run.fingerprint}};

@@ -36,6 +36,7 @@ inline constexpr std::size_t most_runs = 1'000'000;
 ///     paired = true                  # replicate k has the same seed in every cell
 ///     shadow = false                 # each run's neutral shadow, too
 ///     replay_hz = 0.0                # frames of each run's recording in a simulated second: 0, 5, 10 or 30
+///     agents_every = 1               # each agents.csv has the ticks whose number is a multiple of it
 ///     [set]                          # in every run
 ///     ecology.duration_s = 3000.0
 ///     [grid]                         # every value with every other
@@ -53,6 +54,7 @@ struct SweepFile {
     bool paired = true;
     bool shadow = false;
     double replay_hz = 0.0;
+    std::int64_t agents_every = 1;
 
     static constexpr auto fields() {
       return std::tuple{
@@ -60,7 +62,8 @@ struct SweepFile {
           field("seed", &Numbers::seed, any_seed(), "the seeds of all runs follow from it"),
           field("paired", &Numbers::paired, "replicate k has the same seed in every cell"),
           field("shadow", &Numbers::shadow, "each run's neutral shadow, too"),
-          field("replay_hz", &Numbers::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second")};
+          field("replay_hz", &Numbers::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second"),
+          field("agents_every", &Numbers::agents_every, between(1.0, 1e6), "ticks from one to the next in agents.csv")};
     }
   };
 
