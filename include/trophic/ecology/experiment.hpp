@@ -10,7 +10,6 @@
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
-#include <tuple>
 
 namespace trophic {
 
@@ -23,10 +22,13 @@ struct Experiment {
   RuleParams<Rules> rules{};
   typename B::Params backend{};
 
-  static constexpr auto fields() {
-    return std::tuple{field("seed", &Experiment::seed, any_seed(), "every random number follows from it"),
-                      field("ecology", &Experiment::ecology), field("physics", &Experiment::physics),
-                      field("rules", &Experiment::rules), field("backend", &Experiment::backend)};
+  template <class Self, class Visitor>
+  static constexpr void visit_fields(Self& experiment, Visitor&& visit) {
+    visit(FieldText{"seed", any_seed(), "every random number follows from it"}, experiment.seed);
+    visit(FieldText{"ecology"}, experiment.ecology);
+    visit(FieldText{"physics"}, experiment.physics);
+    visit(FieldText{"rules"}, experiment.rules);
+    visit(FieldText{"backend"}, experiment.backend);
   }
 };
 

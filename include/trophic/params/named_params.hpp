@@ -38,13 +38,14 @@ void add_named_param(NamedParams& named_params, std::string_view path, std::stri
                      std::string_view value);
 
 template <class P>
-void append_named_params(const P& params, std::string_view path, NamedParams& named_params) {
-  static_assert(OpenParams<P>, "Params must be an aggregate: public numbers, no constructor");
-  static_assert(AllListed<members_of<P>, fields_of<P>>,
-                "Params must list every number in fields(); see trophic/params/params.hpp");
-  static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
-  for_each_field(params, [&](const auto& f, const auto& value) {
-    using T = std::remove_cvref_t<decltype(value)>;
+void append_named_params(const P& params, std::string_view path, NamedParams& named_params);
+
+struct AppendNamedParam {
+  std::string_view path;
+  NamedParams& named_params;
+
+  template <class T>
+  void operator()(const FieldText& f, const T& value) const {
     const auto add = [&](auto plain) { add_named_param(named_params, path, f.name, f.help, plain); };
     if constexpr (std::same_as<T, bool>) {
       add(value);
@@ -59,7 +60,16 @@ void append_named_params(const P& params, std::string_view path, NamedParams& na
     } else {
       append_named_params(value, join_path(path, f.name), named_params);
     }
-  });
+  }
+};
+
+template <class P>
+void append_named_params(const P& params, std::string_view path, NamedParams& named_params) {
+  static_assert(OpenParams<P>, "Params must be an aggregate: public numbers, no constructor");
+  static_assert(AllListed<members_of<P>, fields_of<P>>,
+                "Params must list every number in fields(); see trophic/params/params.hpp");
+  static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
+  for_each_field(params, AppendNamedParam{path, named_params});
 }
 
 }  // namespace detail

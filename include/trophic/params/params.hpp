@@ -45,33 +45,56 @@ struct Bound {
   return between(0.0, 9007199254740992.0);
 }
 
-/// One named member of a Params struct. `help` is the line that `--print-config` shows beside it.
-template <class Owner, class T>
-struct Field {
+/// What is said of a member of a Params struct. `help` is the line that `--print-config` shows beside it.
+struct FieldText {
   std::string_view name;
+  Bound bound = {};
+  std::string_view help = {};
+};
+
+/// One named member of a Params struct.
+template <class Owner, class T>
+struct Field : FieldText {
   T Owner::*member;
-  Bound bound;
-  std::string_view help;
 };
 
 /// A number with its bound.
 template <class Owner, class T>
 [[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::*member, Bound bound, std::string_view help = {}) {
-  return {name, member, bound, help};
+  return {{name, bound, help}, member};
 }
 
 /// A switch, a text, an enumeration (declare `constexpr std::array<std::string_view, N> enum_names(E)`) or a nested Params.
 template <class Owner, class T>
 [[nodiscard]] constexpr Field<Owner, T> field(std::string_view name, T Owner::*member, std::string_view help = {}) {
-  return {name, member, Bound{}, help};
+  return {{name, Bound{}, help}, member};
 }
 
 /// A struct that lists its fields: `static constexpr auto fields() { return std::tuple{field("max_age_s", &Params::max_age_s,
 /// above(0))}; }`.
 template <class P>
-concept HasFields = requires {
+concept ListsFields = requires {
   std::tuple_size<decltype(P::fields())>::value;
 };
+
+namespace detail {
+
+struct AnyVisitor {
+  template <class T>
+  void operator()(const FieldText&, T&) const {}
+};
+
+}  // namespace detail
+
+/// A struct that calls `visit(FieldText, member)` for each of its members itself: one that is another for each rule table, of
+/// which a list would be compiled for each.
+template <class P>
+concept VisitsFields = requires(P& params, detail::AnyVisitor visit) {
+  P::visit_fields(params, visit);
+};
+
+template <class P>
+concept HasFields = ListsFields<P> || VisitsFields<P>;
 
 /// What a policy's Params must be: empty, or with every number listed, so that no number can be missing from a manifest.
 template <class P>
@@ -86,7 +109,7 @@ concept AllListed = members == listed;
 /// Whether fields() lists no member and no name twice.
 template <class P>
 [[nodiscard]] consteval bool listed_once() {
-  if constexpr (HasFields<P>) {
+  if constexpr (ListsFields<P>) {
     const auto same = [](const auto& a, const auto& b) {
       if constexpr (std::same_as<decltype(a.member), decltype(b.member)>) return a.name == b.name || a.member == b.member;
       return a.name == b.name;
@@ -102,18 +125,18 @@ template <class P>
 
 template <class P>
 inline constexpr std::size_t fields_of = 0;
-template <HasFields P>
+template <ListsFields P>
 inline constexpr std::size_t fields_of<P> = std::tuple_size_v<decltype(P::fields())>;
 
 /// As many as are listed where fields() is missing or P is no aggregate: both have sentences of their own.
 template <class P>
 inline constexpr std::size_t members_of = fields_of<P>;
-template <HasFields P>
+template <ListsFields P>
 requires std::is_aggregate_v<P>
 inline constexpr std::size_t members_of<P> = member_count<P>();
 
 template <class P>
-concept OpenParams = !HasFields<P> || std::is_aggregate_v<P>;
+concept OpenParams = !ListsFields<P> || std::is_aggregate_v<P>;
 
 }  // namespace detail
 
@@ -133,7 +156,9 @@ template <class P, class Visitor>
 constexpr void for_each_field(P& params, Visitor&& visit) {
   using Plain = std::remove_const_t<P>;
   static_assert(Parameters<Plain>, "Params must be empty or list every number in fields(); see trophic/params/params.hpp");
-  if constexpr (HasFields<Plain>) {
+  if constexpr (VisitsFields<Plain>) {
+    Plain::visit_fields(params, visit);
+  } else if constexpr (ListsFields<Plain>) {
     constexpr auto fields = Plain::fields();
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (visit(std::get<I>(fields), params.*(std::get<I>(fields).member)), ...);
@@ -170,19 +195,32 @@ namespace detail {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument "PATH = VALUE: must be ..." for the first field, nested ones included, outside its bound; a
-/// number that is not finite is outside every bound.
 template <class P>
-void validate(const P& params, std::string_view path) {
-  for_each_field(params, [&](const auto& f, const auto& value) {
-    using T = std::remove_cvref_t<decltype(value)>;
+void validate(const P& params, std::string_view path);
+
+namespace detail {
+
+struct Validate {
+  std::string_view path;
+
+  template <class T>
+  void operator()(const FieldText& f, const T& value) const {
     if constexpr (HasFields<T>) {
       validate(value, join_path(path, f.name));
     } else if constexpr (std::is_arithmetic_v<T> && !std::same_as<T, bool>) {
       const auto number = static_cast<double>(value);
-      if (!detail::within(number, f.bound)) detail::reject_number(path, f.name, number, number_text(value), f.bound);
+      if (!within(number, f.bound)) reject_number(path, f.name, number, number_text(value), f.bound);
     }
-  });
+  }
+};
+
+}  // namespace detail
+
+/// Throws std::invalid_argument "PATH = VALUE: must be ..." for the first field, nested ones included, outside its bound; a
+/// number that is not finite is outside every bound.
+template <class P>
+void validate(const P& params, std::string_view path) {
+  for_each_field(params, detail::Validate{path});
 }
 
 /// The path of the first number, nested ones included, in which two Params differ; empty if there is none.

@@ -67,27 +67,39 @@ void read_value(T& target, const toml::node& node, const std::string& path) {
 }
 
 template <class P>
+void read_table(P& params, const toml::table& table, const std::string& prefix);
+
+/// Sets the field that has the name `key`.
+struct ReadField {
+  std::string_view key;
+  const toml::node& node;
+  const std::string& path;
+  bool known = false;
+  std::string keys = {};  ///< of all fields
+
+  template <class T>
+  void operator()(const FieldText& f, T& value) {
+    keys += (keys.empty() ? "" : ", ") + std::string{f.name};
+    if (f.name != key) return;
+    known = true;
+    if constexpr (HasFields<T> || (std::is_empty_v<T> && !std::is_enum_v<T>)) {
+      if (!node.is_table()) reject(path, node, "a table of numbers");
+      read_table(value, *node.as_table(), path);
+    } else {
+      read_value(value, node, path);
+    }
+  }
+};
+
+template <class P>
 void read_table(P& params, const toml::table& table, const std::string& prefix) {
   for (const auto& entry : table) {
-    const std::string_view key = entry.first.str();
-    const toml::node& node = entry.second;
-    const std::string path = join_path(prefix, key);
-    bool known = false;
-    std::string keys;
-    for_each_field(params, [&](const auto& f, auto& value) {
-      using T = std::remove_cvref_t<decltype(value)>;
-      keys += (keys.empty() ? "" : ", ") + std::string{f.name};
-      if (f.name != key) return;
-      known = true;
-      if constexpr (HasFields<T> || (std::is_empty_v<T> && !std::is_enum_v<T>)) {
-        if (!node.is_table()) reject(path, node, "a table of numbers");
-        read_table(value, *node.as_table(), path);
-      } else {
-        read_value(value, node, path);
-      }
-    });
-    if (!known) {
-      throw std::invalid_argument{path + ": unknown key; " + (keys.empty() ? "this rule has no numbers" : "known here: " + keys)};
+    const std::string path = join_path(prefix, entry.first.str());
+    ReadField read{.key = entry.first.str(), .node = entry.second, .path = path};
+    for_each_field(params, read);
+    if (!read.known) {
+      throw std::invalid_argument{path + ": unknown key; " +
+                                  (read.keys.empty() ? "this rule has no numbers" : "known here: " + read.keys)};
     }
   }
 }

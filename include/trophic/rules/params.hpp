@@ -6,7 +6,6 @@
 #include <trophic/params/policy.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/slots.hpp>
-#include <tuple>
 
 namespace trophic {
 
@@ -29,12 +28,6 @@ template <class Rules>
   return {};
 }
 
-/// A tuple of all arguments but the first, which lets a list begin with a comma.
-template <class... Items>
-[[nodiscard]] constexpr std::tuple<Items...> tuple_after(int, Items... items) {
-  return {items...};
-}
-
 }  // namespace detail
 
 /// The numbers of an experiment's rules, one member per slot. Each starts at what the table states.
@@ -46,10 +39,11 @@ struct RuleParams {
   TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)
 #undef TROPHIC_NUMBERS
 
-  static constexpr auto fields() {
-#define TROPHIC_FIELD(Slot, member, kind, Contract) , field(#member, &RuleParams::member)
-    return detail::tuple_after(0 TROPHIC_RULE_SLOTS(TROPHIC_FIELD));
-#undef TROPHIC_FIELD
+  template <class Self, class Visitor>
+  static constexpr void visit_fields(Self& params, Visitor&& visit) {
+#define TROPHIC_VISIT(Slot, member, kind, Contract) visit(FieldText{#member}, params.member);
+    TROPHIC_RULE_SLOTS(TROPHIC_VISIT)
+#undef TROPHIC_VISIT
   }
 };
 
