@@ -6,31 +6,15 @@ where it is installed, the other of g++ and clang++ give exactly one error, and 
 then starts from it."""
 
 import argparse
-import json
 import os
 import pathlib
 import re
-import shlex
 import shutil
 import subprocess
 import sys
 
-MEANING = ("-std=", "-D", "-I", "-isystem")  # of a compiler's flags, those that say what the source means
-
-
-def compile_command(database: str, source: str) -> tuple[list[str], str]:
-    """The build system's own command for the source: its compiler and the flags that give the source its meaning."""
-    for entry in json.loads(pathlib.Path(database).read_text()):
-        if os.path.samefile(os.path.join(entry["directory"], entry["file"]), source):
-            words = shlex.split(entry["command"])
-            compiler = next(word for word in words if "++" in pathlib.Path(word).name)  # after a launcher
-            flags = [
-                word
-                for before, word in zip(words, words[1:])
-                if word.startswith(MEANING) or before in ("-D", "-I", "-isystem")
-            ]
-            return [compiler, *flags, "-fsyntax-only"], entry["directory"]
-    sys.exit(f"{source} is not in {database}")
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from compile_command import compile_command  # noqa: E402
 
 
 def family(compiler: str) -> str:

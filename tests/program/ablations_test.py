@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """ablations_test.py ABLATIONS PREDATOR_PREY TROPHIC: flips of the two tables, as users run and read them."""
 
+import collections
 import csv
 import json
 import shutil
@@ -83,9 +84,16 @@ class Ablations(InFolderWithSets):
         paths = {path.removeprefix("rules.") for path in x.keys() | y.keys() if x.get(path) != y.get(path)}
         return slots | {path for path in paths if path.split(".")[0] not in slots and path != "seed"}
 
+    def assert_lived(self, run):
+        """Robots died, and every place of the dead and of the 30 at the start had a birth."""
+        with open(run / "events.csv", newline="") as file:
+            kinds = collections.Counter(row["event"] for row in csv.DictReader(file))
+        self.assertGreater(kinds["death"], 0, run)
+        self.assertEqual(kinds["birth"], kinds["death"] + 30, run)
+
     def test_each_flip_changes_what_it_says_and_nothing_else(self):
         out = self.folder / "out"
-        self.run_ok("--duration", 10, "--replicates", 1, "--out", out)
+        self.run_ok("--duration", 300, "--replicates", 1, "--jobs", 2, "--out", out)
         skipped = {"ecology.robot", "ecology.cpg_integration", "physics.timestep_s", "physics.integrator"}
         for table, other in (("paper", "released"), ("released", "paper")):
             base = manifest(out / f"from_{table}/base/replicate-00")
@@ -95,6 +103,7 @@ class Ablations(InFolderWithSets):
             together = set()
             for flip in flips - skipped:
                 with self.subTest(table=table, flip=flip):
+                    self.assert_lived(out / f"from_{table}" / flip / "replicate-00")
                     flipped = manifest(out / f"from_{table}" / flip / "replicate-00")
                     changed = self.changes(base, flipped)
                     if flip == "brain_with_biases":

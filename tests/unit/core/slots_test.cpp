@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Any single rule of either table flipped into the other: where the policy differs with with_<slot>, where only numbers differ by
-// them. Each compiles and runs.
+// What a flip of one rule does to a fingerprint. Every flip of either table into the other is compiled and run by
+// tests/program/ablations_test.py.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <concepts>
 #include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -14,51 +12,6 @@
 #include <utility>
 
 using namespace trophic;
-
-namespace {
-
-struct Balance {
-  void on_event(const observe::Event& event, const View&) {
-    if (event.kind == observe::EventKind::birth) ++births;
-    if (event.kind == observe::EventKind::death) ++deaths;
-  }
-  int births = 0;
-  int deaths = 0;
-};
-
-/// Runs 300 s and tells with which policy in the slot and which fingerprint.
-template <class Rules>
-std::pair<std::string, std::string> run(typename Ecology<Rules, backend::Kinematic>::Params params, const std::string& slot) {
-  Ecology<Rules, backend::Kinematic> ecology{std::move(params)};
-  Balance balance;
-  ecology.run_until(300.0, balance);
-  CHECK(ecology.tick() == 150);
-  CHECK(balance.deaths > 0);
-  CHECK(balance.births == balance.deaths + 30);
-  const observe::RunDescription described = ecology.describe(300.0);
-  const auto found = std::ranges::find(described.slots, slot, &std::pair<std::string, std::string>::first);
-  REQUIRE(found != described.slots.end());
-  return {found->second, described.fingerprint};
-}
-
-}  // namespace
-
-#define TROPHIC_FLIP(Slot, member, kind, Contract)                                                                    \
-  template <class Base, class Other>                                                                                  \
-  void flip_##member() {                                                                                              \
-    constexpr bool same = std::same_as<typename Base::Slot, typename Other::Slot>;                                    \
-    using Flipped = typename std::conditional_t<same, std::type_identity<Base>,                                       \
-                                                std::type_identity<with_##member<Base, typename Other::Slot>>>::type; \
-    typename Ecology<Flipped, backend::Kinematic>::Params params;                                                     \
-    params.rules.member = RuleParams<Other>{}.member;                                                                 \
-    CHECK(run<Flipped>(params, #member).first == Other::Slot::name);                                                  \
-  }                                                                                                                   \
-  TEST_CASE("slots: " #member " of either table in the other") {                                                      \
-    flip_##member<rules::Paper, rules::Released>();                                                                   \
-    flip_##member<rules::Released, rules::Paper>();                                                                   \
-  }
-TROPHIC_RULE_SLOTS(TROPHIC_FLIP)
-#undef TROPHIC_FLIP
 
 TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, durations and names") {
   using Paper = Ecology<rules::Paper, backend::Kinematic>;

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+// Never built: its compile command is the one by which each header is compiled alone.
