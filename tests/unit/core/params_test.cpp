@@ -16,8 +16,8 @@ using namespace trophic;
 
 namespace {
 
-enum class Colour { red, green };
-constexpr std::array<std::string_view, 2> enum_names(Colour) {
+enum class Paint { red, green };
+constexpr std::array<std::string_view, 2> enum_names(Paint) {
   return {"red", "green"};
 }
 
@@ -31,7 +31,7 @@ struct Outer {
   std::int64_t count = 3;
   std::size_t robots = 30;
   bool on = true;
-  Colour colour = Colour::green;
+  Paint colour = Paint::green;
   double offset = 0.0;
   double temperature = -5.0;
   Inner inner = {};
@@ -117,8 +117,8 @@ TEST_CASE("params: texts of numbers read back as the same number") {
 }
 
 TEST_CASE("params: an enumerator has its name") {
-  CHECK(enum_name(Colour::red) == "red");
-  CHECK(enum_name(Colour::green) == "green");
+  CHECK(enum_name(Paint::red) == "red");
+  CHECK(enum_name(Paint::green) == "green");
 }
 
 TEST_CASE("params: above_to excludes its lower end only") {
@@ -132,7 +132,7 @@ TEST_CASE("params: above_to excludes its lower end only") {
 TEST_CASE("params: the first difference of two, nested ones included") {
   CHECK(first_difference(Outer{}, Outer{}) == "");
   CHECK(first_difference(Outer{}, Outer{.robots = 31, .on = false}) == "robots");
-  CHECK(first_difference(Outer{}, Outer{.colour = Colour::red}, "rules.outer") == "rules.outer.colour");
+  CHECK(first_difference(Outer{}, Outer{.colour = Paint::red}, "rules.outer") == "rules.outer.colour");
   CHECK(first_difference(Outer{}, Outer{.inner = {.share = 0.25}}) == "inner.share");
 }
 

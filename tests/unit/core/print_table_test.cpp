@@ -29,12 +29,12 @@ struct Odd {
 };
 
 /// A user's rule that names no source.
-struct Plain {
+struct NoSource {
   static constexpr std::string_view name = "plain";
   [[nodiscard]] bool may_die(Species, const View&) const { return true; }
 };
 
-using Swapped = with_floor<with_senescence<rules::Paper, Odd>, Plain>;
+using Swapped = with_floor<with_senescence<rules::Paper, Odd>, NoSource>;
 
 std::string line_of(const std::string& text, std::string_view beginning) {
   const std::size_t begin = text.find(beginning);

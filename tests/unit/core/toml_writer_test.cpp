@@ -17,8 +17,8 @@ using namespace trophic;
 
 namespace {
 
-enum class Colour { red, green };
-constexpr std::array<std::string_view, 2> enum_names(Colour) {
+enum class Shade { red, green };
+constexpr std::array<std::string_view, 2> enum_names(Shade) {
   return {"red", "green"};
 }
 
@@ -26,7 +26,7 @@ struct Gene {
   std::uint32_t id = 3;
   double weight = 0.5;
   bool enabled = true;
-  Colour colour = Colour::green;
+  Shade colour = Shade::green;
   static constexpr auto fields() {
     return std::tuple{field("id", &Gene::id), field("weight", &Gene::weight), field("enabled", &Gene::enabled),
                       field("colour", &Gene::colour)};
@@ -66,7 +66,7 @@ TEST_CASE("toml: every double reads back as the same bits") {
 TEST_CASE("toml: keys keep their order, tables their headings, help is a comment") {
   TomlWriter writer;
   writer.put("name", "it's");
-  writer.put("colour", Colour::red);
+  writer.put("colour", Shade::red);
   writer.put("none", std::vector<double>{});
   writer.put("pairs", std::vector<std::pair<int, int>>{{1, 2}, {3, 4}});
   writer.put("genes", std::vector<Gene>(2));

@@ -21,7 +21,7 @@ using Captures = std::vector<Capture>;
 namespace {
 
 /// At tick 100, with everybody old enough.
-Captures captures(HandPopulation robots, std::uint64_t seed = 1, const CatchClosest& rule = {}) {
+Captures captures_of(HandPopulation robots, std::uint64_t seed = 1, const CatchClosest& rule = {}) {
   Rng rng{seed, Stream::captures};
   return rule.captures(robots.at_tick(100).view(), rng);
 }
@@ -30,20 +30,20 @@ Captures captures(HandPopulation robots, std::uint64_t seed = 1, const CatchClos
 
 TEST_CASE("catch closest: closer than 1 m, tags ignored, not at exactly 1 m") {
   HandPopulation robots{{{.species = predator, .tag = 1}, {.species = prey, .x_m = 0.9999999, .tag = -1}}};
-  CHECK(captures(robots) == Captures{{0, 1}});
+  CHECK(captures_of(robots) == Captures{{0, 1}});
   robots.poses[1].x_m = 1.0;
-  CHECK(captures(robots).empty());
+  CHECK(captures_of(robots).empty());
 }
 
 TEST_CASE("catch closest: one prey a predator and tick, the closest active one") {
-  CHECK(captures(HandPopulation{{{.species = predator},
-                                 {.species = prey, .x_m = 0.1, .active = false},
-                                 {.species = prey, .x_m = 0.5},
-                                 {.species = prey, .x_m = -0.3}}}) == Captures{{0, 3}});
+  CHECK(captures_of(HandPopulation{{{.species = predator},
+                                    {.species = prey, .x_m = 0.1, .active = false},
+                                    {.species = prey, .x_m = 0.5},
+                                    {.species = prey, .x_m = -0.3}}}) == Captures{{0, 3}});
 }
 
 TEST_CASE("catch closest: at equal distance the prey in the lower body") {
-  CHECK(captures(HandPopulation{{{.species = prey, .x_m = 0.5}, {.species = predator}, {.species = prey, .x_m = -0.5}}}) ==
+  CHECK(captures_of(HandPopulation{{{.species = prey, .x_m = 0.5}, {.species = predator}, {.species = prey, .x_m = -0.5}}}) ==
         Captures{{1, 0}});
 }
 
@@ -58,9 +58,9 @@ TEST_CASE("catch closest: nobody hunts before 20 s, exactly at them one does") {
 }
 
 TEST_CASE("catch closest: empty cases") {
-  CHECK(captures(HandPopulation{{}}).empty());
-  CHECK(captures(HandPopulation{{{.species = prey}, {.species = prey}}}).empty());
-  CHECK(captures(HandPopulation{{{.species = predator}, {.species = predator}}}).empty());
+  CHECK(captures_of(HandPopulation{{}}).empty());
+  CHECK(captures_of(HandPopulation{{{.species = prey}, {.species = prey}}}).empty());
+  CHECK(captures_of(HandPopulation{{{.species = predator}, {.species = predator}}}).empty());
 }
 
 // Predators in bodies 0 and 1 stand around the prey in body 2; both orders are equally likely.
@@ -69,7 +69,7 @@ TEST_CASE("catch closest: of two predators around one prey either gets it, half 
       {{.species = predator, .x_m = 0.1}, {.species = predator, .x_m = 0.9}, {.species = prey, .x_m = 0.0}}};
   std::vector<std::size_t> by(2, 0);
   for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
-    const Captures result = captures(robots, seed);
+    const Captures result = captures_of(robots, seed);
     REQUIRE(result.size() == 1);
     ++by.at(result[0].hunter);
   }
@@ -91,7 +91,7 @@ TEST_CASE("catch closest: the list of predators grows with each catch, so that s
   constexpr std::size_t size = 12'000;
   for (std::uint64_t seed = 0; seed < size; ++seed) {
     std::vector<std::pair<BodyIndex, BodyIndex>> pairs;
-    for (const auto& [hunter_body, victim] : captures(robots, seed)) pairs.emplace_back(hunter_body, victim);
+    for (const auto& [hunter_body, victim] : captures_of(robots, seed)) pairs.emplace_back(hunter_body, victim);
     ++seen[pairs];
   }
   // orders 012, 021, 102 (0 before 2): only (1, 0); orders 120, 201, 210 (2 before 0): (3, 4) then (1, 0)
@@ -109,7 +109,7 @@ TEST_CASE("catch closest: a predator acts twice when its offspring pushes it up 
                                {.species = predator, .x_m = 20.0}}};
   std::vector<std::size_t> catches(3, 0);
   for (std::uint64_t seed = 0; seed < 10'000; ++seed) {
-    const Captures result = captures(robots, seed);
+    const Captures result = captures_of(robots, seed);
     if (result.size() == 2) CHECK(result == Captures{{2, 0}, {2, 1}});
     ++catches.at(result.size());
   }
@@ -124,14 +124,14 @@ TEST_CASE("catch closest: offspring born at this tick do not hunt") {
                                {.species = prey, .x_m = -0.9},
                                {.species = predator, .x_m = 0.9},
                                {.species = predator, .x_m = 20.0}}};
-  for (std::uint64_t seed = 0; seed < 100; ++seed) CHECK(captures(robots, seed) == Captures{{2, 0}});
+  for (std::uint64_t seed = 0; seed < 100; ++seed) CHECK(captures_of(robots, seed) == Captures{{2, 0}});
 }
 
 TEST_CASE("catch closest: a middle species that has been caught does not hunt any more") {
   const HandPopulation robots{{{.species = hunter}, {.species = grazer, .x_m = 0.5}, {.species = plant, .x_m = 1.0}},
                               chain_web()};
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Captures result = captures(robots, seed);
+    const Captures result = captures_of(robots, seed);
     const bool hunter_first = result == Captures{{0, 1}};
     const bool grazer_first = result == Captures{{1, 2}} || result == Captures{{1, 2}, {0, 1}};
     CHECK((hunter_first || grazer_first));

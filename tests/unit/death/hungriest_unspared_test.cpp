@@ -14,7 +14,7 @@ using death::starvation::HungriestUnspared;
 namespace {
 
 const auto nobody_spared = [](BodyIndex) { return false; };
-const auto all_spared = [](BodyIndex) { return true; };
+const auto everyone_spared = [](BodyIndex) { return true; };
 
 }  // namespace
 
@@ -35,7 +35,7 @@ TEST_CASE("hungriest unspared: at equal hunger the earlier born") {
 
 TEST_CASE("hungriest unspared: nobody if all are spared") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 30}, {.species = predator, .fed_tick = 10}}};
-  CHECK(HungriestUnspared{}.victim(robots.view(), all_spared) == std::nullopt);
+  CHECK(HungriestUnspared{}.victim(robots.view(), everyone_spared) == std::nullopt);
 }
 
 TEST_CASE("hungriest unspared: nobody without predators") {

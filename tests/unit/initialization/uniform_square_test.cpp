@@ -12,7 +12,7 @@ using initialization::placement::UniformSquare;
 
 namespace {
 
-Arena arena(double half_side_m) {
+Arena square_of(double half_side_m) {
   Arena square;
   square.half_side_m = half_side_m;
   return square;
@@ -22,7 +22,7 @@ Arena arena(double half_side_m) {
 
 TEST_CASE("uniform square: positions uniform within +-9 m, everybody facing the same way") {
   Rng rng{2, Stream::placement};
-  const std::vector<GroundPose> poses = UniformSquare{}.place(100'000, arena(9.333), 0.2, rng);
+  const std::vector<GroundPose> poses = UniformSquare{}.place(100'000, square_of(9.333), 0.2, rng);
   std::vector<double> x_m;
   std::vector<double> y_m;
   for (const GroundPose& pose : poses) {
@@ -38,7 +38,7 @@ TEST_CASE("uniform square: positions uniform within +-9 m, everybody facing the 
 TEST_CASE("uniform square: another square and heading, up to the arena's edge") {
   Rng rng{3, Stream::placement};
   const UniformSquare rule{{.half_extent_m = 2.0, .heading_rad = 1.0}};
-  for (const GroundPose& pose : rule.place(1000, arena(2.0), 0.2, rng)) {
+  for (const GroundPose& pose : rule.place(1000, square_of(2.0), 0.2, rng)) {
     CHECK(pose.x_m >= -2.0);
     CHECK(pose.x_m < 2.0);
     CHECK(pose.heading_rad == 1.0);
@@ -47,7 +47,7 @@ TEST_CASE("uniform square: another square and heading, up to the arena's edge") 
 
 TEST_CASE("uniform square: a square beyond the arena is an error that names both numbers") {
   Rng rng{4, Stream::placement};
-  CHECK_THROWS_WITH_AS(static_cast<void>(UniformSquare{}.place(1, arena(8.5), 0.2, rng)),
+  CHECK_THROWS_WITH_AS(static_cast<void>(UniformSquare{}.place(1, square_of(8.5), 0.2, rng)),
                        "rules.placement.half_extent_m = 9: must be <= 8.5, the arena's half side", std::invalid_argument);
 }
 
