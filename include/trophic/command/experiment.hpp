@@ -28,6 +28,7 @@
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/population/species_colour.hpp>
 #include <trophic/replicates/run_in_folder.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/rules/print_table.hpp>
@@ -66,7 +67,9 @@ template <class Rules, Backend B>
   Ecology<Rules, B> ecology{numbers};
   if (!options.save_mjcf.empty()) {
     if constexpr (requires { ecology.backend().save_mjcf(options.save_mjcf); }) {
-      ecology.backend().save_mjcf(options.save_mjcf);
+      std::vector<Colour> colours;
+      for (const Individual& individual : ecology.view().robots) colours.push_back(species_colour(individual.species));
+      ecology.backend().save_mjcf(options.save_mjcf, colours);
     } else {
       throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
     }
