@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <trophic/film/drawing.hpp>
+#include <trophic/drawing/drawing.hpp>
 #include <trophic/film/renderer.hpp>
 #include <vector>
 
@@ -43,14 +43,14 @@ struct Renderer::Parts {
   std::size_t width;
   std::size_t height;
   Offscreen offscreen;
-  Drawing drawing;
+  drawing::Drawing canvas;
 
   Parts(const RobotModel& robot, const Arena& arena, std::size_t wide, std::size_t high, Quality quality)
       : scale{quality == Quality::fine ? 2U : 1U},
         width{scale * checked("width", wide)},
         height{scale * checked("height", high)},
         offscreen{},
-        drawing{robot, arena, Canvas::buffer, width, height, scale == 2} {}
+        canvas{robot, arena, drawing::Canvas::buffer, width, height, scale == 2} {}
 };
 
 Renderer::Renderer(const RobotModel& robot, const Arena& arena, std::size_t width, std::size_t height, Quality quality)
@@ -59,9 +59,9 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-Image Renderer::draw(const Picture& picture, const Camera& camera) {
-  parts_->drawing.draw(picture, camera, parts_->width, parts_->height);
-  Image image = parts_->drawing.read();
+Image Renderer::draw(const drawing::Picture& picture, const drawing::Camera& camera) {
+  parts_->canvas.draw(picture, camera, parts_->width, parts_->height);
+  Image image = parts_->canvas.read();
   return parts_->scale == 2 ? halved(image) : image;
 }
 

@@ -57,7 +57,7 @@ class SavedWorld(InFolder):
                 program = subprocess.Popen(command, env=screen.environment, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                 self.addCleanup(program.wait)
                 self.addCleanup(program.kill)
-                screen.window("Simulate : ")
+                screen.window("Simulate : ", program)
                 deadline = 40
                 seen = {}
                 while deadline > 0 and (not seen or min(seen.values()) < 10):

@@ -21,7 +21,7 @@ class VirtualScreen:
 
     def __enter__(self):
         reads, writes = os.pipe()
-        command = ["Xvfb", "-displayfd", str(writes), "-screen", "0", "1280x720x24", "-nolisten", "tcp"]
+        command = ["Xvfb", "-displayfd", str(writes), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-noreset"]
         self.server = subprocess.Popen(command, pass_fds=[writes], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writes)
         with os.fdopen(reads) as pipe:
@@ -37,9 +37,11 @@ class VirtualScreen:
         done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True, timeout=60)
         return done.stdout.strip()
 
-    def window(self, name, within_s=60):
-        """The number of the window whose title has `name`."""
+    def window(self, name, program, within_s=120):
+        """The number of the window whose title has `name`, as soon as the program shows it."""
         for _ in range(10 * within_s):
+            if program.poll() is not None:
+                raise AssertionError(f"the program ended: {program.communicate()}")
             found = self.xdotool("search", "--name", name).split()
             if found:
                 return found[0]

@@ -33,7 +33,8 @@ def near(picture, colour, reach=110):
 
 
 def files_of(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.name not in ("manifest.json", ".lock")}
+    """Manifest and checkpoint have the command line in them."""
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.name not in ("manifest.json", "checkpoint.bin", ".lock")}
 
 
 class Watched(InFolderWithSets):
@@ -49,7 +50,7 @@ class Watched(InFolderWithSets):
         self.program = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.screen.environment)
         self.addCleanup(self.program.communicate)
         self.addCleanup(self.program.kill)
-        self.id = self.screen.window(NAME)
+        self.id = self.screen.window(NAME, self.program)
         self.screen.xdotool("windowfocus", self.id)
         self.wait_for(r"\d s, 10x")
         self.press("space")

@@ -10,8 +10,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <trophic/film/drawing.hpp>
-#include <trophic/film/footage.hpp>
+#include <trophic/drawing/drawing.hpp>
+#include <trophic/drawing/footage.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/watch/controls.hpp>
@@ -177,14 +177,14 @@ struct Session::Parts {
   void show(const std::future<int>& result) {
     Desk desk{window, exchange, {}};
     desk.listen();
-    std::optional<film::Drawing> drawing;
+    std::optional<drawing::Drawing> canvas;
     double then_s = watch.elapsed_s();
     while (window.is_open() && observe::StopOnSignal::caught() == 0) {
       const bool has_ended = result.wait_for(std::chrono::seconds{0}) == std::future_status::ready;
       const double now_s = watch.elapsed_s();
       desk.is_ready = exchange.with_footage([](const LiveFootage& footage) { return footage.is_ready(); });
       if (desk.is_ready) {
-        draw(desk, drawing, now_s - then_s, has_ended);
+        draw(desk, canvas, now_s - then_s, has_ended);
         exchange.want_until(desk.in_use.wanted_until_s());
       } else if (has_ended) {
         return;  // nothing came of it
@@ -198,24 +198,24 @@ struct Session::Parts {
     }
   }
 
-  void draw(Desk& desk, std::optional<film::Drawing>& drawing, double elapsed_s, bool has_ended) {
-    film::Picture picture;
+  void draw(Desk& desk, std::optional<drawing::Drawing>& canvas, double elapsed_s, bool has_ended) {
+    drawing::Picture picture;
     Columns about;
     exchange.with_footage([&](LiveFootage& footage) {
-      if (!drawing) drawing.emplace(footage.robot(), footage.arena(), film::Canvas::window, 64, 64, false);
+      if (!canvas) canvas.emplace(footage.robot(), footage.arena(), drawing::Canvas::window, 64, 64, false);
       Controls& controls = desk.in_use;
       controls.advance(footage, elapsed_s, window.size());
       const double time_s = controls.clock().time_s();
       footage.forget_before(time_s);
       const std::string moment = moment_text(controls, footage, has_ended);
       window.say(moment);
-      picture = film::picture_of(footage, time_s, controls.selected(), moment);
+      picture = drawing::picture_of(footage, time_s, controls.selected(), moment);
       about = inspected(controls, footage);
     });
     const auto [width, height] = window.pixels();
-    drawing->draw(picture, desk.in_use.camera(), width, height);
-    if (!about.left.empty()) drawing->write(film::Corner::top_left, about.left, about.right);
-    if (desk.in_use.shows_help()) drawing->write(film::Corner::top_right, Controls::help, Controls::help_meanings);
+    canvas->draw(picture, desk.in_use.camera(), width, height);
+    if (!about.left.empty()) canvas->write(drawing::Corner::top_left, about.left, about.right);
+    if (desk.in_use.shows_help()) canvas->write(drawing::Corner::top_right, Controls::help, Controls::help_meanings);
     glfwSwapBuffers(window.get());
   }
 

@@ -32,7 +32,7 @@ struct Scene {
   [[nodiscard]] std::pair<double, double> pixel(std::size_t body) const {
     Eigen::Vector3d at = footage.root(controls.clock().time_s(), body).position_m;
     at.z() = 0.0;
-    const auto point = film::seen_at(controls.camera(), at);
+    const auto point = drawing::seen_at(controls.camera(), at);
     return {0.5 * (window.width + point->x * window.height), 0.5 * (window.height - point->y * window.height)};
   }
   void click(double x, double y) {
@@ -61,14 +61,14 @@ TEST_CASE("a click says who that is, a click beside everybody lets go") {
 
 TEST_CASE("a drag turns or moves and chooses nobody") {
   Scene scene;
-  const film::Camera before = scene.controls.camera();
+  const drawing::Camera before = scene.controls.camera();
   scene.controls.press_mouse(watch::Button::turns, 600, 300);
   scene.controls.move_mouse(700, 300, scene.window);
   scene.controls.release_mouse(scene.footage, scene.window);
   CHECK(scene.controls.camera().azimuth_deg < before.azimuth_deg);
   CHECK_FALSE(scene.controls.selected().has_value());
   scene.controls.move_mouse(900, 300, scene.window);  // no button is held
-  const film::Camera turned = scene.controls.camera();
+  const drawing::Camera turned = scene.controls.camera();
   scene.controls.press_mouse(watch::Button::shifts, 600, 300);
   scene.controls.move_mouse(600, 400, scene.window);
   scene.controls.release_mouse(scene.footage, scene.window);

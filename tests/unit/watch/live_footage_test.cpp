@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/film/footage.hpp>
+#include <trophic/drawing/footage.hpp>
 #include <trophic/watch/live_footage.hpp>
 #include <unit/watch/footage.hpp>
 
@@ -41,10 +41,10 @@ TEST_CASE("what nobody will see again is forgotten, and pictures stay the same")
     written.footage.add_death(written.population.view(), 0);
     written.go_on();
   }
-  const auto lines = [&] { return film::picture_of(written.footage, 190.3, 1, "now"); };
-  const film::Picture before = lines();
+  const auto lines = [&] { return drawing::picture_of(written.footage, 190.3, 1, "now"); };
+  const drawing::Picture before = lines();
   written.footage.forget_before(190.3);
-  const film::Picture after = lines();
+  const drawing::Picture after = lines();
   CHECK(written.footage.frames() < 24);
   CHECK(written.footage.ticks() < 42);
   CHECK(before.lines.size() == 2 * 15);
@@ -69,5 +69,5 @@ TEST_CASE("a run that goes on from a checkpoint has frames only after its first 
   REQUIRE(footage.is_ready());
   CHECK(footage.newest_s() == 100.0);
   CHECK(footage.root(100.0, 0).position_m.x() == 1.0);
-  CHECK(film::picture_of(footage, 100.0, {}, "").robots.size() == 1);
+  CHECK(drawing::picture_of(footage, 100.0, {}, "").robots.size() == 1);
 }

@@ -19,9 +19,9 @@
 #include <trophic/command/output.hpp>
 #include <trophic/command/replay/recorded_agents.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
-#include <trophic/film/camera.hpp>
+#include <trophic/drawing/camera.hpp>
+#include <trophic/drawing/footage.hpp>
 #include <trophic/film/encoder.hpp>
-#include <trophic/film/footage.hpp>
 #include <trophic/film/image.hpp>
 #include <trophic/film/renderer.hpp>
 #include <tuple>
@@ -65,7 +65,7 @@ class RecordedFootage {
  public:
   /// Throws std::invalid_argument for tables that are not the run's.
   RecordedFootage(const RecordedRun& run, double from_s, double to_s)
-      : recording_{run.recording}, agents_{run, from_s, to_s, film::trail_s}, from_s_{from_s}, to_s_{to_s} {
+      : recording_{run.recording}, agents_{run, from_s, to_s, drawing::trail_s}, from_s_{from_s}, to_s_{to_s} {
     const auto tags = run.manifest.at("tags").get<std::vector<int>>();
     filled_tag_ = *std::ranges::max_element(tags);
     read_deaths(run);
@@ -74,7 +74,7 @@ class RecordedFootage {
   [[nodiscard]] std::span<const observe::AgentRow> rows_at(double time_s) const { return agents_.at(time_s); }
   [[nodiscard]] Pose root(double time_s, std::size_t body) const {
     const auto [before, after, part] = around(time_s);
-    return film::between(recording_.root(before, body), recording_.root(after, body), part);
+    return drawing::between(recording_.root(before, body), recording_.root(after, body), part);
   }
   [[nodiscard]] std::vector<double> joint_angles_rad(double time_s, std::size_t body) const {
     const auto [before, after, part] = around(time_s);
@@ -85,7 +85,7 @@ class RecordedFootage {
     }
     return angles;
   }
-  [[nodiscard]] std::span<const film::Death> deaths() const { return deaths_; }
+  [[nodiscard]] std::span<const drawing::Death> deaths() const { return deaths_; }
   [[nodiscard]] const RobotModel& robot() const { return recording_.head().robot; }
   [[nodiscard]] const Arena& arena() const { return recording_.head().arena; }
   [[nodiscard]] double tick_s() const { return recording_.head().times.tick_s; }
@@ -108,7 +108,7 @@ class RecordedFootage {
     analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m"}};
     while (events.next()) {
       const auto time_s = events.get<double>(0);
-      if (events.text(1) != "death" || time_s < from_s_ - film::flash_s || time_s > to_s_) continue;
+      if (events.text(1) != "death" || time_s < from_s_ - drawing::flash_s || time_s > to_s_) continue;
       deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3)});
     }
   }
@@ -126,9 +126,9 @@ class RecordedFootage {
   double from_s_;
   double to_s_;
   int filled_tag_ = 1;
-  std::vector<film::Death> deaths_;
+  std::vector<drawing::Death> deaths_;
 };
-static_assert(film::Footage<RecordedFootage>);
+static_assert(drawing::Footage<RecordedFootage>);
 
 /// "1234.0 s".
 [[nodiscard]] inline std::string time_text(double time_s) {
@@ -174,17 +174,17 @@ static_assert(film::Footage<RecordedFootage>);
   film::Renderer renderer{run.recording.head().robot, run.recording.head().arena, width, height, quality};
   const double aspect = static_cast<double>(width) / static_cast<double>(height);
   const auto draw = [&](double time_s) {
-    film::Camera camera =
-        plan.from_above ? film::from_above(footage.arena(), aspect) : film::whole_arena(footage.arena(), aspect);
-    if (followed) camera = film::near(footage.robot(), footage.root(time_s, *followed).position_m);
+    drawing::Camera camera =
+        plan.from_above ? drawing::from_above(footage.arena(), aspect) : drawing::whole_arena(footage.arena(), aspect);
+    if (followed) camera = drawing::near(footage.robot(), footage.root(time_s, *followed).position_m);
     if (followed && plan.from_above) camera.elevation_deg = -90.0;
-    return renderer.draw(film::picture_of(footage, time_s, plan.follow, time_text(time_s)), camera);
+    return renderer.draw(drawing::picture_of(footage, time_s, plan.follow, time_text(time_s)), camera);
   };
   std::size_t pictures = 1;
   if (is_moment) {
     film::write_png(plan.out, draw(from_s));
   } else if (!is_film) {
-    film::Image sheet = film::Image::blank(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, 255);
+    drawing::Image sheet = drawing::Image::blank(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, 255);
     pictures = columns * rows;
     for (std::size_t i = 0; i < pictures; ++i) {
       const double part = pictures == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(pictures - 1);

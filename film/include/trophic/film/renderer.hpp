@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <memory>
-#include <trophic/film/camera.hpp>
+#include <trophic/drawing/camera.hpp>
+#include <trophic/drawing/picture.hpp>
 #include <trophic/film/image.hpp>
-#include <trophic/film/picture.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
@@ -28,7 +28,7 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  [[nodiscard]] Image draw(const Picture& picture, const Camera& camera);
+  [[nodiscard]] Image draw(const drawing::Picture& picture, const drawing::Camera& camera);
 
  private:
   struct Parts;

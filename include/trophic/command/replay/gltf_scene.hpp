@@ -52,7 +52,8 @@ class GltfScene {
     for (std::size_t i = 0; i < head.species.size(); ++i) {
       const Colour colour = species_colour(i);
       cores_.push_back(file_.add_box(head.species[i], file_.add_material(head.species[i], colour)));
-      limbs_.push_back(file_.add_box(head.species[i] + " limb", file_.add_material(head.species[i] + " limb", limb_colour(colour))));
+      limbs_.push_back(
+          file_.add_box(head.species[i] + " limb", file_.add_material(head.species[i] + " limb", limb_colour(colour))));
     }
     add_arena(head.arena);
     for (std::size_t body = 0; body < head.robots; ++body) add_occupants(body, only);

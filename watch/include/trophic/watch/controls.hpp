@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <trophic/film/camera.hpp>
-#include <trophic/film/picture.hpp>
+#include <trophic/drawing/camera.hpp>
+#include <trophic/drawing/picture.hpp>
 #include <trophic/observe/tables.hpp>
 #include <trophic/watch/clock.hpp>
 #include <trophic/watch/eye.hpp>
@@ -24,7 +24,7 @@ struct WindowSize {
   double width = 1280.0;
   double height = 720.0;
   [[nodiscard]] double aspect() const { return width / std::max(1.0, height); }
-  [[nodiscard]] film::PicturePoint point(double x, double y) const {
+  [[nodiscard]] drawing::PicturePoint point(double x, double y) const {
     return {(2.0 * x - width) / height, (height - 2.0 * y) / height};
   }
 };
@@ -34,8 +34,7 @@ class Controls {
   /// A mouse that moved less than this between press and release has clicked.
   static constexpr double click_reach = 4.0;
 
-  static constexpr const char* help =
-      "space\nright arrow\nup, down\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
+  static constexpr const char* help = "space\nright arrow\nup, down\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
   static constexpr const char* help_meanings =
       "pause, go on\none tick\nfaster, slower\nwho is that\nfollow it\nthe next one\nlet it go\nwhole arena, from above\n"
       "turn, come nearer\nmove\nthis help\nclose; the run goes on";
@@ -104,7 +103,7 @@ class Controls {
   void turn_wheel(double notches) { eye_.zoom(notches); }
 
   [[nodiscard]] const Clock& clock() const { return clock_; }
-  [[nodiscard]] const film::Camera& camera() const { return eye_.camera(); }
+  [[nodiscard]] const drawing::Camera& camera() const { return eye_.camera(); }
   [[nodiscard]] std::optional<IndividualId> selected() const { return selected_; }
   [[nodiscard]] bool is_following() const { return is_following_; }
   [[nodiscard]] bool shows_help() const { return shows_help_; }
@@ -135,11 +134,11 @@ class Controls {
   }
 
   /// Chooses the robot whose ring is clicked at; a click beside all of them lets go.
-  void click(const LiveFootage& footage, const film::PicturePoint& point) {
-    const auto at = film::floor_at(eye_.camera(), point);
+  void click(const LiveFootage& footage, const drawing::PicturePoint& point) {
+    const auto at = drawing::floor_at(eye_.camera(), point);
     let_go();
     if (!at) return;
-    double nearest_m = 1.5 * film::ring_radius_m(footage.robot(), footage.arena());
+    double nearest_m = 1.5 * drawing::ring_radius_m(footage.robot(), footage.arena());
     for (std::size_t body = 0; body < footage.rows_at(clock_.time_s()).size(); ++body) {
       const double away_m = (footage.root(clock_.time_s(), body).position_m.head<2>() - *at).norm();
       if (away_m >= nearest_m) continue;

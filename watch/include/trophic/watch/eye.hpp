@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <trophic/film/camera.hpp>
+#include <trophic/drawing/camera.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
@@ -14,11 +14,11 @@ namespace trophic::watch {
 
 class Eye {
  public:
-  [[nodiscard]] const film::Camera& camera() const { return camera_; }
+  [[nodiscard]] const drawing::Camera& camera() const { return camera_; }
 
-  void see_whole(const Arena& arena, double aspect) { camera_ = film::whole_arena(arena, aspect); }
-  void see_from_above(const Arena& arena, double aspect) { camera_ = film::from_above(arena, aspect); }
-  void come_near(const RobotModel& robot, const Eigen::Vector3d& at_m) { camera_ = film::near(robot, at_m); }
+  void see_whole(const Arena& arena, double aspect) { camera_ = drawing::whole_arena(arena, aspect); }
+  void see_from_above(const Arena& arena, double aspect) { camera_ = drawing::from_above(arena, aspect); }
+  void come_near(const RobotModel& robot, const Eigen::Vector3d& at_m) { camera_ = drawing::near(robot, at_m); }
   /// Goes along with a robot.
   void look_at(const Eigen::Vector3d& at_m) { camera_.at_m = {at_m.x(), at_m.y(), 0.0}; }
 
@@ -30,7 +30,7 @@ class Eye {
   /// As if the floor was drawn along.
   void shift(double right, double up) {
     const double azimuth = camera_.azimuth_deg * std::numbers::pi / 180.0;
-    const double scale_m = 2.0 * film::half_height() * camera_.distance_m;
+    const double scale_m = 2.0 * drawing::half_height() * camera_.distance_m;
     camera_.at_m += scale_m * (right * Eigen::Vector3d{-std::sin(azimuth), std::cos(azimuth), 0.0} -
                                up * Eigen::Vector3d{std::cos(azimuth), std::sin(azimuth), 0.0});
   }
@@ -38,7 +38,7 @@ class Eye {
   void zoom(double notches) { camera_.distance_m = std::clamp(camera_.distance_m * std::pow(0.88, notches), 0.2, 2000.0); }
 
  private:
-  film::Camera camera_;
+  drawing::Camera camera_;
 };
 
 }  // namespace trophic::watch

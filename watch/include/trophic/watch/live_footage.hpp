@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <trophic/film/footage.hpp>
+#include <trophic/drawing/footage.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/observe/agent_log.hpp>
@@ -29,7 +29,7 @@ struct Ancestry {
   double age_s = 0.0;  ///< since birth
 };
 
-/// Filled by a run, tick by tick; read as film::Footage. Not for two threads at once.
+/// Filled by a run, tick by tick; read as drawing::Footage. Not for two threads at once.
 class LiveFootage {
  public:
   void start(const observe::RunDescription& run, const View& view) {
@@ -64,8 +64,8 @@ class LiveFootage {
   /// Drops what no picture from `time_s` on needs.
   void forget_before(double time_s) {
     while (frames_.size() > 2 && frames_[1].time_s <= time_s) frames_.pop_front();
-    while (ticks_.size() > 2 && ticks_[1].time_s <= time_s - film::trail_s - 2.0 * tick_s_) ticks_.pop_front();
-    std::erase_if(deaths_, [&](const film::Death& death) { return death.time_s < time_s - film::flash_s; });
+    while (ticks_.size() > 2 && ticks_[1].time_s <= time_s - drawing::trail_s - 2.0 * tick_s_) ticks_.pop_front();
+    std::erase_if(deaths_, [&](const drawing::Death& death) { return death.time_s < time_s - drawing::flash_s; });
   }
 
   /// Whether there is anything to be seen.
@@ -80,7 +80,7 @@ class LiveFootage {
   [[nodiscard]] const Ancestry& ancestry(double time_s, std::size_t body) const { return tick_at(time_s).ancestries.at(body); }
   [[nodiscard]] Pose root(double time_s, std::size_t body) const {
     const auto [before, after] = frames_at(time_s);
-    return film::between(before->roots[body], after->roots[body], part(*before, *after, time_s));
+    return drawing::between(before->roots[body], after->roots[body], part(*before, *after, time_s));
   }
   [[nodiscard]] std::vector<double> joint_angles_rad(double time_s, std::size_t body) const {
     const auto [before, after] = frames_at(time_s);
@@ -92,7 +92,7 @@ class LiveFootage {
     }
     return angles;
   }
-  [[nodiscard]] std::span<const film::Death> deaths() const { return deaths_; }
+  [[nodiscard]] std::span<const drawing::Death> deaths() const { return deaths_; }
   [[nodiscard]] const RobotModel& robot() const { return *robot_; }
   [[nodiscard]] const Arena& arena() const { return arena_; }
   [[nodiscard]] int filled_tag() const { return filled_tag_; }
@@ -135,12 +135,12 @@ class LiveFootage {
   std::vector<std::string> species_;
   std::deque<Moment> frames_;
   std::deque<Tick> ticks_;
-  std::vector<film::Death> deaths_;
+  std::vector<drawing::Death> deaths_;
   double first_s_ = 0.0;
   double until_s_ = 0.0;
   double tick_s_ = 1.0;
   int filled_tag_ = 1;
 };
-static_assert(film::Footage<LiveFootage>);
+static_assert(drawing::Footage<LiveFootage>);
 
 }  // namespace trophic::watch

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <trophic/film/camera.hpp>
-#include <trophic/film/image.hpp>
-#include <trophic/film/picture.hpp>
+#include <trophic/drawing/camera.hpp>
+#include <trophic/drawing/image.hpp>
+#include <trophic/drawing/picture.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
-namespace trophic::film {
+namespace trophic::drawing {
 
 /// What is drawn onto: a buffer of a fixed size, whose pixels can be read, or the window of the current context.
 enum class Canvas { buffer, window };
@@ -44,4 +44,4 @@ class Drawing {
   std::unique_ptr<Scene> scene_;
 };
 
-}  // namespace trophic::film
+}  // namespace trophic::drawing

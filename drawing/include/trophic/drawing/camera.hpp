@@ -11,7 +11,7 @@
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
-namespace trophic::film {
+namespace trophic::drawing {
 
 /// How much of the height is seen, degrees.
 inline constexpr double fovy_deg = 38.0;
@@ -93,4 +93,4 @@ struct Sight {
           .elevation_deg = -33.0};
 }
 
-}  // namespace trophic::film
+}  // namespace trophic::drawing

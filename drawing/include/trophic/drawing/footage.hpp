@@ -9,12 +9,12 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <trophic/film/picture.hpp>
+#include <trophic/drawing/picture.hpp>
 #include <trophic/observe/tables.hpp>
 #include <utility>
 #include <vector>
 
-namespace trophic::film {
+namespace trophic::drawing {
 
 /// Somebody died there.
 struct Death {
@@ -105,4 +105,4 @@ template <Footage F>
   return {from.position_m + part * (to.position_m - from.position_m), from.orientation.slerp(part, to.orientation)};
 }
 
-}  // namespace trophic::film
+}  // namespace trophic::drawing

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/mujoco/engine.hpp>
-#include <trophic/film/drawing.hpp>
+#include <trophic/drawing/drawing.hpp>
 #include <utility>
 
-namespace trophic::film {
+namespace trophic::drawing {
 
 namespace {
 
@@ -275,4 +275,4 @@ Image Drawing::read() const {
   return scene_->read();
 }
 
-}  // namespace trophic::film
+}  // namespace trophic::drawing

@@ -10,7 +10,7 @@
 #include <trophic/population/species_colour.hpp>
 #include <vector>
 
-namespace trophic::film {
+namespace trophic::drawing {
 
 /// A robot as it is to be seen: its body, and round it a ring on the floor that points where it heads.
 struct RobotLook {
@@ -50,4 +50,4 @@ struct Picture {
   return std::max(1.15 * robot.bounding_radius_m, 0.021 * arena.half_side_m);
 }
 
-}  // namespace trophic::film
+}  // namespace trophic::drawing
