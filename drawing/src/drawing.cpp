@@ -57,6 +57,7 @@ class Drawing::Scene {
   Scene(const RobotModel& robot, const Arena& arena, Canvas canvas, std::size_t width, std::size_t height, bool large_text)
       : robot_{robot},
         arena_{arena},
+        canvas_{canvas},
         model_{empty_model(width, height, arena.half_side_m)},
         data_{mj_makeData(model_.get())},
         ring_m_{ring_radius_m(robot, arena)} {
@@ -94,7 +95,8 @@ class Drawing::Scene {
     mj_forward(model_.get(), data_.get());
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
     scene_.flags[mjRND_SHADOW] = 0;  // they darken the discs that tell tags, and take half of the time of a picture
-    scene_.flags[mjRND_SKYBOX] = 1;  // white; where nothing is, MuJoCo draws black
+    // Where nothing is, MuJoCo draws black. A window needs a white sky; in a buffer it would cost more than `read` does.
+    scene_.flags[mjRND_SKYBOX] = canvas_ == Canvas::window ? 1 : 0;
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
     add_arena();
@@ -123,6 +125,11 @@ class Drawing::Scene {
     for (std::size_t y = 0; y < image.height; ++y) {
       std::copy_n(upside_down.rgb.begin() + static_cast<std::ptrdiff_t>((image.height - 1 - y) * row), row,
                   image.rgb.begin() + static_cast<std::ptrdiff_t>(y * row));
+    }
+    for (std::size_t at = 0; at < image.rgb.size(); at += 3) {
+      if (image.rgb[at] == 0 && image.rgb[at + 1] == 0 && image.rgb[at + 2] == 0) {
+        std::fill_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(at), 3, std::uint8_t{255});
+      }
     }
     return image;
   }
@@ -247,6 +254,7 @@ class Drawing::Scene {
 
   RobotModel robot_;
   Arena arena_;
+  Canvas canvas_;
   ModelPtr model_;
   DataPtr data_;
   mjvScene scene_{};

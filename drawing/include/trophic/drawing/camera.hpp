@@ -72,7 +72,7 @@ struct Sight {
 /// Sees the whole arena from the south. `aspect`: width over height of the picture.
 [[nodiscard]] inline Camera whole_arena(const Arena& arena, double aspect) {
   return {.at_m = {0, -0.09 * arena.half_side_m, 0},
-          .distance_m = 2.72 * std::max(1.0, 1.25 / aspect) * arena.half_side_m,
+          .distance_m = 2.72 * std::max(1.0, 1.3 / aspect) * arena.half_side_m,
           .azimuth_deg = 90.0,
           .elevation_deg = -50.0};
 }
