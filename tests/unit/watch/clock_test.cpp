@@ -17,7 +17,7 @@ TEST_CASE("a clock goes at its speed and never ahead of the run") {
   CHECK(clock.wanted_until_s(2.0) == doctest::Approx(14.0));
 }
 
-TEST_CASE("paused, the clock stands and wants a tick; then it goes on") {
+TEST_CASE("paused, the clock stands and wants a tick, until it goes on") {
   Clock clock;
   clock.set(6.0);
   clock.pause_or_go_on();
