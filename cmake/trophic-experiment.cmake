@@ -1,9 +1,9 @@
-# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode] [WITHOUT_MPI]): a program of trophic/command, linked with the engines that are named,
-# or with every one that was found, and with MPI, where it was found; with the compiled libraries where there are, else from headers. Manifests and --version name
+# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode] [WITHOUT_MPI] [WITHOUT_WATCH]): a program of trophic/command, linked with the engines that
+# are named, or with every one that was found, and with MPI and a window, where they were found; with the compiled libraries where there are, else from headers. Manifests and --version name
 # the revision of the project's sources and the flags of the build.
 
 function(trophic_add_experiment name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_MPI" "" "BACKENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_MPI;WITHOUT_WATCH" "" "BACKENDS")
   set(kind "")
   if(TARGET trophic::command_compiled)
     set(kind _compiled)
@@ -22,6 +22,9 @@ function(trophic_add_experiment name)
   endforeach()
   if(TARGET trophic::mpi AND NOT arg_WITHOUT_MPI)
     target_link_libraries(${name} PRIVATE trophic::mpi)
+  endif()
+  if(TARGET trophic::watch AND kind AND NOT arg_WITHOUT_WATCH)
+    target_link_libraries(${name} PRIVATE trophic::watch)
   endif()
   trophic_link_provenance(${name})
 endfunction()

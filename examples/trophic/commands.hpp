@@ -7,6 +7,7 @@
 namespace commands {
 
 [[nodiscard]] trophic::command::Command analyze();
+[[nodiscard]] trophic::command::Command export_run();
 [[nodiscard]] trophic::command::Command film();
 [[nodiscard]] trophic::command::Command flip_table();
 [[nodiscard]] trophic::command::Command cross_check();

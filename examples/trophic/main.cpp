@@ -9,13 +9,14 @@
 int main(int argc, char** argv) {
   using namespace trophic::command;
   return guarded(argv[0], [&] {
-    return run_command(argc, argv,
-                       {.name = {},
-                        .about = "Gaits for robots, and results, pages and films from runs.",
-                        .options = {},
-                        .work = {},
-                        .subcommands = {commands::analyze(), commands::flip_table(), commands::cross_check(),
-                                        commands::evolve_gait(), commands::measure_gait(), commands::show(), commands::film()},
-                        .version = version_text(backend_versions<LinkedBackends>())});
+    return run_command(
+        argc, argv,
+        {.name = {},
+         .about = "Gaits for robots, and results, pages and films from runs.",
+         .options = {},
+         .work = {},
+         .subcommands = {commands::analyze(), commands::flip_table(), commands::cross_check(), commands::evolve_gait(),
+                         commands::measure_gait(), commands::show(), commands::film(), commands::export_run()},
+         .version = version_text(backend_versions<LinkedBackends>())});
   });
 }

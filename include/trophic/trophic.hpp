@@ -220,6 +220,7 @@
 #include <trophic/population/search_tree.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/spatial_grid.hpp>
+#include <trophic/population/species_colour.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/replicates/folder.hpp>
@@ -270,6 +271,7 @@
 #include <trophic/rules/with.hpp>
 #include <trophic/rules/with_rules_of.hpp>
 #include <trophic/rules/with_sensor.hpp>
+#include <trophic/support/colour.hpp>
 #include <trophic/support/faster_way.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/host_name.hpp>

@@ -98,8 +98,8 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], "trophic: needs a command: analyze, flip-table, cross-check, evolve-gait, measure-gait, show or film\n"),
-            (["analyse"], "trophic: analyse: must be analyze, flip-table, cross-check, evolve-gait, measure-gait, show or film; did you mean analyze?\n"),
+            ([], "trophic: needs a command: analyze, flip-table, cross-check, evolve-gait, measure-gait, show, film or export\n"),
+            (["analyse"], "trophic: analyse: must be analyze, flip-table, cross-check, evolve-gait, measure-gait, show, film or export; did you mean analyze?\n"),
             (["analyze", "--publish"], "trophic analyze: --publish: unknown option; did you mean --published? (--help lists all)\n"),
             (["flip-table"], "trophic flip-table: runs is required\n"),
         ):

@@ -21,6 +21,7 @@
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
+#include <trophic/command/watching.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/shadow_of.hpp>
 #include <trophic/observe/progress.hpp>
@@ -28,6 +29,7 @@
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/population/species_colour.hpp>
 #include <trophic/replicates/run_in_folder.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
 #include <trophic/rules/print_table.hpp>
@@ -63,10 +65,14 @@ template <class Rules, Backend B>
 template <class Rules, Backend B>
 [[nodiscard]] int run_once(const ExperimentOptions& options, const Experiment<Rules, B>& numbers,
                            const std::optional<OriginRun>& origin) {
+  std::optional<Watching> watching;
+  if (options.watch) watching.emplace(options.program);
   Ecology<Rules, B> ecology{numbers};
   if (!options.save_mjcf.empty()) {
     if constexpr (requires { ecology.backend().save_mjcf(options.save_mjcf); }) {
-      ecology.backend().save_mjcf(options.save_mjcf);
+      std::vector<Colour> colours;
+      for (const Individual& individual : ecology.view().robots) colours.push_back(species_colour(individual.species));
+      ecology.backend().save_mjcf(options.save_mjcf, colours);
     } else {
       throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
     }
@@ -87,23 +93,29 @@ template <class Rules, Backend B>
   }
   if (!standing.remark.empty()) std::cout << options.out << " " << standing.remark << std::endl;
   if (standing.complete) return 0;
-  observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out, options.provenance, replay_hz_of(options), standing.opening(),
-                            agents_every_ticks_of(options)};
-  observe::Progress progress;
-  try {
-    if (standing.begins) {
-      checkpoint::restore_any(*standing.from, ecology, folder, progress, stop);
-      folder.manifest().begin_from(text_of(*origin, standing.from->time_s));
-      standing.from.reset();
+  Watching::Spectator nobody;
+  auto& spectator = watching ? watching->spectator() : nobody;
+  const auto simulate = [&] {
+    observe::StopOnSignal stop;
+    observe::RunFolder folder{options.out, options.provenance, replay_hz_of(options), standing.opening(),
+                              agents_every_ticks_of(options)};
+    observe::Progress progress;
+    try {
+      if (standing.begins) {
+        checkpoint::restore_any(*standing.from, ecology, folder, progress, stop);
+        folder.manifest().begin_from(text_of(*origin, standing.from->time_s));
+        standing.from.reset();
+      }
+      checkpoint::run_kept(ecology, until_s, options.out, {.every_s = options.checkpoint_s}, standing.from, folder, progress,
+                           stop, spectator);
+    } catch (const std::exception& error) {
+      std::cerr << options.program << ": " << what_of(error) << "\nwhat was written before is in " << folder.path().string()
+                << "\n";
+      return run_error;
     }
-    checkpoint::run_kept(ecology, until_s, options.out, {.every_s = options.checkpoint_s}, standing.from, folder, progress, stop);
-  } catch (const std::exception& error) {
-    std::cerr << options.program << ": " << what_of(error) << "\nwhat was written before is in " << folder.path().string()
-              << "\n";
-    return run_error;
-  }
-  return report_run(folder, progress, ecology.view(), until_s);
+    return report_run(folder, progress, ecology.view(), until_s);
+  };
+  return watching ? watching->show(simulate) : simulate();
 }
 
 template <class Rules, Backend B>

@@ -209,6 +209,8 @@ namespace detail {
        "agents.csv has the ticks whose number is a multiple of this (1); a run that goes on keeps its own; for large ecologies"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
+      {"--watch", &options.watch,
+       "show the run in a window while it goes on; what it leaves is the same. H in the window tells what keys and mouse do"},
       {"--print-config", &options.print_config, "print every number as TOML and stop"},
       {"--print-table",
        &options.print_table,
@@ -229,6 +231,12 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.at_s && options.from.empty()) throw std::invalid_argument{"--at: needs --from"};
   if (!options.from.empty() && (options.replicates || !options.save_mjcf.empty())) {
     throw std::invalid_argument{"--from: not with --replicates or --save-mjcf"};
+  }
+  if (options.watch && (options.replicates || (!options.save_mjcf.empty() && options.out.empty()))) {
+    throw std::invalid_argument{"--watch: needs a run, and one only; not with --replicates or with --save-mjcf without --out"};
+  }
+  if (!options.save_mjcf.empty() && std::filesystem::exists(std::filesystem::symlink_status(options.save_mjcf))) {
+    throw std::invalid_argument{"--save-mjcf " + options.save_mjcf + ": exists already; nothing is overwritten"};
   }
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {

@@ -41,6 +41,7 @@ struct ExperimentOptions {
   std::vector<std::string> assignments;
   std::string out;
   std::string save_mjcf;
+  bool watch = false;  ///< in a window
   std::optional<std::uint64_t> replay_hz;
   std::uint64_t agents_every = 1;
   bool print_config = false;

@@ -13,6 +13,27 @@
 
 namespace trophic::observe {
 
+/// What a row says of who lives in a body now.
+[[nodiscard]] inline AgentRow agent_row(const View& view, BodyIndex body) {
+  const Individual& self = view.robots[body];
+  const GroundPose& pose = view.poses[body];
+  return {.time_s = view.time_s,
+          .tick = view.tick,
+          .body = body,
+          .id = self.id,
+          .species = self.species,
+          .origin = self.origin,
+          .active = self.active,
+          .tag = self.tag,
+          .x_m = pose.x_m,
+          .y_m = pose.y_m,
+          .heading_rad = pose.heading_rad,
+          .target_angle_rad = self.target_angle_rad,
+          .adversary = self.adversary ? std::optional{view.robots[*self.adversary].id} : std::nullopt,
+          .adversary_distance_m = self.adversary ? std::optional{self.adversary_distance_m} : std::nullopt,
+          .hunger_ticks = view.web.hunts(self.species) ? std::optional{view.hunger_ticks(self)} : std::nullopt};
+}
+
 /// Writes an AgentRow per robot and tick, or only at the ticks whose number is a multiple of `every_ticks`.
 class AgentLog {
  public:
@@ -23,26 +44,7 @@ class AgentLog {
 
   void on_tick(const View& view) {
     if (view.tick % every_ticks_ != 0) return;
-    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-      const Individual& self = view.robots[body];
-      const GroundPose& pose = view.poses[body];
-      file_.write({.time_s = view.time_s,
-                   .tick = view.tick,
-                   .body = body,
-                   .id = self.id,
-                   .species = self.species,
-                   .origin = self.origin,
-                   .active = self.active,
-                   .tag = self.tag,
-                   .x_m = pose.x_m,
-                   .y_m = pose.y_m,
-                   .heading_rad = pose.heading_rad,
-                   .target_angle_rad = self.target_angle_rad,
-                   .adversary = self.adversary ? std::optional{view.robots[*self.adversary].id} : std::nullopt,
-                   .adversary_distance_m = self.adversary ? std::optional{self.adversary_distance_m} : std::nullopt,
-                   .hunger_ticks = view.web.hunts(self.species) ? std::optional{view.hunger_ticks(self)} : std::nullopt},
-                  view.web);
-    }
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) file_.write(agent_row(view, body), view.web);
     file_.flush();
   }
 

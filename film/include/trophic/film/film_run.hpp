@@ -10,18 +10,21 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/command/output.hpp>
 #include <trophic/command/replay/recorded_agents.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
+#include <trophic/drawing/camera.hpp>
+#include <trophic/drawing/footage.hpp>
 #include <trophic/film/encoder.hpp>
 #include <trophic/film/image.hpp>
 #include <trophic/film/renderer.hpp>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -57,138 +60,75 @@ struct FilmPlan {
   return both;
 }
 
-/// Okabe and Ito's colours, as the page in the browser has them.
-[[nodiscard]] inline film::Colour colour_of(Species species) {
-  static constexpr std::array<std::array<int, 3>, 7> colours{
-      {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}, {122, 92, 0}}};
-  const auto& c = colours[species % colours.size()];
-  return {static_cast<float>(c[0]) / 255.0F, static_cast<float>(c[1]) / 255.0F, static_cast<float>(c[2]) / 255.0F};
-}
-inline constexpr film::Colour inactive_colour{0.6F, 0.63F, 0.66F};
-
-/// What a run looks like at any moment of a stretch.
-class FilmedRun {
+/// A stretch of a recorded run.
+class RecordedFootage {
  public:
-  static constexpr double trail_s = 60.0;
-  static constexpr double flash_s = 6.0;
-
-  /// Throws std::invalid_argument for a robot that does not live in the stretch.
-  FilmedRun(const RecordedRun& run, double from_s, double to_s, std::optional<std::uint64_t> follow)
-      : recording_{run.recording}, agents_{run, from_s, to_s, trail_s}, follow_{follow} {
+  /// Throws std::invalid_argument for tables that are not the run's.
+  RecordedFootage(const RecordedRun& run, double from_s, double to_s)
+      : recording_{run.recording}, agents_{run, from_s, to_s, drawing::trail_s}, from_s_{from_s}, to_s_{to_s} {
     const auto tags = run.manifest.at("tags").get<std::vector<int>>();
     filled_tag_ = *std::ranges::max_element(tags);
-    read_deaths(run, from_s, to_s);
-    if (follow_) find_followed(from_s, to_s);
+    read_deaths(run);
   }
 
-  [[nodiscard]] film::Picture picture(double time_s, const std::string& caption) const {
-    film::Picture picture;
-    picture.caption = caption;
-    const auto rows = agents_.at(time_s);
-    const std::size_t joints = recording_.head().joints;
-    for (std::size_t body = 0; body < rows.size(); ++body) {
-      film::RobotLook look;
-      look.root = root(time_s, body);
-      for (std::size_t joint = 0; joint < joints; ++joint) look.joint_angles_rad.push_back(angle(time_s, body, joint));
-      look.colour = colour(rows[body]);
-      look.filled = rows[body].tag == filled_tag_;
-      look.is_marked = follow_ && rows[body].id == *follow_;
-      picture.robots.push_back(std::move(look));
-      add_trail(picture, time_s, body);
-    }
-    add_sights(picture, rows);
-    for (const auto& death : deaths_) {
-      const double age = (time_s - death.time_s) / flash_s;
-      if (age < 0.0 || age >= 1.0) continue;
-      const double ring_m =
-          std::max(1.15 * recording_.head().robot.bounding_radius_m, 0.021 * recording_.head().arena.half_side_m);
-      picture.flashes.push_back({death.x_m, death.y_m, ring_m * (1.2 + 2.2 * age)});
-    }
-    return picture;
+  [[nodiscard]] std::span<const observe::AgentRow> rows_at(double time_s) const { return agents_.at(time_s); }
+  [[nodiscard]] Pose root(double time_s, std::size_t body) const {
+    const auto [before, after, part] = around(time_s);
+    return drawing::between(recording_.root(before, body), recording_.root(after, body), part);
   }
+  [[nodiscard]] std::vector<double> joint_angles_rad(double time_s, std::size_t body) const {
+    const auto [before, after, part] = around(time_s);
+    std::vector<double> angles;
+    for (std::size_t joint = 0; joint < recording_.head().joints; ++joint) {
+      const double a = recording_.joint_angle_rad(before, body, joint);
+      angles.push_back(a + part * (recording_.joint_angle_rad(after, body, joint) - a));
+    }
+    return angles;
+  }
+  [[nodiscard]] std::span<const drawing::Death> deaths() const { return deaths_; }
+  [[nodiscard]] const RobotModel& robot() const { return recording_.head().robot; }
+  [[nodiscard]] const Arena& arena() const { return recording_.head().arena; }
+  [[nodiscard]] double tick_s() const { return recording_.head().times.tick_s; }
+  [[nodiscard]] double first_s() const { return recording_.head().first_time_s; }
+  [[nodiscard]] int filled_tag() const { return filled_tag_; }
 
-  /// Where the followed individual is, or, when it does not live, where its body is.
-  [[nodiscard]] Eigen::Vector3d followed(double time_s) const { return root(time_s, followed_body_).position_m; }
+  /// The body in which an individual lives. Throws std::invalid_argument for one that does not live in the stretch.
+  [[nodiscard]] std::size_t body_of(IndividualId id) const {
+    for (double time_s = from_s_; time_s <= to_s_ + 1e-9; time_s += tick_s()) {
+      const auto rows = agents_.at(time_s);
+      const auto found = std::ranges::find(rows, id, &observe::AgentRow::id);
+      if (found != rows.end()) return static_cast<std::size_t>(found - rows.begin());
+    }
+    throw std::invalid_argument{"--follow " + std::to_string(id) + ": nobody of that id lives between " + number_text(from_s_) +
+                                " and " + number_text(to_s_) + " s"};
+  }
 
  private:
-  struct Death {
-    double time_s, x_m, y_m;
-  };
-
-  void read_deaths(const RecordedRun& run, double from_s, double to_s) {
+  void read_deaths(const RecordedRun& run) {
     analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m"}};
     while (events.next()) {
       const auto time_s = events.get<double>(0);
-      if (events.text(1) != "death" || time_s < from_s - flash_s || time_s > to_s) continue;
+      if (events.text(1) != "death" || time_s < from_s_ - drawing::flash_s || time_s > to_s_) continue;
       deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3)});
     }
   }
 
-  void find_followed(double from_s, double to_s) {
-    for (double time_s = from_s; time_s <= to_s + 1e-9; time_s += recording_.head().times.tick_s) {
-      const auto rows = agents_.at(time_s);
-      const auto found = std::ranges::find(rows, *follow_, &observe::AgentRow::id);
-      if (found == rows.end()) continue;
-      followed_body_ = static_cast<std::size_t>(found - rows.begin());
-      return;
-    }
-    throw std::invalid_argument{"--follow " + std::to_string(*follow_) + ": nobody of that id lives between " +
-                                number_text(from_s) + " and " + number_text(to_s) + " s"};
-  }
-
   /// The frames before and after a moment, and how far it is between them.
-  [[nodiscard]] std::tuple<std::size_t, std::size_t, double> between(double time_s) const {
+  [[nodiscard]] std::tuple<std::size_t, std::size_t, double> around(double time_s) const {
     const std::size_t before = recording_.frame_at(time_s);
     const std::size_t after = std::min(before + 1, recording_.frames() - 1);
     const double gap_s = recording_.time_s(after) - recording_.time_s(before);
     return {before, after, gap_s > 0.0 ? (time_s - recording_.time_s(before)) / gap_s : 0.0};
   }
-  [[nodiscard]] Pose root(double time_s, std::size_t body) const {
-    const auto [before, after, part] = between(time_s);
-    const Pose a = recording_.root(before, body);
-    const Pose b = recording_.root(after, body);
-    return {a.position_m + part * (b.position_m - a.position_m), a.orientation.slerp(part, b.orientation)};
-  }
-  [[nodiscard]] double angle(double time_s, std::size_t body, std::size_t joint) const {
-    const auto [before, after, part] = between(time_s);
-    const double a = recording_.joint_angle_rad(before, body, joint);
-    return a + part * (recording_.joint_angle_rad(after, body, joint) - a);
-  }
-
-  [[nodiscard]] static film::Colour colour(const observe::AgentRow& row) {
-    return row.active ? colour_of(row.species) : inactive_colour;
-  }
-
-  void add_trail(film::Picture& picture, double time_s, std::size_t body) const {
-    const double step_s = 2.0 * recording_.head().times.tick_s;
-    const double oldest_s = std::max(recording_.head().first_time_s, time_s - trail_s);
-    Eigen::Vector3d to = root(time_s, body).position_m;
-    for (double then_s = std::floor(time_s / step_s - 1e-9) * step_s; then_s >= oldest_s; then_s -= step_s) {
-      const auto& row = agents_.at(then_s)[body];
-      const auto strength = static_cast<float>(0.8 * (1.0 - (time_s - then_s) / trail_s));
-      picture.lines.push_back({to.x(), to.y(), row.x_m, row.y_m, colour(row), strength});
-      to = {row.x_m, row.y_m, 0.0};
-    }
-  }
-
-  void add_sights(film::Picture& picture, std::span<const observe::AgentRow> rows) const {
-    for (std::size_t body = 0; body < rows.size(); ++body) {
-      if (!rows[body].adversary) continue;
-      const auto other = std::ranges::find(rows, *rows[body].adversary, &observe::AgentRow::id);
-      if (other == rows.end()) continue;
-      const Eigen::Vector3d from = picture.robots[body].root.position_m;
-      const Eigen::Vector3d to = picture.robots[static_cast<std::size_t>(other - rows.begin())].root.position_m;
-      picture.lines.push_back({from.x(), from.y(), to.x(), to.y(), colour(rows[body]), 0.22F});
-    }
-  }
 
   const observe::RecordingReader& recording_;
   RecordedAgents agents_;
-  std::optional<std::uint64_t> follow_;
-  std::size_t followed_body_ = 0;
+  double from_s_;
+  double to_s_;
   int filled_tag_ = 1;
-  std::vector<Death> deaths_;
+  std::vector<drawing::Death> deaths_;
 };
+static_assert(drawing::Footage<RecordedFootage>);
 
 /// "1234.0 s".
 [[nodiscard]] inline std::string time_text(double time_s) {
@@ -226,22 +166,25 @@ class FilmedRun {
   const double from_s = plan.window.from_s.value_or(run.recording.head().first_time_s);
   const bool is_moment = !is_film && plan.sheet.empty();
   const double to_s = is_moment ? from_s : plan.window.to_s.value_or(last_s);
-  const FilmedRun filmed{run, from_s, to_s, plan.follow};
+  const RecordedFootage footage{run, from_s, to_s};
+  const auto followed = plan.follow ? std::optional{footage.body_of(*plan.follow)} : std::nullopt;
 
   constexpr std::size_t gap = 6;
   const film::Quality quality = is_film && !plan.fine ? film::Quality::fast : film::Quality::fine;
   film::Renderer renderer{run.recording.head().robot, run.recording.head().arena, width, height, quality};
+  const double aspect = static_cast<double>(width) / static_cast<double>(height);
   const auto draw = [&](double time_s) {
-    film::Camera camera = plan.from_above ? renderer.from_above() : renderer.whole_arena();
-    if (plan.follow) camera = renderer.near(filmed.followed(time_s));
-    if (plan.follow && plan.from_above) camera.elevation_deg = -90.0;
-    return renderer.draw(filmed.picture(time_s, time_text(time_s)), camera);
+    drawing::Camera camera =
+        plan.from_above ? drawing::from_above(footage.arena(), aspect) : drawing::whole_arena(footage.arena(), aspect);
+    if (followed) camera = drawing::near(footage.robot(), footage.root(time_s, *followed).position_m);
+    if (followed && plan.from_above) camera.elevation_deg = -90.0;
+    return renderer.draw(drawing::picture_of(footage, time_s, plan.follow, time_text(time_s)), camera);
   };
   std::size_t pictures = 1;
   if (is_moment) {
     film::write_png(plan.out, draw(from_s));
   } else if (!is_film) {
-    film::Image sheet = film::Image::blank(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, 255);
+    drawing::Image sheet = drawing::Image::blank(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, 255);
     pictures = columns * rows;
     for (std::size_t i = 0; i < pictures; ++i) {
       const double part = pictures == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(pictures - 1);

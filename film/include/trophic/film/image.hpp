@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Pictures in memory and as PNG files.
+// Pictures scaled, put together and as PNG files.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <vector>
+#include <trophic/drawing/image.hpp>
 
 namespace trophic::film {
 
-/// Rows from the top, three bytes (red, green, blue) a pixel.
-struct Image {
-  std::size_t width = 0;
-  std::size_t height = 0;
-  std::vector<std::uint8_t> rgb;
-
-  [[nodiscard]] static Image blank(std::size_t width, std::size_t height, std::uint8_t grey) {
-    return {width, height, std::vector<std::uint8_t>(3 * width * height, grey)};
-  }
-};
+using drawing::Image;
 
 /// Half as wide and high; each pixel the mean of four. The size must be even.
 [[nodiscard]] Image halved(const Image& image);

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/analysis/data/csv_reader.hpp>
+#include <trophic/command/replay/base64.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
 #include <vector>
 
@@ -33,19 +34,6 @@ namespace trophic::command::replay {
     throw std::invalid_argument{"this program was built without the viewer; install npm (Node.js 18 or later) and build again"};
   }
   return {static_cast<const char*>(trophic_viewer_page), trophic_viewer_page_size};
-}
-
-[[nodiscard]] inline std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() / 3 * 4 + 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
-    std::uint32_t three = 0;
-    for (std::size_t i = 0; i < 3; ++i) three = three << 8U | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-    for (std::size_t i = 0; i < 4; ++i) text.push_back(i <= count ? letters[three >> (18U - 6U * i) & 63U] : '=');
-  }
-  return text;
 }
 
 [[nodiscard]] inline std::string deflated(std::string_view text) {

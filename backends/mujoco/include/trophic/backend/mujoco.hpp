@@ -17,6 +17,7 @@
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/colour.hpp>
 #include <trophic/support/linkage.hpp>
 #include <tuple>
 #include <vector>
@@ -87,8 +88,9 @@ class Mujoco {
   void restore(const State& state);
 
   /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
-  /// `simulate` opens it; the heights of a height field go into a binary file beside it. Throws std::runtime_error.
-  void save_mjcf(const std::filesystem::path& path) const;
+  /// `simulate` opens it; the heights of a height field go into a binary file beside it. `colours`: of each robot; those left out
+  /// are orange. Throws std::runtime_error.
+  void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours = {}) const;
 
  private:
   class Simulation;

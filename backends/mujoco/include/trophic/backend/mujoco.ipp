@@ -92,8 +92,8 @@ class Mujoco::Simulation {
 
   /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
   /// `simulate` opens it; the heights of a height field go into a binary file beside it. Throws std::runtime_error.
-  void save_mjcf(const std::filesystem::path& path) const {
-    mujoco::save_mjcf(path, robot_, arena_, physics_, box_depth_, states_, targets_rad_);
+  void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
+    mujoco::save_mjcf(path, robot_, arena_, physics_, box_depth_, states_, targets_rad_, colours);
   }
 
  private:
@@ -218,8 +218,8 @@ TROPHIC_INLINE Mujoco::State Mujoco::save() const {
 TROPHIC_INLINE void Mujoco::restore(const State& state) {
   simulation_->restore(state);
 }
-TROPHIC_INLINE void Mujoco::save_mjcf(const std::filesystem::path& path) const {
-  simulation_->save_mjcf(path);
+TROPHIC_INLINE void Mujoco::save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
+  simulation_->save_mjcf(path, colours);
 }
 
 }  // namespace trophic::backend

@@ -15,6 +15,7 @@
 #include <string>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
+#include <trophic/support/colour.hpp>
 #include <utility>
 #include <vector>
 
@@ -27,9 +28,12 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
   if (!file) throw std::runtime_error{path.string() + ": cannot be written"};
 }
 
+/// Of robots of which nobody says which colour they have.
+inline constexpr Colour any_robot{0.84F, 0.37F, 0.0F};
+
 /// Light, a floor in squares of a metre, colours and a camera, so that robots can be seen in MuJoCo's programs. None of it
 /// changes how they move.
-inline void add_looks(pugi::xml_node root, const Arena& arena) {
+inline void add_looks(pugi::xml_node root, const Arena& arena, std::span<const Colour> colours) {
   const auto add = [](pugi::xml_node parent, const char* name,
                       std::initializer_list<std::pair<const char*, std::string>> attributes) {
     pugi::xml_node node = parent.append_child(name);
@@ -39,7 +43,7 @@ inline void add_looks(pugi::xml_node root, const Arena& arena) {
   const auto numbers = [](std::initializer_list<double> values) { return numbers_text({values.begin(), values.size()}); };
   add(root, "statistic", {{"center", "0 0 0"}, {"extent", number_text(half)}});
   pugi::xml_node visual = root.append_child("visual");
-  add(visual, "headlight", {{"ambient", "0.45 0.45 0.45"}, {"diffuse", "0.25 0.25 0.25"}, {"specular", "0 0 0"}});
+  add(visual, "headlight", {{"ambient", "0.45 0.45 0.45"}, {"diffuse", "0.2 0.2 0.2"}, {"specular", "0 0 0"}});
   add(visual, "map", {{"znear", "0.002"}});
   add(visual, "global", {{"azimuth", "90"}, {"elevation", "-50"}});
   pugi::xml_node asset = root.child("asset") ? root.child("asset") : root.insert_child_before("asset", root.child("worldbody"));
@@ -58,17 +62,21 @@ inline void add_looks(pugi::xml_node root, const Arena& arena) {
     const std::string name = geom.attribute("name").value();
     if (name == "floor" || name == "ground") geom.append_attribute("material").set_value("squares");
   }
+  std::size_t index = 0;
   for (pugi::xml_node robot : world.children("body")) {
+    const Colour core = index < colours.size() ? colours[index] : any_robot;
+    ++index;
     for (const pugi::xpath_node& geom : robot.select_nodes(".//geom")) {
       const bool is_root = geom.node().parent() == robot;
-      geom.node().append_attribute("rgba").set_value(is_root ? "0.84 0.37 0 1" : "0.2 0.25 0.31 1");
+      const Colour colour = is_root ? core : limb_colour(core);
+      geom.node().append_attribute("rgba").set_value(numbers({colour[0], colour[1], colour[2], 1.0}).c_str());
     }
   }
   add(world, "light",
       {{"directional", "true"},
        {"pos", numbers({0.0, 0.0, half})},
        {"dir", "-0.3 0.5 -1"},
-       {"diffuse", "0.55 0.55 0.55"},
+       {"diffuse", "0.35 0.35 0.35"},
        {"specular", "0 0 0"}});
   add(world, "camera", {{"name", "arena"}, {"pos", numbers({0.0, -2.1 * half, 2.3 * half})}, {"xyaxes", "1 0 0 0 0.74 0.67"}});
 }
@@ -76,7 +84,8 @@ inline void add_looks(pugi::xml_node root, const Arena& arena) {
 /// One model of all robots, bodies at their present root poses, and the key frame "now" with the whole state. A height field's
 /// heights go to the file `path` with the extension ".hfield", which the model names.
 inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot, const Arena& arena, const Physics& physics,
-                      BoxDepth box_depth, const RobotStates& states, std::span<const double> targets_rad) {
+                      BoxDepth box_depth, const RobotStates& states, std::span<const double> targets_rad,
+                      std::span<const Colour> colours) {
   const std::string height_file = std::filesystem::path{path}.replace_extension(".hfield").filename().string();
   std::vector<Pose> poses;
   std::vector<double> positions;
@@ -95,7 +104,7 @@ inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot
 
   pugi::xml_document document = write_mjcf(robot, arena, physics, scene, poses, height_file);
   pugi::xml_node root = document.child("mujoco");
-  add_looks(root, arena);
+  add_looks(root, arena, colours);
   auto size = root.append_child("size");
   size.append_attribute("njmax").set_value(compiled.model().njmax);
   size.append_attribute("nconmax").set_value(compiled.model().nconmax);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// From where a picture is taken, and which point of the floor is seen where.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
+
+namespace trophic::drawing {
+
+/// How much of the height is seen, degrees.
+inline constexpr double fovy_deg = 38.0;
+
+/// Looks at a point from a distance; azimuth 90 degrees looks along +y, elevation -90 straight down.
+struct Camera {
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
+  double distance_m = 10.0;
+  double azimuth_deg = 90.0;
+  double elevation_deg = -50.0;
+};
+
+/// A place in a picture: both 0 in its middle; y is 1 at its upper and -1 at its lower edge, x as long as y.
+struct PicturePoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// A camera as three axes and a place.
+struct Sight {
+  Eigen::Vector3d eye_m;
+  Eigen::Vector3d forward;
+  Eigen::Vector3d right;
+  Eigen::Vector3d up;
+
+  explicit Sight(const Camera& camera) {
+    const double azimuth = camera.azimuth_deg * std::numbers::pi / 180.0;
+    const double elevation = camera.elevation_deg * std::numbers::pi / 180.0;
+    forward = {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation), std::sin(elevation)};
+    right = {std::sin(azimuth), -std::cos(azimuth), 0.0};
+    up = right.cross(forward);
+    eye_m = camera.at_m - camera.distance_m * forward;
+  }
+};
+
+/// Half of the height that is seen at a distance of 1.
+[[nodiscard]] inline double half_height() {
+  return std::tan(0.5 * fovy_deg * std::numbers::pi / 180.0);
+}
+
+/// Where a point is seen; none behind the camera.
+[[nodiscard]] inline std::optional<PicturePoint> seen_at(const Camera& camera, const Eigen::Vector3d& point_m) {
+  const Sight sight{camera};
+  const Eigen::Vector3d way = point_m - sight.eye_m;
+  const double depth = way.dot(sight.forward) * half_height();
+  if (!(depth > 0.0)) return std::nullopt;
+  return PicturePoint{way.dot(sight.right) / depth, way.dot(sight.up) / depth};
+}
+
+/// Which point of the floor (z = 0) is seen there; none above the horizon.
+[[nodiscard]] inline std::optional<Eigen::Vector2d> floor_at(const Camera& camera, const PicturePoint& point) {
+  const Sight sight{camera};
+  const Eigen::Vector3d ray = sight.forward + half_height() * (point.x * sight.right + point.y * sight.up);
+  if (!(ray.z() < -1e-6) || !(sight.eye_m.z() > 0.0)) return std::nullopt;
+  return (sight.eye_m - sight.eye_m.z() / ray.z() * ray).head<2>();
+}
+
+/// Sees the whole arena from the south. `aspect`: width over height of the picture.
+[[nodiscard]] inline Camera whole_arena(const Arena& arena, double aspect) {
+  return {.at_m = {0, -0.09 * arena.half_side_m, 0},
+          .distance_m = 2.72 * std::max(1.0, 1.3 / aspect) * arena.half_side_m,
+          .azimuth_deg = 90.0,
+          .elevation_deg = -50.0};
+}
+
+/// Sees the whole arena from above, north at the top.
+[[nodiscard]] inline Camera from_above(const Arena& arena, double aspect) {
+  return {.at_m = Eigen::Vector3d::Zero(),
+          .distance_m = 3.1 * std::max(1.0, 1.05 / aspect) * arena.half_side_m,
+          .azimuth_deg = 90.0,
+          .elevation_deg = -90.0};
+}
+
+/// Looks at a robot from near.
+[[nodiscard]] inline Camera near(const RobotModel& robot, const Eigen::Vector3d& at_m) {
+  return {.at_m = {at_m.x(), at_m.y(), 0.0},
+          .distance_m = 13.0 * robot.bounding_radius_m,
+          .azimuth_deg = 90.0,
+          .elevation_deg = -33.0};
+}
+
+}  // namespace trophic::drawing

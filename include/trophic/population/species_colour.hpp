@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The colours by which species are told apart in every picture: page, film, window, saved worlds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <trophic/population/food_web.hpp>
+#include <trophic/support/colour.hpp>
+
+namespace trophic {
+
+/// Okabe and Ito's colours, which people with any colour vision tell apart, in the order of species; then they begin again.
+[[nodiscard]] constexpr Colour species_colour(Species species) {
+  constexpr std::array<std::array<float, 3>, 7> colours{
+      {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}, {122, 92, 0}}};
+  const auto& c = colours[species % colours.size()];
+  return {c[0] / 255.0F, c[1] / 255.0F, c[2] / 255.0F};
+}
+
+/// Of a newborn that is not yet seen and does not act.
+inline constexpr Colour inactive_colour{0.6F, 0.63F, 0.66F};
+
+}  // namespace trophic

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""saved_world_test.py PREDATOR_PREY: a world that --save-mjcf wrote, in MuJoCo's own program: it opens, and both species are seen."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+import unittest
+import xml.etree.ElementTree
+
+import system_python
+import virtual_screen
+
+system_python.need("numpy", "PIL")
+
+import numpy  # noqa: E402
+from in_folder import InFolder  # noqa: E402
+from PIL import Image  # noqa: E402
+
+PROGRAM = sys.argv.pop(1)
+BLUE, ORANGE = (0, 114, 178), (213, 94, 0)
+
+
+class SavedWorld(InFolder):
+    def save(self, *arguments):
+        command = [PROGRAM, "--save-mjcf", "world.xml", *arguments]
+        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=120)
+
+    def test_robots_have_the_colours_of_their_species(self):
+        self.assertEqual(self.save("--set", "rules.community.predators=7").returncode, 0)
+        root = xml.etree.ElementTree.parse(self.folder / "world.xml").getroot()
+        cores = [body.find("geom").get("rgba") for body in root.find("worldbody").findall("body")]
+        self.assertEqual(sorted(cores.count(colour) for colour in set(cores)), [7, 23])
+        self.assertNotIn("collision", root.find("option").attrib)  # MuJoCo 3 refuses it
+        self.assertTrue(root.findall(".//light") and root.findall(".//camera"))
+
+    def test_nothing_is_overwritten(self):
+        (self.folder / "world.xml").write_text("mine")
+        done = self.save()
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, "trophic-predator-prey: --save-mjcf world.xml: exists already; nothing is overwritten\n")
+        self.assertEqual((self.folder / "world.xml").read_text(), "mine")
+
+    def test_a_folder_that_is_not_there(self):
+        done = subprocess.run([PROGRAM, "--save-mjcf", "none/world.xml"], capture_output=True, text=True, cwd=self.folder, timeout=120)
+        self.assertEqual((done.returncode, done.stderr), (1, "trophic-predator-prey: none/world.xml: cannot be written\n"))
+
+    @unittest.skipIf(shutil.which("mujoco-simulate") is None or virtual_screen.missing(), "apt-get install libmujoco-samples xvfb xdotool ffmpeg")
+    def test_simulate_shows_both_species(self):
+        for arena in ("walled_square", "height_field"):
+            with self.subTest(arena), virtual_screen.VirtualScreen() as screen:
+                pathlib.Path(self.folder / "world.xml").unlink(missing_ok=True)
+                self.assertEqual(self.save("--set", f"ecology.arena={arena}").returncode, 0)
+                command = ["mujoco-simulate", str(self.folder / "world.xml")]
+                program = subprocess.Popen(command, env=screen.environment, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                self.addCleanup(program.wait)
+                self.addCleanup(program.kill)
+                screen.window("Simulate : ", program)
+                deadline = 40
+                seen = {}
+                while deadline > 0 and (not seen or min(seen.values()) < 10):
+                    time.sleep(1)
+                    deadline -= 1
+                    screen.screenshot(self.folder / "screen.png")
+                    world = numpy.array(Image.open(self.folder / "screen.png").convert("RGB"))[:480, 275:580].astype(int)
+                    seen = {colour: int((numpy.abs(world - colour).sum(axis=-1) < 110).sum()) for colour in (BLUE, ORANGE)}
+                self.assertGreaterEqual(min(seen.values()), 10, seen)
+                program.kill()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <string>
+#include <trophic/watch/controls.hpp>
+#include <trophic/watch/inspector.hpp>
+#include <unit/watch/footage.hpp>
+
+using namespace trophic;
+
+namespace {
+
+/// Three robots two ticks into a run, seen by somebody who has just paused.
+struct Scene {
+  test::WrittenFootage written{{{.species = test::predator, .x_m = -4, .y_m = 3, .tag = -1, .id = 17},
+                                {.x_m = 5, .y_m = -2, .id = 18},
+                                {.x_m = 0, .y_m = 0, .active = false, .id = 19}}};
+  watch::LiveFootage& footage = written.footage;
+  watch::WindowSize window{1280, 720};
+  watch::Controls controls;
+
+  Scene() {
+    written.go_on();
+    written.go_on();
+    look();
+    press(watch::Key::pause);
+  }
+  void look(double elapsed_s = 0.0) { controls.advance(footage, elapsed_s, window); }
+  void press(watch::Key key) { controls.press(key, footage, window); }
+  /// A pixel near the foot of a robot.
+  [[nodiscard]] std::pair<double, double> pixel(std::size_t body) const {
+    Eigen::Vector3d at = footage.root(controls.clock().time_s(), body).position_m;
+    at.z() = 0.0;
+    const auto point = drawing::seen_at(controls.camera(), at);
+    return {0.5 * (window.width + point->x * window.height), 0.5 * (window.height - point->y * window.height)};
+  }
+  void click(double x, double y) {
+    controls.press_mouse(watch::Button::turns, x, y);
+    controls.move_mouse(x + 1, y, window);
+    controls.release_mouse(footage, window);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a click says who that is, a click beside everybody lets go") {
+  Scene scene;
+  for (const auto key : {watch::Key::whole, watch::Key::top}) {
+    scene.press(key);
+    for (std::size_t body = 0; body < 3; ++body) {
+      const std::pair<double, double> at = scene.pixel(body);
+      scene.click(at.first, at.second);
+      CHECK(scene.controls.selected() == 17 + body);
+      CHECK(scene.controls.selected_body(scene.footage) == body);
+    }
+    scene.click(30, 700);
+    CHECK_FALSE(scene.controls.selected().has_value());
+  }
+}
+
+TEST_CASE("a drag turns or moves and chooses nobody") {
+  Scene scene;
+  const drawing::Camera before = scene.controls.camera();
+  scene.controls.press_mouse(watch::Button::turns, 600, 300);
+  scene.controls.move_mouse(700, 300, scene.window);
+  scene.controls.release_mouse(scene.footage, scene.window);
+  CHECK(scene.controls.camera().azimuth_deg < before.azimuth_deg);
+  CHECK_FALSE(scene.controls.selected().has_value());
+  scene.controls.move_mouse(900, 300, scene.window);  // no button is held
+  const drawing::Camera turned = scene.controls.camera();
+  scene.controls.press_mouse(watch::Button::shifts, 600, 300);
+  scene.controls.move_mouse(600, 400, scene.window);
+  scene.controls.release_mouse(scene.footage, scene.window);
+  CHECK(scene.controls.camera().azimuth_deg == turned.azimuth_deg);
+  CHECK((scene.controls.camera().at_m - turned.at_m).norm() > 0.1);
+  scene.controls.turn_wheel(2.0);
+  CHECK(scene.controls.camera().distance_m < turned.distance_m);
+}
+
+TEST_CASE("who is followed stays in the middle, until it is let go") {
+  Scene scene;
+  scene.press(watch::Key::follow);
+  CHECK_FALSE(scene.controls.is_following());  // nobody was chosen
+  scene.press(watch::Key::next);
+  scene.press(watch::Key::follow);
+  for (int i = 0; i < 3; ++i) {
+    scene.written.go_on();
+    scene.press(watch::Key::step);
+    scene.look();
+    const Eigen::Vector3d at = scene.footage.root(scene.controls.clock().time_s(), 0).position_m;
+    CHECK((scene.controls.camera().at_m.head<2>() - at.head<2>()).norm() < 1e-12);
+  }
+  scene.press(watch::Key::follow);
+  CHECK_FALSE(scene.controls.is_following());
+  CHECK(scene.controls.selected() == 17);
+  scene.press(watch::Key::deselect);
+  CHECK_FALSE(scene.controls.selected().has_value());
+}
+
+TEST_CASE("the next one goes round, and who dies stays chosen as a dead one") {
+  Scene scene;
+  for (const IndividualId id : {17U, 18U, 19U, 17U}) {
+    scene.press(watch::Key::next);
+    CHECK(scene.controls.selected() == id);
+  }
+  scene.press(watch::Key::follow);
+  scene.written.population.individuals[0].id = 20;
+  scene.written.go_on();
+  CHECK(watch::moment_text(scene.controls, scene.footage, false) == "0.0 s, paused, robot 17");
+  for (int i = 0; i < 3; ++i) {
+    scene.press(watch::Key::step);
+    scene.look();
+  }
+  CHECK(scene.controls.selected() == 17);
+  CHECK_FALSE(scene.controls.selected_body(scene.footage).has_value());
+  CHECK(watch::moment_text(scene.controls, scene.footage, true) == "6.0 s, paused, the run has ended, robot 17 (dead)");
+  CHECK(watch::inspected(scene.controls, scene.footage).right == "17\ndead");
+}
+
+TEST_CASE("what is known of a robot") {
+  Scene scene;
+  CHECK(watch::inspected(scene.controls, scene.footage).left.empty());
+  scene.written.population.individuals[0].parent = 3;
+  scene.written.population.individuals[0].adversary = 1;
+  scene.written.population.individuals[0].adversary_distance_m = 2.5;
+  scene.written.go_on();
+  for (int i = 0; i < 3; ++i) {
+    scene.press(watch::Key::step);
+    scene.look();
+  }
+  scene.press(watch::Key::next);
+  const watch::Columns about = watch::inspected(scene.controls, scene.footage);
+  CHECK(about.left == "robot\nspecies\ntag\nage\nhunger\norigin\nparent\nsees\nat\nturns by\nbody");
+  CHECK(about.right == "17\npredator\n-1\n6.0 s\n3 ticks\nrandom\n3\n18\n2.5 m\n0.0 deg\n0");
+  scene.press(watch::Key::next);
+  scene.press(watch::Key::next);
+  CHECK(watch::inspected(scene.controls, scene.footage).right.find("not active yet") != std::string::npos);
+}
+
+TEST_CASE("help has a meaning for each key") {
+  const auto lines = [](std::string_view text) { return std::ranges::count(text, '\n'); };
+  CHECK(lines(watch::Controls::help) == lines(watch::Controls::help_meanings));
+  Scene scene;
+  CHECK(scene.controls.shows_help());
+  scene.press(watch::Key::help);
+  CHECK_FALSE(scene.controls.shows_help());
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What `trophic export` writes, before Khronos' validator and in three.js. TROPHIC, PREDATOR_PREY and ENGINE name programs and backend.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import validator from "gltf-validator";
+import * as three from "three";
+import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+
+const folder = mkdtempSync(join(tmpdir(), "trophic-gltf-"));
+const at = (name) => join(folder, name);
+const write = (run, name, ...options) => execFileSync(process.env.TROPHIC, ["export", at(run), "--out", at(name), ...options.map(String)]);
+before(() => {
+  const run = (name, backend, ...options) =>
+    execFileSync(process.env.PREDATOR_PREY, ["--backend", backend, "--seed", "3", "--out", at(name), ...options]);
+  run("long", "kinematic", "--duration", "600");
+  run("walk", process.env.ENGINE, "--duration", "20");
+  run("slopes", "kinematic", "--duration", "20", "--set", "ecology.arena=height_field");
+});
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+test("Khronos' validator finds nothing to complain of", async () => {
+  const files = [
+    ["long", "long.glb"], ["walk", "walk.gltf"], ["slopes", "slopes.glb"], ["walk", "moment.glb", "--from", 4, "--to", 4],
+    ["long", "one.glb", "--follow", 5, "--to", 2],
+  ];
+  for (const [run, name, ...options] of files) {
+    write(run, name, ...options);
+    const report = await validator.validateBytes(new Uint8Array(readFileSync(at(name))), { uri: name });
+    const { numErrors, numWarnings, messages } = report.issues;
+    assert.deepEqual([numErrors, numWarnings], [0, 0], JSON.stringify(messages.slice(0, 5)));
+    assert.equal(report.info.hasAnimations ?? report.info.animationCount > 0, name !== "moment.glb");
+  }
+});
+
+test("three.js plays it: robots are where agents.csv says and walk on the floor", async () => {
+  write("walk", "played.glb");
+  const bytes = readFileSync(at("played.glb"));
+  const gltf = await new GLTFLoader().parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength), "");
+  const mixer = new three.AnimationMixer(gltf.scene);
+  mixer.clipAction(gltf.animations[0]).setLoop(three.LoopOnce).play();
+  const [header, ...lines] = readFileSync(join(at("walk"), "agents.csv"), "utf8").trim().split("\n").map((line) => line.split(","));
+  const rows = lines.map((cells) => Object.fromEntries(header.map((name, i) => [name, cells[i]])));
+  for (const time of [2, 8, 14]) {
+    mixer.setTime(time);
+    gltf.scene.updateMatrixWorld(true);
+    const alive = rows.filter((row) => Number(row.time_s) === time);
+    assert.equal(alive.length, 30);
+    for (const row of alive) {
+      const robot = gltf.scene.getObjectByName(`robot_${row.id}`);
+      const place = robot.getWorldPosition(new three.Vector3());
+      assert.ok(Math.hypot(place.x - row.x_m, -place.z - row.y_m) < 0.002, `robot ${row.id} at ${time} s`);
+      if (process.env.ENGINE === "kinematic") continue;
+      const lowest = new three.Box3().setFromObject(robot, true).min.y;
+      assert.ok(lowest > -0.01 && lowest < 0.02, `the feet of robot ${row.id} are ${lowest} m above the floor at ${time} s`);
+    }
+  }
+});

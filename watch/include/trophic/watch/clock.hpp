@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Which moment of a run is shown: pause, step and speed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <trophic/params/params.hpp>
+
+namespace trophic::watch {
+
+/// Moves over the ecology's clock as somebody's own time passes. Is never ahead of the run.
+class Clock {
+ public:
+  /// Ecology seconds a second of the onlooker's; the last one: as fast as the run goes.
+  static constexpr std::array<double, 13> speeds{
+      0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, std::numeric_limits<double>::infinity()};
+
+  [[nodiscard]] double time_s() const { return time_s_; }
+  [[nodiscard]] double speed() const { return speeds[speed_]; }
+  [[nodiscard]] bool is_paused() const { return is_paused_; }
+
+  void set(double time_s) { time_s_ = time_s; }
+  void faster() { speed_ = std::min(speed_ + 1, speeds.size() - 1); }
+  void slower() { speed_ = std::max<std::size_t>(speed_, 1) - 1; }
+  void pause_or_go_on() {
+    is_paused_ = !is_paused_;
+    step_to_s_.reset();
+  }
+  /// Goes on to the next moment at which rules decide, and pauses there.
+  void step(double tick_s) {
+    const double from_s = step_to_s_.value_or(time_s_);
+    step_to_s_ = (std::floor(from_s / tick_s + 1e-6) + 1.0) * tick_s;
+    is_paused_ = true;
+  }
+
+  /// `elapsed_s` of the onlooker's time have passed; the run is known up to `newest_s`.
+  void advance(double elapsed_s, double newest_s) {
+    if (step_to_s_) {
+      time_s_ = std::max(time_s_, std::min(*step_to_s_, newest_s));
+      if (time_s_ >= *step_to_s_) step_to_s_.reset();
+    } else if (!is_paused_) {
+      const double next_s = std::isinf(speed()) ? newest_s : time_s_ + elapsed_s * speed();
+      time_s_ = std::max(time_s_, std::min(next_s, newest_s));
+    }
+  }
+
+  /// How far the run should be by now, so that nobody waits for it.
+  [[nodiscard]] double wanted_until_s(double tick_s) const {
+    if (is_paused_) return step_to_s_.value_or(time_s_ + tick_s);
+    return time_s_ + std::max(tick_s, speed());
+  }
+
+  /// "60.0 s, 10x", "60.0 s, paused".
+  [[nodiscard]] std::string text() const {
+    const double tenths = std::round(10.0 * time_s_);
+    const std::string whole =
+        number_text(std::floor(tenths / 10.0)) + "." + number_text(tenths - 10.0 * std::floor(tenths / 10.0));
+    const std::string pace = is_paused_ ? "paused" : std::isinf(speed()) ? "as fast as it goes" : number_text(speed()) + "x";
+    return whole + " s, " + pace;
+  }
+
+ private:
+  double time_s_ = 0.0;
+  std::size_t speed_ = 6;
+  bool is_paused_ = false;
+  std::optional<double> step_to_s_;
+};
+
+}  // namespace trophic::watch
