@@ -149,12 +149,14 @@ class Runner {
   Runner(const ExperimentOptions& options, const std::vector<Pairing>& pairings, const observe::StopOnSignal& stop)
       : options_{options}, pairings_{pairings}, stop_{stop} {}
 
-  /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder.
-  void run(const PlannedRun& run, double replay_hz, const std::filesystem::path& folder, observe::JointProgress& progress,
-           std::optional<double> until_s = {}) const {
+  /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder, where it leaves what the sweep's file asks
+  /// for.
+  void run(const PlannedRun& run, const sweep::SweepFile::Numbers& asked, const std::filesystem::path& folder,
+           observe::JointProgress& progress, std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, replay_hz};
+    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, asked.replay_hz};
+    keeping.senses = asked.senses;
     keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
     pairing_of(run.rule_table, run.engine, pairings_)
         .run_planned(config, run.shadow, run.seed, folder, keeping, progress.watch(run.folder.string()), stop_);
@@ -179,7 +181,7 @@ class Runner {
   for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
     const std::filesystem::path folder = observe::next_free_folder(beside);
     const observe::Stopwatch watch;
-    runner.run(run, 0.0, folder, quiet, until_s);
+    runner.run(run, {}, folder, quiet, until_s);
     const double wall_s = watch.elapsed_s();
     std::filesystem::remove_all(folder);
     if (wall_s > 0.5 || until_s >= run.until_s) return wall_s / (run.work * until_s / run.until_s);
@@ -250,6 +252,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   refuse(options.replicates.has_value(), "--replicates", in_file);
   refuse(options.shadow, "--shadow", in_file);
   refuse(options.replay_hz.has_value(), "--replay-hz", in_file);
+  refuse(options.senses, "--senses", in_file);
   refuse(options.agents_every != 1, "--agents-every", "its runs have every tick");
   refuse(!options.config.empty(), "--config", in_file);
   refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
@@ -309,12 +312,12 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector
   const observe::StopOnSignal stop;
   const detail::sweeps::Runner runner{options, pairings, stop};
   std::vector<sweep::PlannedRun> plan;
-  double replay_hz = 0.0;
+  sweep::SweepFile::Numbers asked;
   sweep::Shard shard;
   try {
     detail::sweeps::check(options, team);
     const sweep::SweepFile file = sweep::read_sweep(options.sweep);
-    replay_hz = file.numbers.replay_hz;
+    asked = file.numbers;
     if (!options.shard.empty()) shard = sweep::shard_of(options.shard);
     if (leads) {
       plan = plan_of(file, pairings);
@@ -336,7 +339,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector
   observe::JointProgress progress{runs, plan.front().until_s, std::cout};
   const auto attempt = [&](const sweep::PlannedRun& run) {
     return sweep::attempt(options.out, run, options.lease_s,
-                          [&](const std::filesystem::path& folder) { runner.run(run, replay_hz, folder, progress); });
+                          [&](const std::filesystem::path& folder) { runner.run(run, asked, folder, progress); });
   };
   const auto go_on = [&] { return stop.keep_running(); };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());

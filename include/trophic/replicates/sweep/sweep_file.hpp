@@ -36,6 +36,7 @@ inline constexpr std::size_t most_runs = 1'000'000;
 ///     paired = true                  # replicate k has the same seed in every cell
 ///     shadow = false                 # each run's neutral shadow, too
 ///     replay_hz = 0.0                # frames of each run's recording in a simulated second: 0, 5, 10 or 30
+///     senses = false                 # each run's senses.csv, too
 ///     [set]                          # in every run
 ///     ecology.duration_s = 3000.0
 ///     [grid]                         # every value with every other
@@ -53,6 +54,7 @@ struct SweepFile {
     bool paired = true;
     bool shadow = false;
     double replay_hz = 0.0;
+    bool senses = false;
 
     static constexpr auto fields() {
       return std::tuple{
@@ -60,7 +62,8 @@ struct SweepFile {
           field("seed", &Numbers::seed, any_seed(), "the seeds of all runs follow from it"),
           field("paired", &Numbers::paired, "replicate k has the same seed in every cell"),
           field("shadow", &Numbers::shadow, "each run's neutral shadow, too"),
-          field("replay_hz", &Numbers::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second")};
+          field("replay_hz", &Numbers::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second"),
+          field("senses", &Numbers::senses, "each run's senses.csv, too")};
     }
   };
 
