@@ -12,7 +12,6 @@
 #include <string>
 #include <trophic/backend/mujoco/engine.hpp>
 #include <trophic/film/renderer.hpp>
-#include <trophic/habitat/link_frames.hpp>
 #include <utility>
 
 namespace trophic::film {
@@ -240,9 +239,17 @@ class Renderer::Drawing {
   }
 
   void add_body(const RobotLook& look) {
-    const std::vector<Eigen::Isometry3d> frames = link_frames(robot_, look.root, look.joint_angles_rad);
+    std::vector<Eigen::Isometry3d> frames(robot_.links.size());
     for (std::size_t i = 0; i < robot_.links.size(); ++i) {
       const Link& link = robot_.links[i];
+      if (i == 0) {
+        frames[i] = Eigen::Translation3d{look.root.position_m} * look.root.orientation;
+      } else {
+        frames[i] = frames[static_cast<std::size_t>(link.parent)] * Eigen::Translation3d{link.offset_m} * link.rotation;
+        if (!look.joint_angles_rad.empty()) {
+          frames[i] = frames[i] * Eigen::AngleAxisd{look.joint_angles_rad[i - 1], robot_.hinges[i - 1].axis};
+        }
+      }
       const Colour colour = i == 0 ? look.colour : mixed(look.colour, ink, 0.42F);
       for (const Box& box : link.boxes) {
         const Eigen::Isometry3d frame = frames[i] * Eigen::Translation3d{box.centre_m} * box.orientation;

@@ -356,6 +356,7 @@ class Refusals(Sweeps):
             ("--set", "rules.mutation.sd=0.1"): "--set: not with --sweep",
             ("--replicates", "3"): "--replicates: not with --sweep",
             ("--agents-every", "3"): "--agents-every: not with --sweep",
+            ("--senses",): "--senses: not with --sweep; its file says it",
             ("--seed", "3"): "--seed: not with --sweep",
             ("--resume",): "--resume: not with --sweep",
         }.items():

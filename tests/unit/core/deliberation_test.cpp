@@ -78,7 +78,7 @@ Listener listen(std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("deliberations: every brain once a tick, as robots turn and switch, and nothing else changes") {
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}}) {
     const Listener paper = listen<rules::Paper>(seed);
     CHECK(paper.denied > 0);
     CHECK(paper.switched > 0);
