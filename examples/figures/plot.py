@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the paper's figures, and three more, from what `trophic analyze` wrote.
+"""Draws the paper's figures, and pictures of runs, from what `trophic analyze` wrote.
 
-    python3 examples/figures/plot.py ANALYSIS [--out FOLDER] [--run K]
+    python3 examples/figures/plot.py ANALYSIS [--out FOLDER] [--run K] [--trophic PROGRAM]
 
 ANALYSIS is the folder with metrics.csv and summary.json. Each figure goes to FOLDER (ANALYSIS/figures) as PNG and PDF, in the
-width of an article's column; of a comparison, each set gets its own. A figure whose data are missing is left out, with a line
-that says so. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
+width of an article's column, and what its caption says to FOLDER/captions.json; of a comparison, each set gets its own. A figure
+whose data are missing is left out, with a line that says so. The film strip of a catch is drawn by `trophic film`. Needs
+matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
 """
 import argparse
 import functools
@@ -17,12 +18,13 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from style import COLOURS, COLUMN_IN, NULL_COLOUR, Missing, colour, save_all
+from pictures import catches, film_strip, phylogeny, trajectories
+from style import COLOURS, COLUMN_IN, NULL_COLOUR, Missing, caption, colour, line, save_all
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
 from trophic.runs import RunError, read_analysis  # noqa: E402
 
-CAUSES = {"caught": ("#56B4E9", ""), "sacrificed": ("#F0E442", "////"), "starved": ("#D55E00", ""), "senescence": ("#999999", "..")}
+HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": "...."}
 # Mean over the paper's ten runs; the range is that of its runs.
 PAPER = {"attribution_caught": 0.65, "attribution_credited": 0.725, "wall_sticking": {"predator": 0.39, "prey": 0.60},
          "velocity": {"predator": 1.95, "prey": -0.67}, "tag_symmetry": (0.43, 0.33, 0.53)}
@@ -45,8 +47,8 @@ def interval(runs):
 class Data:
     """One set of runs."""
 
-    def __init__(self, metrics, summary, run):
-        self.metrics, self.summary = metrics, summary
+    def __init__(self, metrics, summary, run, trophic):
+        self.metrics, self.summary, self.trophic = metrics, summary, trophic
         self.folders = [pathlib.Path(r["folder"]) for r in summary["runs"]]
         self.run = run
         self.species = list(dict.fromkeys(metrics.loc[metrics.metric == "population", "species"]))
@@ -70,6 +72,19 @@ class Data:
     @property
     def has_shadow(self):
         return (self.metrics.baseline == "shadow").any()
+
+    @property
+    def n(self):
+        """How many runs there are, and of the shadow, in words."""
+        shadow = self.metrics[self.metrics.baseline == "shadow"].run.nunique()
+        return f"n = {len(self.folders)} runs" + (f" and {shadow} of the shadow" if shadow else "")
+
+    def intervals(self, sign, with_shadow=True):
+        """What `sign` (bands, bars) means, where there are runs enough."""
+        n = self.n if with_shadow else self.n.split(" and ")[0]
+        if len(self.folders) < 6:
+            return f"{n}: too few for an interval, which needs 6."
+        return f"{n}; {sign}: 95 % interval of the mean over runs (Student's t)."
 
     def curve(self, metric, species, group="all", baseline=""):
         """Window ends, and one row per run."""
@@ -98,9 +113,14 @@ def draw_curve(ax, time_s, runs, label, colour_, style="-", average=True, scale=
     mean, lower, upper = interval(runs * scale)
     middle_s = time_s - (time_s[0] / 2 if len(time_s) else 0)
     ax.fill_between(middle_s, lower, upper, color=colour_, alpha=0.2, linewidth=0)
-    ax.plot(middle_s, mean, style, color=colour_, label=label)
+    ax.plot(middle_s, mean, linestyle=style, color=colour_, label=label)
     if average:
         ax.axhline(np.nanmean(mean), color=colour_, linestyle=style, linewidth=0.6)
+
+
+def window_s(time_s):
+    """The length of the windows whose ends these are."""
+    return time_s[0] if len(time_s) else 0
 
 
 def attribution(data):
@@ -133,7 +153,8 @@ def attribution(data):
     ax.set(xticks=range(place), ylim=(0, 1.12), ylabel="inherited share (attribution)")
     ax.set_xticklabels(names)
     ax.legend(loc="upper left", ncol=2, columnspacing=1, handlelength=1.6)
-    return fig
+    return caption(fig, f"Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
+                        "credited: of the predators that ever caught; catches: of all catches.")
 
 
 def velocity(data):
@@ -152,7 +173,8 @@ def velocity(data):
         ax.set_ylim(low, high + 0.38 * (high - low))
         ax.legend(ncol=2, loc="upper right", columnspacing=1, handlelength=1.8)
     axes[-1, 0].set_xlabel("time [s]")
-    return fig
+    return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')} "
+                        "Above 0: towards the closest adversary that was perceived.")
 
 
 def wall_sticking(data):
@@ -160,10 +182,11 @@ def wall_sticking(data):
     for species in data.species:
         shade = colour(species, data.species)
         time_s, runs = data.curve("wall_sticking", species)
-        draw_curve(ax, time_s, runs, species, shade, "-" if species == data.species[0] else "--")
+        style = line(species, data.species)
+        draw_curve(ax, time_s, runs, species, shade, style)
         if data.has_shadow:
             mean = data.values("wall_sticking", species, "all", "shadow").mean()
-            ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, shadow")
+            ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, shadow's mean")
         if species in PAPER["wall_sticking"]:
             ax.plot([1.0], [PAPER["wall_sticking"][species]], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
                     transform=ax.get_yaxis_transform(), label=f"{species}, published mean")
@@ -171,7 +194,7 @@ def wall_sticking(data):
     ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="evenly spread (no null)")
     ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1.15))
     ax.legend(ncol=2, loc="upper left", columnspacing=1)
-    return fig
+    return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')}")
 
 
 def tag_symmetry(data):
@@ -183,9 +206,10 @@ def tag_symmetry(data):
     jitter = np.random.default_rng(2)
     for place, (_, baseline, shade) in enumerate(rows):
         numbers = data.values("tag_symmetry", baseline=baseline)
-        ax.boxplot(numbers, positions=[place], widths=0.5, vert=False, showfliers=False, medianprops={"color": "black"},
-                   boxprops={"color": shade}, whiskerprops={"color": shade}, capprops={"color": shade})
-        ax.plot(numbers, place + jitter.uniform(-0.12, 0.12, len(numbers)), "o", ms=3, color=shade, alpha=0.8)
+        ax.plot(numbers, place + jitter.uniform(-0.22, -0.08, len(numbers)), "o", ms=3, color=shade, alpha=0.7, mew=0)
+        mean, lower, upper = (x[0] for x in interval(numbers[:, None]))
+        bars = [[mean - lower], [upper - mean]] if np.isfinite(lower) else None
+        ax.errorbar([mean], [place + 0.1], xerr=bars, fmt="s", ms=4, color=shade, capsize=2.5, linewidth=1.4)
     top = len(rows)
     mean, low, high = PAPER["tag_symmetry"]
     ax.errorbar([mean], [top], xerr=[[mean - low], [high - mean]], fmt="D", ms=4.5, mfc="white", mec="black", color="black", capsize=2)
@@ -193,16 +217,17 @@ def tag_symmetry(data):
     ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
     ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
     ax.set_yticklabels([name for name, _, _ in rows] + ["published\n(mean, range)"])
-    return fig
+    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Dealt tags: the tags of the same tick, dealt anew.")
 
 
 def population(data):
-    fig, axes = plt.subplots(3, 1, figsize=(COLUMN_IN, 4.2), sharex=True, gridspec_kw={"height_ratios": [1, 0.8, 1.2]})
+    fig, axes = plt.subplots(3, 1, figsize=(COLUMN_IN, 4.6), sharex=True, gridspec_kw={"height_ratios": [1, 0.8, 1.3]})
     for species in data.species:
+        look = (species, colour(species, data.species), line(species, data.species))
         time_s, runs = data.curve("population", species)
-        draw_curve(axes[0], time_s, runs, species, colour(species, data.species), average=False)
+        draw_curve(axes[0], time_s, runs, *look, average=False)
         if not data.rows("hunger", species, curve=True).empty:
-            draw_curve(axes[1], *data.curve("hunger", species), species, colour(species, data.species), average=False)
+            draw_curve(axes[1], *data.curve("hunger", species), *look, average=False)
     axes[0].set_ylabel("individuals")
     axes[0].set_ylim(bottom=0)
     axes[0].legend(ncol=2)
@@ -210,86 +235,36 @@ def population(data):
     axes[1].set_ylim(bottom=0)
     bottom = 0
     for species in data.species:
-        for cause, (shade, hatch) in CAUSES.items():
+        for cause, hatch in HATCHES.items():
             if data.rows("deaths", species, cause, curve=True).value.sum() == 0:
                 continue
             time_s, runs = data.curve("deaths", species, cause)
             mean = np.nanmean(runs, axis=0)
-            axes[2].bar(time_s - time_s[0] / 2, mean, time_s[0] * 0.9, bottom, color=shade, hatch=hatch, linewidth=0.3,
-                        edgecolor="black", label=f"{species}, {cause}")
+            axes[2].bar(time_s - time_s[0] / 2, mean, time_s[0] * 0.9, bottom, color=colour(species, data.species), hatch=hatch,
+                        linewidth=0.3, edgecolor="white", label=f"{species}, {cause}")
             bottom = bottom + mean
-    axes[2].set(xlabel="time [s]", ylabel="deaths per 200 s")
-    axes[2].set_ylim(0, 1.3 * np.max(bottom) if np.ndim(bottom) else 1)
+    axes[2].set(xlabel="time [s]", ylabel=f"deaths per {window_s(time_s):g} s")
+    rows = np.ceil(len(axes[2].get_legend_handles_labels()[1]) / 2)
+    axes[2].set_ylim(0, (1.15 + 0.13 * rows) * np.max(bottom) if np.ndim(bottom) else 1)
     if np.ndim(bottom):
-        axes[2].legend(ncol=2, columnspacing=1)
-    return fig
+        axes[2].legend(ncol=2, columnspacing=1, loc="upper left")
+    return caption(fig, f"Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: ticks since birth or the last catch.")
 
 
-def phylogeny(data):
-    folder = data.folders[data.run]
-    tree = data.table(folder, "phylogeny.csv", ["id", "ancestor_id", "origin_time", "destruction_time", "species"])
-    if tree.empty:
-        raise Missing(f"{folder / 'phylogeny.csv'}: nobody in it")
-    tree = tree.sort_values("origin_time", kind="stable").set_index("id")
-    end_s = max(tree.destruction_time.replace(np.inf, 0).max(), tree.origin_time.max())
-    children = {}
-    for child, parent in tree.ancestor_id.items():
-        if parent != child and parent in tree.index:
-            children.setdefault(parent, []).append(child)
-    roots = [i for i in tree.index if tree.ancestor_id[i] == i or tree.ancestor_id[i] not in tree.index]
-    rows, waiting = {}, roots[::-1]
-    while waiting:
-        individual = waiting.pop()
-        rows[individual] = len(rows)
-        waiting.extend(children.get(individual, []))
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, 4.4))
-    for species in data.species:
-        of = tree[tree.species == species]
-        y = [rows[i] for i in of.index]
-        ax.hlines(y, of.origin_time, of.destruction_time.replace(np.inf, end_s), color=colour(species, data.species), linewidth=0.7,
-                  label=species)
-    links = [(tree.origin_time[c], rows[p], rows[c]) for p, offspring in children.items() for c in offspring]
-    if links:
-        x, low, high = zip(*links)
-        ax.vlines(x, low, high, color="black", linewidth=0.2, alpha=0.6)
-    ax.set(xlabel="time [s]", ylabel=f"individuals of {folder.name}, by descent", ylim=(-2, len(rows) * 1.07), yticks=[])
-    ax.legend(loc="upper left", ncol=len(data.species))
-    return fig
-
-
-def catches(data):
-    places = []
-    for folder in data.folders:
-        events = data.table(folder, "events.csv", ["event", "x_m", "y_m"])
-        places.append(events[events.event == "catch"])
-    places = pd.concat(places)
-    if places.empty:
-        raise Missing("nobody was caught")
-    half_m = data.summary["runs"][0]["half_side_m"]
-    edge_m = max(half_m, places[["x_m", "y_m"]].abs().max().max())
-    cells = 20
-    counts, x_m, y_m = np.histogram2d(places.x_m, places.y_m, bins=cells, range=[[-edge_m, edge_m]] * 2)
-    density = counts / len(data.folders) / (2 * edge_m / cells) ** 2
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.9))
-    image = ax.pcolormesh(x_m, y_m, density.T, cmap="cividis", vmin=0, rasterized=True)
-    ax.plot(half_m * np.array([-1, 1, 1, -1, -1]), half_m * np.array([-1, -1, 1, 1, -1]), color="black", linewidth=1)
-    ax.set(aspect="equal", xlabel="x [m]", ylabel="y [m]", title=f"{len(places)} catches in {len(data.folders)} runs")
-    fig.colorbar(image, label="catches per m² and run", shrink=0.9)
-    return fig
-
-
-FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, phylogeny, catches]
+FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, phylogeny, catches, trajectories, film_strip]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze` wrote")
     parser.add_argument("--out", type=pathlib.Path, help="folder for the figures (ANALYSIS/figures)")
-    parser.add_argument("--run", type=int, default=0, help="whose phylogeny is drawn: the K-th run of a set (0)")
+    parser.add_argument("--run", type=int, default=0, help="whose phylogeny, paths and catch are drawn: the K-th run of a set (0)")
+    parser.add_argument("--trophic", default="trophic", help="the program whose film draws the strip of a catch (trophic, where it is on PATH)")
     options = parser.parse_args()
     try:
         analysis = read_analysis(options.analysis)
-        sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, options.run) for s in analysis.summary["sets"]]
+        sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, options.run, options.trophic)
+                for s in analysis.summary["sets"]]
     except RunError as error:
         sys.exit(f"plot.py: {error}")
     except (OSError, ValueError, KeyError, AttributeError) as error:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the figures' scripts share: sizes, colours, how a figure is saved, and what is said where its data are missing."""
+"""What the figures' scripts share: sizes, colours, captions, how a figure is saved, and what is said where its data are missing."""
+import json
 import sys
+import textwrap
 
 import matplotlib
 
@@ -10,7 +12,10 @@ import matplotlib.pyplot as plt
 COLUMN_IN = 3.5
 # Okabe and Ito's colours, told apart with every common colour blindness and, with the line styles, in grey.
 COLOURS = {"prey": "#0072B2", "predator": "#D55E00"}
-OTHER_COLOURS = ["#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
+# Of others: those that stay farthest apart in CIELAB under protanopia, deuteranopia and tritanopia, alone and beside those two.
+OTHER_COLOURS = ["#E69F00", "#332288", "#56B4E9", "#882255"]
+BESIDE_COLOURS = ["#882255", "#56B4E9", "#E69F00", "#332288"]
+LINES = ["-", (0, (4, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2, 1, 2))]
 NULL_COLOUR = "#555555"
 
 plt.rcParams.update({"font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7,
@@ -24,13 +29,31 @@ class Missing(Exception):
 
 def colour(species, all_species):
     others = [s for s in all_species if s not in COLOURS]
-    return COLOURS[species] if species in COLOURS else OTHER_COLOURS[others.index(species) % len(OTHER_COLOURS)]
+    if species in COLOURS:
+        return COLOURS[species]
+    colours = OTHER_COLOURS if len(others) == len(list(all_species)) else BESIDE_COLOURS
+    return colours[others.index(species) % len(colours)]
+
+
+def line(species, all_species):
+    """A line style of a species' own: the second sign, beside its colour, by which it is told apart."""
+    return LINES[list(all_species).index(species) % len(LINES)]
+
+
+def caption(figure, text):
+    """What bands, points and lines mean and how many runs there are: below the figure, and in captions.json."""
+    figure.caption = " ".join(text.split())
+    width = int(figure.get_figwidth() * 20.5)
+    figure.supxlabel("\n".join(textwrap.wrap(figure.caption, width)), fontsize=6, color="#444444", x=0.01, ha="left", linespacing=1.15)
+    return figure
 
 
 def save_all(figures, out):
-    """Draws each of (name, function) into OUT as PNG and PDF; one whose data are missing is left out with a line. How many were drawn."""
+    """Draws each of (name, function) into OUT as PNG and PDF, and captions.json with what their captions say; one whose data are missing is
+    left out with a line. How many were drawn."""
     out.mkdir(parents=True, exist_ok=True)
     drawn = 0
+    captions = {}
     for name, draw in figures:
         try:
             figure = draw()
@@ -40,6 +63,8 @@ def save_all(figures, out):
             continue
         for ending in ("png", "pdf"):
             figure.savefig(out / f"{name}.{ending}", dpi=300, metadata={"CreationDate": None} if ending == "pdf" else None)
+        captions[name] = getattr(figure, "caption", "")
         plt.close(figure)
         drawn += 1
+    (out / "captions.json").write_text(json.dumps(captions, indent=2) + "\n")
     return drawn

@@ -102,6 +102,7 @@
 #include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
 #include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
 #include <trophic/death/starvation_schedule/never_due.hpp>
+#include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -136,10 +137,12 @@
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/link_frames.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/sides.hpp>
+#include <trophic/habitat/touch.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <trophic/initialization/community/contract.hpp>
 #include <trophic/initialization/community/predator_prey.hpp>
@@ -160,6 +163,7 @@
 #include <trophic/observe/agent_log.hpp>
 #include <trophic/observe/column.hpp>
 #include <trophic/observe/csv.hpp>
+#include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/event_log.hpp>
 #include <trophic/observe/frame.hpp>
@@ -176,6 +180,7 @@
 #include <trophic/observe/recording_planes.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/sense_log.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/observe/tables.hpp>

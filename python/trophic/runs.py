@@ -11,9 +11,9 @@ import pathlib
 
 import pandas
 
-TABLES = ("events", "agents", "phylogeny", "genomes", "states")
+TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Ids and counts may be absent; what is empty in a text column is an empty text.
-_TEXT = ("event", "species", "cause", "origin", "unit", "metric", "group", "baseline", "set", "flip")
+_TEXT = ("event", "species", "cause", "origin", "unit", "metric", "group", "baseline", "set", "flip", "tag_wish")
 
 
 class RunError(ValueError):
@@ -42,7 +42,7 @@ class Run:
         return self.manifest["fingerprint"]
 
     def table(self, name: str, columns: list[str] | None = None) -> pandas.DataFrame:
-        """events, agents, phylogeny, genomes, or states where a StateLog wrote them; only these columns, if given."""
+        """events, agents, phylogeny, genomes, senses of a run with --senses, or states where a StateLog wrote them; only these columns, if given."""
         return _table(self.path / f"{name}.csv", columns)
 
     @functools.cached_property
@@ -64,6 +64,16 @@ class Run:
     def genomes(self) -> pandas.DataFrame:
         """A row a birth."""
         return self.table("genomes")
+
+    @functools.cached_property
+    def senses(self) -> pandas.DataFrame:
+        """What every robot touched, was told and answered, of a run with --senses. `inputs` has the names of input0, input1, ..."""
+        return self.table("senses")
+
+    @property
+    def inputs(self) -> list[str]:
+        """The sensors that input0, input1, ... of `senses` are the values of. KeyError for a run without that table."""
+        return self.manifest["senses"]["inputs"]
 
 
 @dataclasses.dataclass(frozen=True)

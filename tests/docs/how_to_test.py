@@ -32,6 +32,7 @@ def main() -> int:
         gait = ["--set", f"ecology.gait={gait_of_three_legs(folder)}"]
         run(*ecology, *few, "--robot", "tripod.toml", "--set", "ecology.arena=pit.toml", *gait, "--out", "runs/own")
         run(*ecology, "--duration", "600", "--out", "runs/first-1")
+        run(*ecology, "--duration", "60", "--senses", "--out", "runs/senses")
         run(*ecology, "--duration", "200", "--replicates", "2", "--shadow", "--out", "runs/paper")
         follow(ROOT / "docs/how-to/a-sweep.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         for document in ("read-in-pandas", "a-null-for-my-metric"):

@@ -74,6 +74,10 @@ std::string document() {
          "is simulated time in the paper's rules.\n" +
          section<observe::EventRow>("events.csv", "A run's events, one a row, in the order in which they happened.") +
          section<observe::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.") +
+         section<observe::SenseRow>("senses.csv",
+                                    "What every robot touched, was told and answered, at the ticks of agents.csv. Written with "
+                                    "--senses only.\nBodies are as they stand at that moment, contacts those of their boxes' "
+                                    "shapes.") +
          section<observe::TaxonRow>(
              "phylogeny.csv",
              "Every individual in the ALife data standard, written when it dies. Those alive at the end follow.") +

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <mujoco/worlds.hpp>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace trophic::test {
 
@@ -23,16 +25,24 @@ class TouchWatch {
     while (seen->warning[mjWARN_CONTACTFULL].number + seen->warning[mjWARN_CNSTRFULL].number > 0 && compiled_.grow())
       seen = &forward();
     const mjData& data = *seen;
+    pairs_.clear();
+    at_wall_.clear();
     for (int i = 0; i < data.ncon; ++i) {
       const int one = robot_of(data.contact[i].geom1);
       const int other = robot_of(data.contact[i].geom2);
+      if (one < 0 && is_wall(data, data.contact[i].geom1)) at_wall_.insert(other);
+      if (other < 0 && is_wall(data, data.contact[i].geom2)) at_wall_.insert(one);
       if (one < 0 || other < 0 || one == other) continue;
       touched_.insert({one, other});
+      pairs_.insert({std::min(one, other), std::max(one, other)});
     }
     most_rows_ = std::max(most_rows_, data.nefc);
   }
 
   [[nodiscard]] const std::set<int>& touched() const { return touched_; }
+  /// Who touched whom, the lower number first, and who touched a wall, at the last look.
+  [[nodiscard]] const std::set<std::pair<int, int>>& pairs() const { return pairs_; }
+  [[nodiscard]] const std::set<int>& at_wall() const { return at_wall_; }
   [[nodiscard]] int most_rows() const { return most_rows_; }
   [[nodiscard]] std::size_t room() const { return static_cast<std::size_t>(compiled_.model().njmax); }
 
@@ -43,6 +53,9 @@ class TouchWatch {
     mj_fwdPosition(&compiled_.model(), &data);
     return data;
   }
+
+  /// Of what belongs to no robot: a plane that stands.
+  [[nodiscard]] static bool is_wall(const mjData& data, int geom) { return std::abs(data.geom_xmat[9 * geom + 8]) < 0.5; }
 
   /// -1 for floor and walls.
   [[nodiscard]] int robot_of(int geom) const {
@@ -58,6 +71,8 @@ class TouchWatch {
   backend::mujoco::CompiledModel compiled_;
   backend::mujoco::RobotStates states_;
   std::set<int> touched_;
+  std::set<std::pair<int, int>> pairs_;
+  std::set<int> at_wall_;
   int most_rows_ = 0;
 };
 

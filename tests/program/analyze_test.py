@@ -3,7 +3,9 @@
 """analyze_test.py PREDATOR_PREY TROPHIC PLOT: from replicates to figures, as users meet it: files, errors, exit codes."""
 
 import csv
+import html
 import json
+import re
 import shutil
 import signal
 import subprocess
@@ -15,7 +17,7 @@ import figures_python
 from in_folder import InFolderWithSets
 
 PREDATOR_PREY, TROPHIC, PLOT = (sys.argv.pop(1) for _ in range(3))
-FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches"]
+FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches", "trajectories"]
 
 
 def call(*arguments, cwd):
@@ -239,9 +241,14 @@ class Analyze(InFolderWithSets):
         self.assertEqual(self.call(figures_python.PYTHON, PLOT, "plain").returncode, 0)
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
         self.analyze("paper", "--out", "analysis")
-        result = self.call(figures_python.PYTHON, PLOT, "analysis")
+        result = self.call(figures_python.PYTHON, PLOT, "analysis", "--trophic", TROPHIC)
         self.assertEqual(result.returncode, 0, result.stderr)
-        for name in FIGURES:
+        has_film = "built without pictures" not in self.call(TROPHIC, "film", "paper/replicate-00", "-o", "probe.png").stderr
+        captions = json.loads((self.folder / "analysis/figures/captions.json").read_text())
+        self.assertEqual(list(captions), FIGURES + ["film_strip"] * has_film)
+        for name, caption in captions.items():
+            self.assertRegex(caption, r"n = \d+ runs|replicate-00: ", name)
+        for name in captions:
             for ending in ("png", "pdf"):
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
         shutil.rmtree(self.folder / "paper")
@@ -250,6 +257,39 @@ class Analyze(InFolderWithSets):
         self.assertIn("phylogeny: left out: ", partly.stderr)
         self.assertIn("5 figures", partly.stdout)
         self.assertIn("not what trophic analyze writes", self.call(figures_python.PYTHON, PLOT, "partly").stderr)
+
+
+    def test_a_page_of_table_figures_and_replays(self):
+        set_, figures = self.sets / "released", self.folder / "figures"
+        figures.mkdir()
+        (figures / "captions.json").write_text('{"one": "n = 3 <runs>"}')
+        (figures / "one.png").write_bytes(b"\x89PNG picture")
+        done = self.call(TROPHIC, "analyze", set_, "--html", "page.html", "--figures", "figures", "--replays", "0")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("page    page.html: 1 figures, 0 replays, 0.", done.stdout)
+        self.assertFalse((self.folder / "analysis").exists())  # a page alone was asked for
+        page = (self.folder / "page.html").read_text()
+        table = done.stdout[: done.stdout.index("page    ")]
+        self.assertIn(html.escape(table, quote=False).replace('"', "&quot;"), page)
+        self.assertIn("n = 3 &lt;runs&gt;", page)
+        self.assertEqual(re.findall(r'(?:src|href)="(?!data:)[^"]*"', page), [])
+        both = self.call(TROPHIC, "analyze", set_, "--html", "both.html", "--replays", "0", "--out", "both")
+        self.assertEqual(both.returncode, 0, both.stderr)
+        self.assertTrue((self.folder / "both/metrics.csv").exists())
+        for arguments, sentence in (
+            (["--html", "page.html"], "--html page.html: exists already; nothing is overwritten"),
+            (["--figures", "figures"], "--figures and --replays: need --html"),
+            (["--html", "x.html", "--replays", "21"], "--replays 21: must be <= 20"),
+            (["--html", "x.html", "--figures", "none"], "none/captions.json: "),
+        ):
+            with self.subTest(arguments):
+                refused = self.call(TROPHIC, "analyze", set_, *arguments)
+                self.assertEqual((refused.returncode, refused.stdout, len(refused.stderr.splitlines())), (2, "", 1), refused.stderr)
+                self.assertTrue(refused.stderr.startswith(f"trophic analyze: {sentence}"), refused.stderr)
+        self.assertEqual((self.folder / "page.html").read_text(), page)
+        (figures / "one.png").write_bytes(b"no picture")
+        self.assertIn("figures/one.png: is no PNG", self.call(TROPHIC, "analyze", set_, "--html", "x.html", "--figures", "figures").stderr)
+        self.assertFalse((self.folder / "x.html").exists())
 
 
 if __name__ == "__main__":

@@ -100,6 +100,14 @@ class Films(InFolderWithSets):
         self.assertEqual(result.stderr, "trophic film: ffmpeg cannot be started: No such file or directory; apt-get install ffmpeg, or name a .png\n")
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_events_of_another_run(self):
+        shutil.copytree(self.sets / "run", self.folder / "run")
+        events = (self.folder / "run/events.csv").read_text().splitlines(keepends=True)
+        (self.folder / "run/events.csv").write_text("".join([*events[:-1], events[-1].replace(",", ",9", 2)]))
+        result = subprocess.run([TROPHIC, "film", "run", "-o", "x.png"], capture_output=True, text=True, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout, (self.folder / "x.png").exists()), (2, "", False))
+        self.assertRegex(result.stderr, r"^trophic film: run/events.csv:\d+: body \d+ at [\d.]+ s: .*\n$")
+
     def test_refusals(self):
         (self.folder / "mine.png").write_text("mine")
         for arguments, sentence in (

@@ -3,8 +3,10 @@
 """recording_test.py PREDATOR_PREY TROPHIC: a run's replay.trp as people read it: by the Python package and by the code of docs/recording.md."""
 
 import csv
+import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -175,6 +177,49 @@ class Pages(InFolderWithSets):
         run = self.copy()
         (run / "events.csv").write_bytes((self.sets / "other" / "events.csv").read_bytes())
         self.assert_refused(r"events.csv:2: body 0 at 0 s is at .* in the recording beside it elsewhere; they are of two runs", run)
+
+    def test_each_table_of_another_run_with_the_same_start(self):
+        """A run of the same seed and other rules begins alike: what belongs to it alone is found."""
+        Recordings.make.__func__(self, "sister", "--backend", "kinematic", "--duration", 60, "--seed", 1, "--set", "rules.capture.reach_m=9")
+        for table, sentence in (
+            ("events.csv", r"events.csv:\d+: body \d+ at \d+ s"),
+            ("agents.csv", r"agents.csv: checksum \d+: must be \d+, as the manifest beside it says; it is of another run, or was changed"),
+            ("phylogeny.csv", r"phylogeny.csv: checksum \d+: must be \d+, as the manifest beside it says; it is of another run, or was changed"),
+        ):
+            with self.subTest(table):
+                run = self.copy()
+                (run / table).write_bytes((self.sets / "sister" / table).read_bytes())
+                self.assert_refused(sentence, run)
+                # of a run that was killed, whose manifest knows no checksums, row by row
+                manifest = json.loads((run / "manifest.json").read_text())
+                del manifest["tables"]
+                (run / "manifest.json").write_text(json.dumps(manifest))
+                self.assert_refused(rf"{table}:\d+: ", run)
+                shutil.rmtree(run)
+
+    def test_events_that_the_recording_cannot_have(self):
+        run = self.copy()
+        events = (run / "events.csv").read_text().splitlines(keepends=True)
+        born = events[1].split(",")
+        for changes, sentence in (
+            ({0: "61", 1: "30"}, r"events.csv:2: body 0 at 61 s: must be at 60 s, tick 30 of the recording beside it"),
+            ({0: "62", 1: "31"}, r"events.csv:2: body 0 at 62 s: the recording beside it ends at 60 s"),
+            ({5: "30"}, r"events.csv:2: body 30 at 0 s: the recording beside it has 30 bodies"),
+            ({2: "activation", 3: "4711"}, r"events.csv:2: body 0 at 0 s: robot 4711 was never born there; they are of two runs"),
+            ({13: "5"}, r"events.csv: checksum \d+: must be \d+, as the manifest beside it says"),
+        ):
+            row = list(born)
+            for column, cell in changes.items():
+                row[column] = cell
+            (run / "events.csv").write_text("".join([events[0], ",".join(row), *events[2:]]))
+            self.assert_refused(sentence, run)
+
+    def test_a_killed_run_is_shown_without_checksums(self):
+        run = self.copy()
+        manifest = json.loads((run / "manifest.json").read_text())
+        del manifest["tables"]
+        (run / "manifest.json").write_text(json.dumps(manifest))
+        self.assertEqual(self.show(run, "-o", "page.html").returncode, 0)
 
     def test_a_run_that_was_cut_off_is_shown_with_a_remark(self):
         run = self.copy()

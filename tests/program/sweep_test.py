@@ -365,6 +365,7 @@ class Refusals(Sweeps):
             ("--set", "rules.mutation.sd=0.1"): "--set: not with --sweep",
             ("--replicates", "3"): "--replicates: not with --sweep",
             ("--agents-every", "3"): "--agents-every: not with --sweep",
+            ("--senses",): "--senses: not with --sweep; its file says it",
             ("--seed", "3"): "--seed: not with --sweep",
             ("--resume",): "--resume: not with --sweep",
         }.items():
@@ -386,7 +387,7 @@ class Refusals(Sweeps):
         done = self.sweep(file="small.toml", out="small")
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
         self.assertIn("small/plan.jsonl:2: the folder holds another plan", done.stderr)
-        for keeps in ("replay_hz = 5.0", "agents_every = 2"):
+        for keeps in ("replay_hz = 5.0", "agents_every = 2", "senses = true"):
             self.write("small.toml", f"{keeps}\n{text}")
             self.assertIn("small/plan.jsonl:1: the folder holds another plan", self.sweep(file="small.toml", out="small").stderr)
 

@@ -49,6 +49,15 @@ class Runs(unittest.TestCase):
         if done.returncode != 0:
             raise AssertionError(f"{command}: {done.stderr}")
 
+    def test_a_run_with_senses(self):
+        self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", "60", "--senses", "--out", "sensing")
+        run = runs.read_run(self.folder / "sensing")
+        self.assertEqual(len(run.senses), 30 * 31)
+        self.assertEqual([name for name in run.senses.columns if name.startswith("input")], [f"input{i}" for i in range(len(run.inputs))])
+        self.assertTrue(run.senses.height_m.isna().all())
+        self.assertLessEqual(set(run.senses.tag_wish), {"", "kept", "switched", "denied"})
+        self.assertEqual(run.senses.input2.dtype, float)
+
     def test_a_run_has_its_manifest_and_every_row(self):
         run = runs.read_run(self.folder / "set/replicate-00")
         self.assertTrue(run.complete)

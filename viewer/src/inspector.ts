@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is known of one individual at a moment.
 import { colourOf } from "./colours";
-import type { Run } from "./run";
+import type { Run, Senses } from "./run";
 
 const words: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age" };
 
@@ -47,6 +47,7 @@ export class Inspector {
       rows.push(["perceives", seen]);
       const angle = (agents.targetAngle[at] * 180) / Math.PI;
       rows.push(["brain says", `${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}, tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
+      if (run.senses) rows.push(...sensed(run.senses, at));
       for (const [name, column] of agents.extra) rows.push([name, column[at] === "" ? "–" : column[at]]);
       if (drawn) rows.push(["place", `${fixed(drawn[3 * body], 2)}, ${fixed(drawn[3 * body + 1], 2)} m`]);
       rows.push(["body", `${body}`]);
@@ -60,6 +61,31 @@ export class Inspector {
       rows.map(([term, text]) => `<dt>${term}</dt><dd>${text}</dd>`).join("") +
       "</dl>";
   }
+}
+
+/** What a robot touched, what its brain was told and answered, and what became of it. */
+function sensed(senses: Senses, row: number): [string, string][] {
+  const rows: [string, string][] = [];
+  const cell = (name: string): string => senses.cell(name, row);
+  const number = (text: string): string => (text === "" ? "–" : fixed(Number(text), 2));
+  const told = senses.told(row);
+  if (told.length > 0) {
+    rows.push(["brain is told", told.map(([name, value]) => `${name.replaceAll("_", " ")} ${number(value)}`).join(", ")]);
+    if (cell("angle_output") !== "") rows.push(["outputs", `angle ${number(cell("angle_output"))}, tag ${number(cell("tag_output"))}`]);
+    const became: Record<string, string> = { kept: "as before", switched: "switched now", denied: "denied" };
+    const tag = Number(cell("wished_tag"));
+    rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_wish")] ?? cell("tag_wish")}`]);
+  } else {
+    rows.push(["brain is told", "nothing at this tick"]);
+  }
+  if (cell("spared") === "1") rows.push(["hunger", "was to starve, spared"]);
+  if (cell("height_m") !== "") {
+    rows.push(["root", `${number(cell("height_m"))} m high, tilted by ${fixed((Number(cell("tilt_rad")) * 180) / Math.PI, 0)}°`]);
+    const touched = Number(cell("robots_touched"));
+    const others = touched === 0 ? "nobody" : touched === 1 ? "one robot" : `${touched} robots`;
+    rows.push(["touches", cell("touches_wall") === "1" ? `a wall, ${others}` : others]);
+  }
+  return rows;
 }
 
 function fixed(value: number, digits: number): string {

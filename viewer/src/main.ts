@@ -163,8 +163,9 @@ class App {
       toggle("trails", "trails"),
       toggle("who perceives whom", "links"),
       viewGroup,
-      copy,
     );
+    // A page that stands in another one has no address that leads there.
+    if (location.protocol !== "blob:") controls.append(copy);
     footer.append(controls, this.timebar.element);
     return footer;
   }

@@ -11,6 +11,8 @@ export interface RunIndex {
   species: string[];
   tags: number[];
   hunters: string[];
+  /** The sensors whose values senses.csv has, in their order. */
+  inputs?: string[];
 }
 
 export interface Event {
@@ -75,6 +77,24 @@ export class Agents {
   }
 }
 
+/** What senses.csv says of everybody after each tick, row by row as the agents. */
+export class Senses {
+  constructor(
+    private readonly table: Table,
+    private readonly inputs: string[],
+  ) {}
+
+  /** What the brain in a row was told: (sensor, value); nothing where it was not asked. */
+  told(row: number): [string, string][] {
+    return this.inputs.map((name, i): [string, string] => [name, this.cell(`input${i}`, row)]).filter(([, value]) => value !== "");
+  }
+
+  /** A cell, or an empty text where the table ends before. */
+  cell(name: string, row: number): string {
+    return this.table.has(name) ? (this.table.text(name)[row] ?? "") : "";
+  }
+}
+
 export class Run {
   readonly individuals = new Map<number, Individual>();
   readonly roots: Individual[] = [];
@@ -89,6 +109,7 @@ export class Run {
     readonly agents: Agents,
     events: Table,
     phylogeny: Table,
+    readonly senses: Senses | null,
   ) {
     const names = new Map(index.species.map((name, i) => [name, i]));
     this.track = new Float32Array(2 * agents.ticks * agents.robots).fill(NaN);
@@ -208,7 +229,8 @@ export class Run {
     const table = async (file: string): Promise<Table> => new Table(new TextDecoder().decode(await inflate(bytes(file))));
     const recording = new Recording(bytes("replay"));
     const [agents, events, phylogeny] = await Promise.all([table("agents"), table("events"), table("phylogeny")]);
+    const senses = index.inputs ? new Senses(await table("senses"), index.inputs) : null;
     await recording.prepare(recording.firstFrame);
-    return new Run(index, recording, new Agents(agents, recording.head.robots, index.species), events, phylogeny);
+    return new Run(index, recording, new Agents(agents, recording.head.robots, index.species), events, phylogeny, senses);
   }
 }

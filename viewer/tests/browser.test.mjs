@@ -22,7 +22,10 @@ before(async () => {
   run("long", "--seed", 3);
   run("short", "--seed", 4, "--duration", 300);
   run("crowd", "--seed", 5, "--duration", 200, "--robots", 300);
+  run("sensing", "--seed", 4, "--duration", 100, "--senses");
+  execFileSync(process.env.PREDATOR_PREY, ["--backend", "kinematic", "--out", at("set"), "--replicates", "2", "--duration", "200"]);
   show("long.html", "long");
+  show("sensing.html", "sensing");
   show("two.html", "short", "long");
   show("crowd.html", "crowd");
   browser = await Browser.start();
@@ -171,4 +174,52 @@ test("a page that was damaged says so", async () => {
   const opened = await browser.open(at("damaged.html"));
   assert.match(await opened.page.locator(".error").innerText(), /^This page cannot be shown: /);
   await opened.page.close();
+});
+
+test("the inspector says what a brain is told, answers and wants, as senses.csv does", async () => {
+  const opened = await browser.open(at("sensing.html"));
+  const inputs = JSON.parse(readFileSync(join(at("sensing"), "manifest.json"), "utf8")).senses.inputs;
+  const fixed = (text) => Number(text).toFixed(2);
+  for (const wish of ["denied", "kept", "switched"]) {
+    const row = rows("sensing", "senses.csv").find((one) => one.tag_wish === wish);
+    await opened.evaluate(([time, id]) => {
+      window.trophic.seek(time);
+      window.trophic.select(id);
+    }, [Number(row.time_s), Number(row.id)]);
+    await opened.settle();
+    const said = Object.fromEntries(await opened.page.$$eval(".inspector dt", (terms) => terms.map((term) => [term.textContent, term.nextSibling.textContent])));
+    assert.equal(said["brain is told"], inputs.map((name, i) => `${name.replaceAll("_", " ")} ${fixed(row[`input${i}`])}`).join(", "));
+    assert.equal(said.outputs, `angle ${fixed(row.angle_output)}, tag ${fixed(row.tag_output)}`);
+    assert.equal(said["wants tag"], `${Number(row.wished_tag) > 0 ? "+" : ""}${row.wished_tag}, ${{ denied: "denied", kept: "as before", switched: "switched now" }[wish]}`);
+    assert.equal(said.touches, undefined); // points have no bodies
+  }
+  await leave(opened);
+});
+
+test("a page of an analysis has its table, and replays a run in a frame of its own", async () => {
+  execFileSync(process.env.TROPHIC, ["analyze", at("set"), "--html", at("analysis.html")]);
+  const page = await browser.context.newPage();
+  const complaints = [];
+  const requests = [];
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+  page.on("request", (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
+  await page.goto(`file://${at("analysis.html")}`);
+  assert.match(await page.locator("pre").textContent(), /velocity/);
+  const buttons = page.locator(".replays button");
+  assert.deepEqual(await buttons.allTextContents(), ["replicate-00", "replicate-01"]);
+  for (const name of ["replicate-01", "replicate-00"]) {
+    await page.getByRole("button", { name }).click();
+    const frame = page.frames()[1];
+    await frame.waitForFunction((name_) => window.trophicError || (document.title.includes(name_) && window.trophic?.settled), name);
+    assert.equal(await frame.evaluate(() => window.trophicError), undefined);
+    assert.match(await frame.title(), new RegExp(name));
+    await frame.evaluate(() => window.trophic.seek(100));
+    await frame.waitForFunction(() => window.trophic.settled);
+    assert.equal(await frame.evaluate(() => window.trophic.time), 100);
+    assert.equal(await frame.getByText("Copy link").count(), 0); // nobody could open it
+  }
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(requests, [`file://${at("analysis.html")}`]);
+  await page.close();
 });

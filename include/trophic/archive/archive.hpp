@@ -85,6 +85,9 @@ class Archive {
   /// What has been written.
   [[nodiscard]] const std::string& bytes() const { return written_; }
 
+  /// Whether all bytes have been read.
+  [[nodiscard]] bool at_end() const { return left_.empty(); }
+
   /// Throws std::invalid_argument if bytes were not read.
   void finish() const {
     if (reads_ && !left_.empty()) throw std::invalid_argument{std::to_string(left_.size()) + " bytes too many"};

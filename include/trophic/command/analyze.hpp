@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <trophic/analysis/metrics/run_set.hpp>
@@ -19,9 +20,11 @@
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/report/summary_json.hpp>
 #include <trophic/analysis/report/text_table.hpp>
+#include <trophic/command/analysis_page.hpp>
 #include <trophic/command/analyze_sweep.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/version.hpp>
@@ -38,8 +41,20 @@ struct Options {
   std::optional<double> until_s;
   bool published = false;
   SweepOptions sweep;
-  std::string out = "analysis";
+  std::optional<std::string> out;
+  std::string html;
+  std::string figures;
+  std::optional<std::uint64_t> replays;
 };
+
+inline constexpr std::uint64_t default_replays = 2;
+inline constexpr std::uint64_t most_replays = 20;
+
+/// Where tables go: where --out says, else into "analysis", unless a page is all that is asked for.
+[[nodiscard]] inline std::optional<std::filesystem::path> make_out(const Options& options) {
+  if (!options.out && !options.html.empty()) return std::nullopt;
+  return observe::make_new_folder(options.out.value_or("analysis"));
+}
 
 inline void tell(const analysis::ShadowedSet& set) {
   for (const std::string& remark : set.ours.remarks) std::cerr << "trophic analyze: " << remark << "\n";
@@ -47,11 +62,57 @@ inline void tell(const analysis::ShadowedSet& set) {
   for (const std::string& remark : set.shadow->remarks) std::cerr << "trophic analyze: " << remark << "\n";
 }
 
-inline void finish(const std::filesystem::path& out, std::span<const analysis::ShadowedSet> sets,
-                   const nlohmann::ordered_json& json) {
-  analysis::write_metrics(out / "metrics.csv", sets);
-  write_json(out / "summary.json", json);
-  std::cout << "files   " << out.string() << "/{metrics.csv,summary.json}\n";
+/// The first runs of the sets as a viewer shows them; what cannot be shown is told of.
+[[nodiscard]] inline std::vector<AnalysisPage::Replay> replays_of(const Options& options,
+                                                                  std::span<const analysis::ShadowedSet> sets) {
+  std::vector<AnalysisPage::Replay> replays;
+  const std::uint64_t most = options.replays.value_or(default_replays);
+  try {
+    if (most > 0) static_cast<void>(replay::viewer_page());
+    for (const analysis::ShadowedSet& set : sets) {
+      for (std::size_t i = 0; i < std::min<std::size_t>(most, set.ours.manifests.size()); ++i) {
+        const std::filesystem::path& folder = set.ours.manifests[i].folder;
+        const std::vector<replay::RecordedRun> runs{replay::open_run(folder)};
+        for (const std::string& remark : runs[0].remarks) std::cerr << "trophic analyze: " << remark << "\n";
+        const std::string name = folder.lexically_normal().filename().string();
+        replays.push_back({.label = sets.size() > 1 ? set.ours.label + " " + name : name, .part = replay::runs_part(runs, {})});
+      }
+    }
+  } catch (const std::invalid_argument& error) {
+    if (options.replays) throw;
+    std::cerr << "trophic analyze: no replays: " << error.what() << "\n";
+    replays.clear();
+  }
+  return replays;
+}
+
+inline void write_page(const Options& options, std::span<const analysis::ShadowedSet> sets, const std::string& table) {
+  AnalysisPage page{.title = "", .facts = {}, .table = table, .figures = {}, .replays = replays_of(options, sets)};
+  for (const analysis::ShadowedSet& set : sets) {
+    const analysis::RunManifest& first = set.ours.manifests.front();
+    page.title += (page.title.empty() ? "" : " and ") + set.ours.label + " on " + first.backend;
+    page.facts.emplace_back(set.ours.label,
+                            std::to_string(set.ours.runs.size()) + " runs of " + number_text(first.until_s) + " s" +
+                                (set.shadow ? ", " + std::to_string(set.shadow->runs.size()) + " of the shadow" : "") +
+                                ", fingerprint " + first.fingerprint);
+  }
+  page.facts.emplace_back("analysed by", "trophic " + std::string{trophic::version});
+  if (!options.figures.empty()) page.figures = read_figures(options.figures);
+  const std::string html = html_of(page);
+  observe::LineFile{options.html, html};
+  std::cout << "page    " << options.html << ": " << page.figures.size() << " figures, " << page.replays.size() << " replays, "
+            << html.size() / 1000000 << "." << html.size() / 100000 % 10 << " MB\n";
+}
+
+inline void finish(const Options& options, const std::optional<std::filesystem::path>& out,
+                   std::span<const analysis::ShadowedSet> sets, const nlohmann::ordered_json& json, const std::string& table) {
+  std::cout << table;
+  if (out) {
+    analysis::write_metrics(*out / "metrics.csv", sets);
+    write_json(*out / "summary.json", json);
+    std::cout << "files   " << out->string() << "/{metrics.csv,summary.json}\n";
+  }
+  if (!options.html.empty()) write_page(options, sets, table);
   flush_output();
 }
 
@@ -70,14 +131,15 @@ inline void finish(const std::filesystem::path& out, std::span<const analysis::S
 
 inline void measure(const Options& options) {
   const std::array sets{analysis::read_shadowed_set(folders(options.runs), options.shadow, options.until_s)};
-  const auto out = observe::make_new_folder(options.out);
+  const auto out = make_out(options);
   tell(sets[0]);
+  std::ostringstream table;
   if (options.published) {
-    analysis::print_claims(std::cout, sets[0].ours, analysis::judge_claims(sets[0].ours.runs));
+    analysis::print_claims(table, sets[0].ours, analysis::judge_claims(sets[0].ours.runs));
   } else {
-    analysis::print_table(std::cout, sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
+    analysis::print_table(table, sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
   }
-  finish(out, sets, json_of(sets));
+  finish(options, out, sets, json_of(sets), table.str());
 }
 
 inline void compare(const Options& options) {
@@ -91,13 +153,29 @@ inline void compare(const Options& options) {
     sets[0].ours.label += " (a)";
     sets[1].ours.label += " (b)";
   }
-  const auto out = observe::make_new_folder(options.out);
+  const auto out = make_out(options);
   for (const analysis::ShadowedSet& set : sets) tell(set);
   const auto differences = analysis::compare_sets(sets[0], sets[1]);
-  analysis::print_differences(std::cout, sets[0], sets[1], differences);
+  std::ostringstream table;
+  analysis::print_differences(table, sets[0], sets[1], differences);
   nlohmann::ordered_json json = json_of(sets);
   json["differences"] = analysis::differences_json(differences);
-  finish(out, sets, json);
+  finish(options, out, sets, json, table.str());
+}
+
+/// What can be known before anything is measured.
+inline void check_page(const Options& options) {
+  if (options.html.empty() && (!options.figures.empty() || options.replays)) {
+    throw std::invalid_argument{"--figures and --replays: need --html"};
+  }
+  if (options.replays.value_or(0) > most_replays) {
+    throw std::invalid_argument{"--replays " + std::to_string(*options.replays) + ": must be <= " + std::to_string(most_replays)};
+  }
+  if (options.html.empty()) return;
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.html))) {
+    throw std::invalid_argument{"--html " + options.html + ": exists already; nothing is overwritten"};
+  }
+  if (!options.figures.empty()) static_cast<void>(read_figures(options.figures));
 }
 
 inline void run(const Options& options) {
@@ -114,12 +192,14 @@ inline void run(const Options& options) {
     if (analysis::is_sweep(folder))
       throw std::invalid_argument{"--compare " + folder + ": must be no sweep; name two of its cells"};
   }
+  check_page(options);
   const auto sweep = std::ranges::find_if(options.runs, [](const std::string& folder) { return analysis::is_sweep(folder); });
   if (sweep != options.runs.end()) {
     if (options.runs.size() > 1) throw std::invalid_argument{*sweep + ": is a sweep, which must be analyzed alone"};
     if (options.shadow || options.published)
       throw std::invalid_argument{*sweep + ": is a sweep: not with --shadow or --published"};
-    measure_sweep(*sweep, options.out, options.sweep, options.until_s);
+    if (!options.html.empty()) throw std::invalid_argument{*sweep + ": is a sweep: not with --html; name one of its cells"};
+    measure_sweep(*sweep, options.out.value_or("analysis"), options.sweep, options.until_s);
     return;
   }
   options.sweep.check_none();
@@ -138,28 +218,31 @@ inline void run(const Options& options) {
           "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. A "
           "sweep's "
           "cells are each compared with one of them, corrected for the number of comparisons.",
-      .options = {{"runs", &options->runs,
-                   "folders of runs, or of replicates, pooled, so they must have one fingerprint; or one folder of a sweep"},
-                  {"--compare",
-                   &options->compare,
-                   "two such folders: the difference of every metric, raw and over their shadows",
-                   {},
-                   Words::suggested,
-                   2},
-                  {"--shadow", &options->shadow, "the runs' neutral shadow, where it is not in RUNS/shadow"},
-                  {"--until", &options->until_s, "measure only the first seconds of every run"},
-                  {"--published", &options->published,
-                   "a verdict on every published claim: reproduced, not reproduced, undecided"},
-                  {"--reference", &options->sweep.reference,
-                   "of a sweep: the cell that all others are compared with (the first)"},
-                  {"--metric", &options->sweep.metrics,
-                   "of a sweep: compare only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer comparisons need fewer "
-                   "runs"},
-                  {"--difference", &options->sweep.difference,
-                   "of a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need"},
-                  {"--allow-missing", &options->sweep.allow_missing, "of a sweep: leave out runs that are missing or incomplete"},
-                  {"--jobs", &options->sweep.jobs, "of a sweep: runs measured at a time (1)"},
-                  {"--out", &options->out, "new folder for the tables and summary.json (analysis)"}},
+      .options =
+          {{"runs", &options->runs,
+            "folders of runs, or of replicates, pooled, so they must have one fingerprint; or one folder of a sweep"},
+           {"--compare",
+            &options->compare,
+            "two such folders: the difference of every metric, raw and over their shadows",
+            {},
+            Words::suggested,
+            2},
+           {"--shadow", &options->shadow, "the runs' neutral shadow, where it is not in RUNS/shadow"},
+           {"--until", &options->until_s, "measure only the first seconds of every run"},
+           {"--published", &options->published, "a verdict on every published claim: reproduced, not reproduced, undecided"},
+           {"--reference", &options->sweep.reference, "of a sweep: the cell that all others are compared with (the first)"},
+           {"--metric", &options->sweep.metrics,
+            "of a sweep: compare only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer comparisons need fewer "
+            "runs"},
+           {"--difference", &options->sweep.difference,
+            "of a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need"},
+           {"--allow-missing", &options->sweep.allow_missing, "of a sweep: leave out runs that are missing or incomplete"},
+           {"--jobs", &options->sweep.jobs, "of a sweep: runs measured at a time (1)"},
+           {"--out", &options->out, "new folder for the tables and summary.json (analysis; with --html alone there are none)"},
+           {"--html", &options->html, "new page with the table, figures and replays, which opens from disk"},
+           {"--figures", &options->figures, "of the page: the folder of figures that plot.py made, with its captions.json"},
+           {"--replays", &options->replays,
+            "of the page: how many runs of a set it replays, at most 20 (2, where they were recorded)"}},
       .work =
           [options] {
             detail::analyze::run(*options);

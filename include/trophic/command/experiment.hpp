@@ -97,8 +97,9 @@ template <class Rules, Backend B>
   auto& spectator = watching ? watching->spectator() : nobody;
   const auto simulate = [&] {
     observe::StopOnSignal stop;
-    observe::RunFolder folder{options.out, options.provenance, replay_hz_of(options), standing.opening(),
-                              agents_every_ticks_of(options)};
+    observe::RunFolder folder{
+        options.out,   options.provenance, replay_hz_of(options), standing.opening(), agents_every_ticks_of(options),
+        options.senses};
     observe::Progress progress;
     try {
       if (standing.begins) {
@@ -151,7 +152,7 @@ template <class Rules, Backend B>
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(origin.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening(), origin.agents_every_ticks};
+  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening(), origin.agents_every_ticks, origin.senses};
   observe::Progress progress;
   checkpoint::run_kept(ecology, origin.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology.time_s() >= origin.at_s;

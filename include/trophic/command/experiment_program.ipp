@@ -66,6 +66,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.fingerprint = json.at("fingerprint").get<std::string>();
     origin.seed = json.at("seed").get<std::uint64_t>();
     origin.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
+    origin.senses = json.contains("senses");
     origin.params = detail::toml_of(json.at("params"));
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
@@ -113,7 +114,8 @@ TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::u
           .resume = options.resume,
           .checkpoints = {.every_s = options.checkpoint_s},
           .replay_hz = replay_hz_of(options),
-          .agents_every_ticks = agents_every_ticks_of(options)};
+          .agents_every_ticks = agents_every_ticks_of(options),
+          .senses = options.senses};
 }
 
 TROPHIC_INLINE double replay_hz_of(const ExperimentOptions& options) {
@@ -140,8 +142,16 @@ TROPHIC_INLINE int report_run(observe::RunFolder& folder, const observe::Progres
               << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " goes on\n";
   }
   progress.summary(std::cout, view);
-  std::cout << "files   " << folder.path().string() << "/{events,agents,phylogeny,genomes}.csv, manifest.json"
-            << (folder.frame_hz() > 0.0 ? ", replay.trp" : "") << ", checkpoint.bin\n";
+  std::cout << "files   " << folder.path().string() << "/{";
+  for (const std::string& name : folder.files()) {
+    const bool is_table = name.ends_with(".csv");
+    std::cout << (name == "events.csv"      ? ""
+                  : is_table                ? ","
+                  : name == "manifest.json" ? "}.csv, "
+                                            : ", ")
+              << (is_table ? name.substr(0, name.size() - 4) : name);
+  }
+  std::cout << ", checkpoint.bin\n";
   flush_output();
   return is_stopped ? stopped : 0;
 }
@@ -207,6 +217,8 @@ namespace detail {
        "on it"},
       {"--agents-every", &options.agents_every,
        "agents.csv has the ticks whose number is a multiple of this (1); a run that goes on keeps its own; for large ecologies"},
+      {"--senses", &options.senses,
+       "leave senses.csv too: what every robot touched, was told and answered; a run that goes on keeps to what it began with"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--watch", &options.watch,

@@ -44,6 +44,7 @@ struct ExperimentOptions {
   bool watch = false;  ///< in a window
   std::optional<std::uint64_t> replay_hz;
   std::uint64_t agents_every = 1;
+  bool senses = false;
   bool print_config = false;
   std::string sweep;  ///< file of a grid of settings
   std::string shard;  ///< "I/N"; empty: all of it
@@ -63,6 +64,7 @@ struct OriginRun {
   std::uint64_t seed = 0;
   double at_s = 0.0;
   std::int64_t agents_every_ticks = 1;
+  bool senses = false;  ///< whether it has senses.csv
   toml::table params;
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
   std::function<bool()> make;           ///< makes the new run's folder as this run was; false if a signal came first

@@ -25,6 +25,7 @@ template <class Rules, Backend B>
                               .slots = {},
                               .named_params = named_params_of(experiment),
                               .tags = std::move(tags),
+                              .inputs = Rules::Sensors::value_names(),
                               .backend = std::string{B::name} + " " + B::version(),
                               .remarks = B::remarks(experiment.physics),
                               .seed = experiment.seed,

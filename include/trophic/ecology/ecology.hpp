@@ -8,9 +8,11 @@
 #include <exception>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/experiment.hpp>
@@ -20,7 +22,6 @@
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/locomotion/locomotion.hpp>
-#include <trophic/locomotion/steerable.hpp>
 #include <trophic/observe/hooks.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
@@ -49,10 +50,10 @@ class Ecology {
 
   /// Loads the models that `params.ecology` names, by trophic/load/habitat.hpp. Throws std::invalid_argument naming field, value
   /// and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
-  explicit Ecology(Params params = {}) : Ecology{load(std::move(params))} {}
+  explicit Ecology(Params params = {}) : Ecology{load_checked<Rules, B>(std::move(params))} {}
 
   /// In a habitat made by the program; the names in `params.ecology` are then only labels.
-  Ecology(Params params, Habitat habitat) : Ecology{check(std::move(params), std::move(habitat))} {}
+  Ecology(Params params, Habitat habitat) : Ecology{checked<Rules, B>(std::move(params), std::move(habitat))} {}
 
   Ecology(const Ecology&) = delete;
   Ecology& operator=(const Ecology&) = delete;
@@ -127,32 +128,7 @@ class Ecology {
  private:
   using SensorValues = typename Population<Rules>::Sensors::Values;
 
-  struct Checked {
-    Params params;
-    Habitat habitat;
-  };
-
-  static Checked load(Params params) {
-    validate(params, "");
-    if constexpr (requires { load_habitat(params.ecology); }) {
-      Habitat habitat = load_habitat(params.ecology);
-      params.ecology.gait = habitat.gait.name;
-      return check(std::move(params), std::move(habitat));
-    } else {
-      static_assert(std::same_as<Rules, void>,
-                    "an Ecology made from numbers alone reads model files: #include <trophic/load/habitat.hpp>");
-    }
-  }
-  static Checked check(Params params, Habitat habitat) {
-    validate(params, "");
-    check_fit(habitat.gait, habitat.robot);
-    if constexpr (JointDriven<B>) {
-      locomotion::check_steerable(habitat.robot, make_policy<typename Rules::Steering>(params.rules.steering, "steering"));
-    }
-    return {std::move(params), std::move(habitat)};
-  }
-
-  explicit Ecology(Checked from)
+  explicit Ecology(CheckedExperiment<Rules, B> from)
       : params_{std::move(from.params)},
         habitat_{std::move(from.habitat)},
         times_{.steps = control_steps_per_tick<B>(params_.ecology, params_.physics),
@@ -279,7 +255,9 @@ class Ecology {
     const View now = view();
     const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); };
     const std::function<bool(BodyIndex)> spared = [&](BodyIndex hunter) {
-      return death::ask::spared(rules_.reprieve, states().reprieve[hunter], hunter, now, perceives);
+      const bool is_spared = death::ask::spared(rules_.reprieve, states().reprieve[hunter], hunter, now, perceives);
+      if (is_spared) audience.reprieve(hunter, now);
+      return is_spared;
     };
     const auto hungry = states().starvation.all();
     if (const auto victim = death::ask::victim(rules_.starvation, hungry, now, spared)) {
@@ -326,8 +304,9 @@ class Ecology {
   void decide(Audience& audience) {
     const SensorValues common = rules_.sensors.sense_common(view());
     choices_.clear();
+    const bool is_told = audience.wants_deliberations();
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      choices_.push_back(choice(body, common));
+      choices_.push_back(choice(body, common, is_told));
       if (rules_.decision_order.in_turn()) act(audience, body, choices_[body]);
     }
     if (rules_.decision_order.in_turn()) return;
@@ -344,18 +323,23 @@ class Ecology {
   struct Choice {
     std::optional<Sighting> sighting;
     std::optional<control::Decision> decision;
+    SensorValues inputs{};
+    typename Population<Rules>::Outputs outputs{};  ///< where observers are told
   };
 
-  [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common) {
+  [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common, bool is_told) {
     const View now = view();
     const auto sighting = perception::adversary(
         body, now, [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); },
         perception::ask::horizon(rules_.visibility, population_[body]));
-    if (!sighting && !rules_.blind_rule.decides()) return {sighting, std::nullopt};
-    const SensorValues inputs = rules_.sensors.sense(body, sighting, now, common, [&](std::size_t sensor) {
+    Choice choice{.sighting = sighting, .decision = std::nullopt};
+    if (!sighting && !rules_.blind_rule.decides()) return choice;
+    choice.inputs = rules_.sensors.sense(body, sighting, now, common, [&](std::size_t sensor) {
       return Rng{params_.seed, Stream::sensors, population_[body].id, static_cast<std::uint64_t>(tick_), sensor};
     });
-    return {sighting, population_.decide(body, inputs)};
+    if (is_told) choice.outputs = population_.outputs(body, choice.inputs);
+    choice.decision = population_.decide(body, choice.inputs);
+    return choice;
   }
 
   template <class Audience>
@@ -363,11 +347,25 @@ class Ecology {
     population_.sight(body, choice.sighting, view());
     if (!choice.decision) return;
     const Individual& self = population_[body];
+    const int tag_before = self.tag;
     population_.turn(body, choice.decision->target_angle_rad);
-    if (!perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view())) return;
-    const bool switched = choice.decision->tag != self.tag;
-    population_.show_tag(body, choice.decision->tag);
-    if (switched) tree_.mark(body, poses_[body], self);
+    const bool may_switch = perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view());
+    if (may_switch) show_tag(audience, body, choice.decision->tag);
+    audience.deliberation({.body = body,
+                           .inputs = choice.inputs,
+                           .outputs = choice.outputs ? std::span<const double>{*choice.outputs} : std::span<const double>{},
+                           .target_angle_rad = choice.decision->target_angle_rad,
+                           .tag = choice.decision->tag,
+                           .tag_before = tag_before,
+                           .might_switch = may_switch},
+                          view());
+  }
+
+  template <class Audience>
+  void show_tag(Audience& audience, BodyIndex body, int tag) {
+    const bool switched = tag != population_[body].tag;
+    population_.show_tag(body, tag);
+    if (switched) tree_.mark(body, poses_[body], population_[body]);
     if (rules_.tag_switch.restarts(switched)) population_.restart_tag_clock(body, time_s());
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -149,6 +150,16 @@ class Population {
     const control::Decision decision = control::ask::decide(rules_.brain, own, inputs, weights(body));
     check_tag(tags_, decision.tag, "brain");
     return decision;
+  }
+
+  /// The output neurons from which its brain would decide; none for a brain that does not show them.
+  using Outputs = std::optional<std::array<double, control::Decision::outputs>>;
+  [[nodiscard]] Outputs outputs(BodyIndex body, std::span<const double> inputs) const {
+    if constexpr (requires { control::ask::outputs(rules_.brain, states_.brain[body], inputs, weights(body)); }) {
+      return control::ask::outputs(rules_.brain, states_.brain[body], inputs, weights(body));
+    } else {
+      return std::nullopt;
+    }
   }
 
   /// Where it wants to go from now on, positive to the right.

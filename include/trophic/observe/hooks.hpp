@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
+#include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
@@ -23,6 +24,10 @@
   HOOK(on_failure, "void on_failure(std::string_view what)", std::declval<std::string_view>())                                   \
   HOOK(keep_running, "bool keep_running()")                                                                                      \
   HOOK(gives_up_tick, "bool gives_up_tick()")                                                                                    \
+  HOOK(on_deliberation, "void on_deliberation(const observe::Deliberation&, const View&)", std::declval<const Deliberation&>(),  \
+       std::declval<const View&>())                                                                                              \
+  HOOK(wants_deliberations, "bool wants_deliberations()")                                                                        \
+  HOOK(on_reprieve, "void on_reprieve(BodyIndex, const View&)", BodyIndex{}, std::declval<const View&>())                        \
   HOOK(on_frame, "void on_frame(const observe::Frame&)", std::declval<const Frame&>())                                           \
   HOOK(frame_hz, "double frame_hz()")
 
@@ -70,6 +75,9 @@ struct CheckObserver {
   static_assert(Names_on_frame<Observer> == Names_frame_hz<Observer>,
                 "an observer with on_frame needs double frame_hz(), how often, and one with frame_hz needs on_frame; see "
                 "trophic/observe/hooks.hpp");
+  static_assert(Names_on_deliberation<Observer> == Names_wants_deliberations<Observer>,
+                "an observer with on_deliberation needs bool wants_deliberations(), whether it is to be told now, and one with "
+                "wants_deliberations needs on_deliberation; see trophic/observe/hooks.hpp");
   static constexpr bool ok = true;
 };
 
@@ -86,6 +94,9 @@ struct CheckObserver {
 ///                                            the run as it stood after the tick before
 ///   void on_frame(const Frame&)              where the bodies are, at the start and then before the rules of each tick and,
 ///   double frame_hz()                        frames a simulated second, between two ticks; 0: never
+///   void on_deliberation(const Deliberation&, const View&)   what each brain was told and answered, robot by robot,
+///   bool wants_deliberations()               as long as this says true
+///   void on_reprieve(BodyIndex, const View&) whom the Reprieve rule spared from starving, once or more often in a procedure
 /// Who saves the run itself also has a template
 ///   void between_ticks(Ecology&, bool last)  after on_tick of each tick, and once more, as the last, before on_end
 template <class O>
@@ -121,6 +132,26 @@ class Audience {
   void failure(std::string_view what) {
     each([&](auto& o) {
       if constexpr (requires { o.on_failure(what); }) o.on_failure(what);
+    });
+  }
+  /// Whether somebody wants to know what brains are told and answer.
+  [[nodiscard]] bool wants_deliberations() {
+    bool any = false;
+    each([&](auto& o) {
+      if constexpr (requires { o.wants_deliberations(); }) any = o.wants_deliberations() || any;
+    });
+    return any;
+  }
+  void deliberation(const Deliberation& deliberation, const View& view) {
+    each([&](auto& o) {
+      if constexpr (requires { o.wants_deliberations(); }) {
+        if (o.wants_deliberations()) o.on_deliberation(deliberation, view);
+      }
+    });
+  }
+  void reprieve(BodyIndex hunter, const View& view) {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_reprieve(hunter, view); }) o.on_reprieve(hunter, view);
     });
   }
   template <class Ecology>

@@ -51,6 +51,9 @@ class Manifest {
   /// Which ticks agents.csv has, where not every one; before `on_start`.
   void set_agents_every_ticks(std::int64_t every) { agents_every_ticks_ = every; }
 
+  /// What the inputs in senses.csv are, of a run that has that table; before `on_start`.
+  void set_inputs(const std::vector<std::string>& inputs);
+
   /// What it says of the run's tables when it is written next.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
 

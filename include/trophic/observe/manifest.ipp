@@ -61,6 +61,10 @@ TROPHIC_INLINE void Manifest::begin_from(Provenance origin) {
   origin_ = std::move(origin);
 }
 
+TROPHIC_INLINE void Manifest::set_inputs(const std::vector<std::string>& inputs) {
+  content_->json["senses"]["inputs"] = inputs;
+}
+
 TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string, TableSum>>& tables) {
   for (const auto& [file, sum] : tables) {
     content_->json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};

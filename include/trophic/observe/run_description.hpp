@@ -18,6 +18,7 @@ struct RunDescription {
   std::vector<std::pair<std::string, std::string>> slots;  ///< (slot, policy name) for every slot
   NamedParams named_params;                                ///< every number with its path: "rules.tag_switch.cool_down_s"
   std::vector<int> tags;                                   ///< that the table's brain may choose
+  std::vector<std::string> inputs = {};                    ///< of the brain, each by the name of its sensor
   std::string backend;                                     ///< name and version of the engine
   std::vector<std::string> remarks;                        ///< what the engine does otherwise than the numbers say
   std::uint64_t seed = 0;

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <trophic/archive/growing_file.hpp>
+#include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/manifest.hpp>
@@ -15,25 +17,29 @@
 #include <trophic/population/view.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
+#include <vector>
 
 namespace trophic::observe {
 
 /// A new folder. Throws std::invalid_argument if something of that name exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
-/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json and the recording replay.trp in a new folder. Tables are
-/// flushed at every tick, so that a crash keeps what happened before it; the manifest says how the run ended, and how many rows
-/// each table has. Watches one call of run_until. No other program can go on in the folder meanwhile.
+/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, where asked for, senses.csv
+/// in a new folder. Tables are flushed at every tick, so that a crash keeps what happened before it; the manifest says how the
+/// run ended, and how many rows each table has. Watches one call of run_until. No other program can go on in the folder
+/// meanwhile.
 class RunFolder {
  public:
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
 
   /// Makes the folder at once: see make_new_folder. `replay_hz`: frames of the recording in a simulated second; 0: no recording.
   /// `agents_every_ticks`: agents.csv has the ticks whose number is a multiple of it; the manifest says so where it is not 1.
+  /// `senses`: there is also senses.csv, at the same ticks, and the manifest names the brain's inputs.
   /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, with the rates at
-  /// which the recording and agents.csv began; throws std::runtime_error if a file is missing or another program works in it.
+  /// which the recording and agents.csv began, and senses.csv where it is there; throws std::runtime_error if a file is missing
+  /// or another program works in it.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, double replay_hz = default_replay_hz,
-                     Opening opening = Opening::made_new, std::int64_t agents_every_ticks = 1);
+                     Opening opening = Opening::made_new, std::int64_t agents_every_ticks = 1, bool senses = false);
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
@@ -43,12 +49,17 @@ class RunFolder {
   void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view);
   void on_tick(const View& view);
-  void on_frame(const Frame& frame) { recording_.on_frame(frame); }
-  [[nodiscard]] double frame_hz() const { return recording_.frame_hz(); }
+  [[nodiscard]] bool wants_deliberations() const;
+  void on_deliberation(const Deliberation& deliberation, const View& view);
+  void on_reprieve(BodyIndex hunter, const View& view);
+  void on_frame(const Frame& frame);
+  [[nodiscard]] double frame_hz() const;
   void on_end(const View& view);
   void on_failure(std::string_view what);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// The names of the files that a run leaves in it, a checkpoint aside.
+  [[nodiscard]] std::vector<std::string> files() const;
   [[nodiscard]] Manifest& manifest() { return manifest_; }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include <trophic/observe/genome_log.hpp>
 #include <trophic/observe/phylogeny.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/sense_log.hpp>
 #include <utility>
 #include <vector>
 
@@ -43,35 +45,49 @@ struct RunFolder::Tables {
   AgentLog agents;
   Phylogeny phylogeny;
   GenomeLog genomes;
+  std::optional<SenseLog> senses;
 
   [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const {
-    return {{"events.csv", events.sum()},
-            {"agents.csv", agents.sum()},
-            {"phylogeny.csv", phylogeny.sum()},
-            {"genomes.csv", genomes.sum()}};
+    std::vector<std::pair<std::string, TableSum>> all{{"events.csv", events.sum()},
+                                                      {"agents.csv", agents.sum()},
+                                                      {"phylogeny.csv", phylogeny.sum()},
+                                                      {"genomes.csv", genomes.sum()}};
+    if (senses) all.emplace_back(SenseLog::file_name, senses->sum());
+    return all;
   }
 };
 
 TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, double replay_hz, Opening opening,
-                                    std::int64_t agents_every_ticks)
+                                    std::int64_t agents_every_ticks, bool senses)
     : path_{opening == Opening::made_new ? make_new_folder(path) : path},
       lock_{path_},
       tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv", opening},
                                               .agents = AgentLog{path_ / "agents.csv", opening, agents_every_ticks},
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv", opening},
-                                              .genomes = GenomeLog{path_ / "genomes.csv", opening}})},
+                                              .genomes = GenomeLog{path_ / "genomes.csv", opening},
+                                              .senses = std::nullopt})},
       manifest_{path_ / "manifest.json", std::move(provenance)},
-      recording_{path_ / "replay.trp", replay_hz, opening} {}
+      recording_{path_ / "replay.trp", replay_hz, opening} {
+  if (senses && opening == Opening::made_new)
+    tables_->senses.emplace(path_ / SenseLog::file_name, opening, tables_->agents.every_ticks());
+}
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder& RunFolder::operator=(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder::~RunFolder() = default;
 
 TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   archive(tables_->events, tables_->agents, tables_->phylogeny, tables_->genomes, manifest_, recording_);
+  if (archive.reads() && !archive.at_end())
+    tables_->senses.emplace(path_ / SenseLog::file_name, Opening::gone_on_with, tables_->agents.every_ticks());
+  if (tables_->senses) archive(*tables_->senses);
 }
 
 TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& view) {
   manifest_.set_agents_every_ticks(tables_->agents.every_ticks());
+  if (tables_->senses) {
+    tables_->senses->on_start(run, view);
+    manifest_.set_inputs(run.inputs);
+  }
   manifest_.on_start(run, view);
   recording_.on_start(run, view);
 }
@@ -83,11 +99,42 @@ TROPHIC_INLINE void RunFolder::on_event(const Event& event, const View& view) {
   manifest_.on_event(event, view);
 }
 
+TROPHIC_INLINE bool RunFolder::wants_deliberations() const {
+  return tables_->senses.has_value();
+}
+
+TROPHIC_INLINE void RunFolder::on_deliberation(const Deliberation& deliberation, const View& view) {
+  tables_->senses->on_deliberation(deliberation, view);
+}
+
+TROPHIC_INLINE void RunFolder::on_reprieve(BodyIndex hunter, const View& view) {
+  if (tables_->senses) tables_->senses->on_reprieve(hunter, view);
+}
+
+TROPHIC_INLINE void RunFolder::on_frame(const Frame& frame) {
+  if (recording_.frame_hz() > 0.0) recording_.on_frame(frame);
+  if (tables_->senses) tables_->senses->on_frame(frame);
+}
+
+TROPHIC_INLINE double RunFolder::frame_hz() const {
+  if (recording_.frame_hz() > 0.0) return recording_.frame_hz();
+  return tables_->senses ? tables_->senses->frame_hz() : 0.0;
+}
+
+TROPHIC_INLINE std::vector<std::string> RunFolder::files() const {
+  std::vector<std::string> names;
+  for (const auto& [name, sum] : tables_->sums()) names.push_back(name);
+  names.emplace_back("manifest.json");
+  if (recording_.frame_hz() > 0.0) names.emplace_back("replay.trp");
+  return names;
+}
+
 TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
   tables_->events.on_tick(view);
   tables_->agents.on_tick(view);
   tables_->phylogeny.on_tick(view);
   tables_->genomes.on_tick(view);
+  if (tables_->senses) tables_->senses->on_tick(view);
   manifest_.on_tick(view);
 }
 

@@ -2,9 +2,11 @@
 // The tables of a run: what a row of each of its CSV files holds.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <trophic/observe/column.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/population/individual.hpp>
@@ -88,6 +90,56 @@ struct AgentRow {
         column("adversary_distance_m", &AgentRow::adversary_distance_m, "m", "how far away that one is", micro),
         column("hunger_ticks", &AgentRow::hunger_ticks, "ticks",
                "since birth or the last catch; empty for those who hunt nobody")};
+  }
+};
+
+/// What became of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules did not let it.
+enum class TagWish { kept, switched, denied };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagWish) {
+  return {"kept", "switched", "denied"};
+}
+
+/// senses.csv: one row per robot and tick of agents.csv: what it touched, was told and answered.
+struct SenseRow {
+  double time_s = 0.0;
+  std::int64_t tick = 0;
+  BodyIndex body = 0;
+  IndividualId id = 0;
+  Species species = 0;
+  std::optional<double> height_m = {};
+  std::optional<double> tilt_rad = {};
+  std::optional<bool> touches_wall = {};
+  std::optional<std::int64_t> robots_touched = {};
+  std::optional<bool> spared = {};
+  std::optional<int> wished_tag = {};
+  std::optional<TagWish> tag_wish = {};
+  std::optional<double> angle_output = {};
+  std::optional<double> tag_output = {};
+  std::vector<double> inputs = {};
+
+  static constexpr auto columns() {
+    return std::tuple{
+        column("time_s", &SenseRow::time_s, "s", "the ecology's clock"),
+        column("tick", &SenseRow::tick, "", "number of the decision step; 0 at the start"),
+        column("body", &SenseRow::body, "", "the robot body"),
+        column("id", &SenseRow::id, "", "the individual that lives in it"),
+        species_column("species", &SenseRow::species, "its species"),
+        column("height_m", &SenseRow::height_m, "m", "of its root frame above z = 0; empty on a backend without joints", micro),
+        column("tilt_rad", &SenseRow::tilt_rad, "rad",
+               "between its root's z axis and the vertical: 0 upright, pi upside down; empty on a backend without joints", micro),
+        column("touches_wall", &SenseRow::touches_wall, "",
+               "whether it reaches a wall, or the foot of a slope; empty on a backend without joints"),
+        column("robots_touched", &SenseRow::robots_touched, "", "how many others it touches; empty on a backend without joints"),
+        column("spared", &SenseRow::spared, "",
+               "1: it was to starve at this tick and the rule Reprieve spared it; empty for those who hunt nobody"),
+        column("wished_tag", &SenseRow::wished_tag, "", "that its brain chose; empty where the brain was not asked"),
+        column("tag_wish", &SenseRow::tag_wish, "", "what became of it: shown before, a switch, or denied by the rule TagSwitch"),
+        column("angle_output", &SenseRow::angle_output, "",
+               "of the brain: its first output neuron; empty for a brain that does not show it"),
+        column("tag_output", &SenseRow::tag_output, "", "of the brain: its second output neuron"),
+        list_columns(
+            "input", &SenseRow::inputs, "",
+            "of the brain: the values of its sensors, which senses.inputs in the manifest names; empty where it was not asked")};
   }
 };
 

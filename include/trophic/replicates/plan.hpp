@@ -44,6 +44,7 @@ struct Plan {
   checkpoint::Schedule checkpoints = {};  ///< of each replicate
   double replay_hz = observe::default_replay_hz;  ///< frames of each run's recording in a simulated second; 0: none
   std::int64_t agents_every_ticks = 1;            ///< each agents.csv has the ticks whose number is a multiple of it
+  bool senses = false;                            ///< each run leaves senses.csv too
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

@@ -22,7 +22,8 @@ void run_in_folder(const Experiment<Rules, B>& experiment, const std::filesystem
   const double until_s = experiment.ecology.duration_s;
   Ecology<Rules, B> ecology{experiment};
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(until_s));
-  observe::RunFolder files{folder, keeping.provenance, keeping.replay_hz, standing.opening(), keeping.agents_every_ticks};
+  observe::RunFolder files{folder,        keeping.provenance, keeping.replay_hz, standing.opening(), keeping.agents_every_ticks,
+                           keeping.senses};
   checkpoint::run_kept(ecology, until_s, folder, keeping.checkpoints, standing.from, files, progress, stop, extra...);
   files.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
 }

@@ -119,6 +119,31 @@ TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that 
   CHECK_FALSE(nlohmann::json::parse(content(folder.path() / "all/manifest.json")).contains("agents_every_ticks"));
 }
 
+TEST_CASE("so does a run with senses.csv, and no other file of it knows of that one") {
+  const TemporaryFolder folder;
+  const fs::path whole = folder.path() / "whole";
+  const fs::path parts = folder.path() / "parts";
+  const fs::path without = folder.path() / "without";
+  run_part(brief<rules::Paper>(5), whole, never, 50.0, 2, true);
+  run_part(brief<rules::Paper>(5), parts, 101, 50.0, 2, true);
+  run_part(brief<rules::Paper>(5), parts, 209, 50.0, 1, false);
+  run_part(brief<rules::Paper>(5), parts, never, 50.0, 5, true);
+  CHECK(results_in(whole) == results_in(parts));
+  auto manifest = nlohmann::json::parse(content(whole / "manifest.json"));
+  CHECK(manifest["tables"]["senses.csv"]["rows"] == 30 * (300 / 2 + 1));
+  CHECK(manifest["senses"]["inputs"].size() == 3);
+
+  // what it began without it goes on without
+  run_part(brief<rules::Paper>(5), without, 101, 50.0, 2, false);
+  run_part(brief<rules::Paper>(5), without, never, 50.0, 2, true);
+  CHECK_FALSE(fs::exists(without / "senses.csv"));
+  fs::remove(whole / "senses.csv");
+  manifest.erase("senses");
+  manifest["tables"].erase("senses.csv");
+  std::ofstream{whole / "manifest.json"} << manifest.dump();
+  CHECK(results_in(whole) == results_in(without));
+}
+
 TEST_CASE("a checkpoint of 30 robots is small") {
   const TemporaryFolder folder;
   run_in_parts(brief<rules::Released>(3), folder.path() / "run", {}, 100.0, unchanged);

@@ -63,3 +63,26 @@ TEST_CASE("hooks: everybody is asked whether to go on, whatever another said") {
   CHECK_FALSE(audience.keep_running());
   CHECK(counts.asked == 1);
 }
+
+TEST_CASE("hooks: brains are told of to whom wants to know, as long as it does") {
+  struct Listens {
+    bool wants = true;
+    std::string told = {};
+    bool wants_deliberations() const { return wants; }
+    void on_deliberation(const observe::Deliberation& one, const View&) { told += std::to_string(one.body); }
+    void on_reprieve(BodyIndex hunter, const View&) { told += "r" + std::to_string(hunter); }
+  };
+  const test::HandPopulation robots = test::three_robots();
+  const View view = robots.view();
+  Listens first;
+  Listens second{.wants = false};
+  TicksOnly third;
+  observe::Audience audience{first, second, third};
+  CHECK(audience.wants_deliberations());
+  audience.deliberation({.body = 2, .inputs = {}, .outputs = {}}, view);
+  audience.reprieve(1, view);
+  CHECK(first.told == "2r1");
+  CHECK(second.told == "r1");
+  first.wants = false;
+  CHECK_FALSE(audience.wants_deliberations());
+}

@@ -71,6 +71,8 @@ TEST_CASE("What a file leaves out has its default") {
   CHECK_FALSE(file.numbers.shadow);
   CHECK(file.numbers.replay_hz == 0.0);
   CHECK(file.numbers.agents_every == 1);
+  CHECK_FALSE(file.numbers.senses);
+  CHECK(read("senses = true\n[grid]\na = [1]\n").numbers.senses);
 }
 
 TEST_CASE("A file that is no sweep is refused in one line") {
@@ -89,6 +91,7 @@ TEST_CASE("A file that is no sweep is refused in one line") {
   CHECK(refusal_of("replicate = 3\n[grid]\na = [1]\n").starts_with(": replicate: unknown key"));
   CHECK(refusal_of("replay_hz = 7\n[grid]\na = [1]\n") == ": replay_hz = 7: must be 0, 5, 10 or 30");
   CHECK(refusal_of("agents_every = 0\n[grid]\na = [1]\n") == ": agents_every = 0: must be >= 1 and <= 1e+06");
+  CHECK(refusal_of("senses = 3\n[grid]\na = [1]\n").starts_with(": senses = 3: must be"));
   CHECK(refusal_of("grid = 3\n") == ": grid: must be a section, [grid]");
   CHECK(refusal_of("runs = 3\n") == ": runs: must be sections, [[runs]]");
   CHECK(refusal_of("[grid\n").starts_with(":1: "));

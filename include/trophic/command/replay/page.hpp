@@ -5,6 +5,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +20,7 @@
 #include <trophic/analysis/data/csv_reader.hpp>
 #include <trophic/command/replay/base64.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
+#include <utility>
 #include <vector>
 
 /// The viewer's page, made from the folder viewer by npm, and its length. A program that is built without npm lacks it.
@@ -47,11 +50,24 @@ namespace trophic::command::replay {
   return bytes;
 }
 
+/// A cell; one of more than nine characters that is a number with a fraction by four digits of it.
+inline void append_short(std::string& text, std::string_view cell) {
+  double value = 0.0;
+  const bool is_long = cell.size() > 9 && cell.find('.') != std::string_view::npos;
+  if (!is_long || std::from_chars(cell.data(), cell.data() + cell.size(), value).ptr != cell.data() + cell.size()) {
+    text += cell;
+    return;
+  }
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 4);
+  text.append(digits.data(), end.ptr);
+}
+
 /// The columns of a file but for those named, in the rows that `keep` says yes to; it is asked with the reader at the row, whose
-/// first columns are `looked_at`. A last line that was cut off is left out.
+/// first columns are `looked_at`. A last line that was cut off is left out. With `is_short` long numbers are shortened.
 template <class Keep>
 [[nodiscard]] std::string table_without(const std::filesystem::path& path, std::initializer_list<std::string_view> left_out,
-                                        std::initializer_list<std::string_view> looked_at, Keep&& keep) {
+                                        std::initializer_list<std::string_view> looked_at, Keep&& keep, bool is_short = false) {
   std::string header;
   {
     std::ifstream file{path};
@@ -74,7 +90,7 @@ template <class Keep>
     text += '\n';
     for (const std::size_t place : places) {
       if (place != places.front()) text += ',';
-      text += csv.text(place);
+      is_short ? append_short(text, csv.text(place)) : static_cast<void>(text += csv.text(place));
     }
   }
   return text += '\n';
@@ -110,6 +126,26 @@ template <class Keep>
   return kept;
 }
 
+/// What a page carries of a run: (name, bytes).
+[[nodiscard]] inline std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun& run,
+                                                                                    const Window& window) {
+  const auto in_window = [&](const analysis::CsvReader& csv) { return window.has(csv.get<double>(0)); };
+  const auto always = [](const analysis::CsvReader&) { return true; };
+  std::vector<std::pair<std::string_view, std::string>> files;
+  files.emplace_back("replay", recording_bytes(run, window));
+  files.emplace_back("agents", deflated(table_without(run.folder / "agents.csv",
+                                                      {"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"},
+                                                      {"time_s"}, in_window)));
+  files.emplace_back("events", deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"},
+                                                      {"time_s"}, in_window)));
+  files.emplace_back("phylogeny", deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, always)));
+  if (std::filesystem::exists(run.folder / "senses.csv")) {
+    files.emplace_back(
+        "senses", deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, in_window, true)));
+  }
+  return files;
+}
+
 /// What the page says of a run before its files.
 [[nodiscard]] inline nlohmann::ordered_json index_of(const RecordedRun& run) {
   nlohmann::ordered_json index;
@@ -119,7 +155,33 @@ template <class Keep>
   index["tags"] = run.manifest.at("tags");
   index["hunters"] = nlohmann::ordered_json::array();
   for (const auto& link : run.manifest.at("food_web")) index["hunters"].push_back(link.at("hunter"));
+  if (run.manifest.contains("senses")) index["inputs"] = run.manifest["senses"].at("inputs");
   return index;
+}
+
+/// What stands in the viewer's page for these runs: their index, then their files.
+[[nodiscard]] inline std::string runs_part(const std::vector<RecordedRun>& runs, const Window& window) {
+  nlohmann::ordered_json index{{"title", "trophic:"}, {"runs", nlohmann::ordered_json::array()}};
+  std::string files;
+  for (std::size_t number = 0; number < runs.size(); ++number) {
+    const RecordedRun& run = runs[number];
+    try {
+      index["runs"].push_back(index_of(run));
+      for (const auto& [name, bytes] : files_of(run, window)) {
+        files.append("<script type=\"text/plain\" data-run=\"").append(std::to_string(number)).append("\" data-file=\"");
+        files.append(name).append("\">").append(base64(bytes)).append("</script>\n");
+      }
+    } catch (const nlohmann::json::exception& error) {
+      throw std::invalid_argument{(run.folder / "manifest.json").string() + ": " + error.what()};
+    } catch (const std::runtime_error& error) {
+      throw std::invalid_argument{error.what()};
+    }
+    index["title"] = index["title"].get<std::string>() + " " + index["runs"].back()["label"].get<std::string>();
+  }
+  std::string json = index.dump();
+  for (std::size_t less = json.find('<'); less != std::string::npos; less = json.find('<', less))
+    json.replace(less, 1, "\\u003c");
+  return "<script type=\"application/json\" id=\"trophic-index\">" + json + "</script>\n" + files;
 }
 
 /// The page. Throws std::invalid_argument for a table that cannot be read.
@@ -128,41 +190,8 @@ template <class Keep>
   constexpr std::string_view mark = "<!--RUNS-->";
   const std::size_t at = viewer.find(mark);
   if (at == std::string_view::npos) throw std::runtime_error{"the viewer's page has no place for runs"};
-  nlohmann::ordered_json index{{"title", "trophic"}, {"runs", nlohmann::ordered_json::array()}};
-  std::string files;
-  const auto add = [&](std::size_t number, std::string_view name, std::string_view bytes) {
-    files.append("<script type=\"text/plain\" data-run=\"").append(std::to_string(number)).append("\" data-file=\"").append(name);
-    files.append("\">").append(base64(bytes)).append("</script>\n");
-  };
-  for (std::size_t number = 0; number < runs.size(); ++number) {
-    const RecordedRun& run = runs[number];
-    const auto in_window = [&](const analysis::CsvReader& csv) { return window.has(csv.get<double>(0)); };
-    try {
-      index["runs"].push_back(index_of(run));
-      add(number, "replay", recording_bytes(run, window));
-      add(number, "agents",
-          deflated(table_without(run.folder / "agents.csv",
-                                 {"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"}, {"time_s"},
-                                 in_window)));
-      add(number, "events",
-          deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"}, {"time_s"}, in_window)));
-      add(number, "phylogeny",
-          deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, [](const auto&) { return true; })));
-    } catch (const nlohmann::json::exception& error) {
-      throw std::invalid_argument{(run.folder / "manifest.json").string() + ": " + error.what()};
-    } catch (const std::runtime_error& error) {
-      throw std::invalid_argument{error.what()};
-    }
-  }
-  std::string title = "trophic:";
-  for (const auto& one : index["runs"]) title += " " + one["label"].get<std::string>();
-  index["title"] = title;
-  std::string json = index.dump();
-  for (std::size_t less = json.find('<'); less != std::string::npos; less = json.find('<', less))
-    json.replace(less, 1, "\\u003c");
   std::string page{viewer.substr(0, at)};
-  page.append("<script type=\"application/json\" id=\"trophic-index\">").append(json).append("</script>\n").append(files);
-  return page.append(viewer.substr(at + mark.size()));
+  return page.append(runs_part(runs, window)).append(viewer.substr(at + mark.size()));
 }
 
 }  // namespace trophic::command::replay

@@ -2,8 +2,6 @@
 // A run's folder with its recording, checked to be of one run before anything is shown.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <trophic/analysis/data/csv_reader.hpp>
+#include <trophic/command/replay/own_tables.hpp>
 #include <trophic/observe/read_recording.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
@@ -48,31 +46,6 @@ struct RecordedRun {
   return manifest;
 }
 
-/// Throws std::invalid_argument unless every event of events.csv happened where the recording has that body at that time.
-inline void check_events(const RecordedRun& run) {
-  const auto& recording = run.recording;
-  const double last_s = recording.time_s(recording.frames() - 1);
-  const double reach_m = 0.002 + recording.head().units.position_m;
-  analysis::CsvReader events{run.folder / "events.csv", {"time_s", "body", "x_m", "y_m"}};
-  while (events.next()) {
-    const auto time_s = events.get<double>(0);
-    const auto body = events.get<std::size_t>(1);
-    if (time_s < recording.head().first_time_s || time_s > last_s + 1e-9) continue;
-    const std::string where = (run.folder / "events.csv").string() + ":" + std::to_string(events.line()) + ": body " +
-                              std::to_string(body) + " at " + number_text(time_s) + " s";
-    if (body >= recording.head().robots) {
-      throw std::invalid_argument{where + ": the recording beside it has " + std::to_string(recording.head().robots) + " bodies"};
-    }
-    const Eigen::Vector3d at = recording.root(recording.frame_at(std::min(time_s + 1e-9, last_s)), body).position_m;
-    const double x_m = events.get<double>(2);
-    const double y_m = events.get<double>(3);
-    if (std::hypot(at.x() - x_m, at.y() - y_m) > reach_m) {
-      throw std::invalid_argument{where + " is at (" + number_text(x_m) + ", " + number_text(y_m) +
-                                  ") m, in the recording beside it elsewhere; they are of two runs"};
-    }
-  }
-}
-
 /// Opens a run's folder. Throws std::invalid_argument naming the file and what is wrong with it.
 [[nodiscard]] inline RecordedRun open_run(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) throw std::invalid_argument{folder.string() + ": is not a folder"};
@@ -90,8 +63,10 @@ inline void check_events(const RecordedRun& run) {
     }
     RecordedRun run{folder, std::move(manifest), std::move(recording), {}};
     if (!run.recording.remark().empty()) run.remarks.push_back(run.recording.remark());
-    check_events(run);
+    check_own_tables(folder, run.recording, run.manifest);
     return run;
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument{(folder / "manifest.json").string() + ": " + error.what()};
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument{error.what()};
   }

@@ -26,10 +26,13 @@ struct Decision {
 };
 
 TROPHIC_QUESTION(decide)
+TROPHIC_QUESTION(outputs)
 
 /// `genome_size(inputs, outputs)`: number of weights for so many inputs, which the table's sensors give, and outputs
 /// (`Decision::outputs`); `tags()`: every tag that it may choose; `decide(inputs, weights)`: a pure function of both and, with a
 /// State, of `own`, which it may change: asked once in a tick at most. The weights are the genome's, which only births change.
+/// A brain that shows its output neurons to observers has `std::array<double, Decision::outputs> outputs(inputs, weights) const`
+/// (with a State also `const State& own`): what decide then makes its decision of.
 /// A brain for one number of inputs alone says so by `static constexpr std::size_t inputs = 3;`.
 template <class P>
 concept Brain = requires(const P policy, StateOf<P> own, std::span<const double> inputs, std::span<const double> weights) {

@@ -2,6 +2,7 @@
 // The paper's network with weights that change within a life.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -47,8 +48,7 @@ struct HebbianBrain {
 
   [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
     own.learnt.resize(weights.size(), 0.0);
-    std::vector<double> sum(weights.begin(), weights.end());
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own.learnt[i];
+    const std::vector<double> sum = learnt_weights(weights, own);
     const auto [before, out] = Network::neurons(inputs, sum);
     const std::span learnt{own.learnt};
     const std::size_t first = hidden * inputs.size();
@@ -57,7 +57,19 @@ struct HebbianBrain {
     return {.target_angle_rad = out[0] > 0.0 ? params.turn_angle_rad : -params.turn_angle_rad, .tag = out[1] > 0.0 ? 1 : -1};
   }
 
+  /// The two output neurons (target angle, tag), each in (-1, 1), before this decision's learning.
+  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs, std::span<const double> weights,
+                                                              const State& own) const {
+    return Network::neurons(inputs, learnt_weights(weights, own)).out;
+  }
+
  private:
+  [[nodiscard]] static std::vector<double> learnt_weights(std::span<const double> weights, const State& own) {
+    std::vector<double> sum(weights.begin(), weights.end());
+    for (std::size_t i = 0; i < own.learnt.size(); ++i) sum[i] += own.learnt[i];
+    return sum;
+  }
+
   void learn(std::span<const double> from, std::span<const double> to, std::span<const double> weights,
              std::span<double> learnt) const {
     for (std::size_t row = 0; row < to.size(); ++row) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <trophic/params/group.hpp>
 #include <trophic/params/policy.hpp>
@@ -17,6 +18,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace trophic::perception::sensors {
 
@@ -91,6 +93,13 @@ class List {
   explicit List(const Params& numbers = {}) : List{numbers, std::index_sequence_for<Sensors...>{}} {}
 
   using Values = std::array<double, size>;
+
+  /// The name of the sensor that each value is of.
+  [[nodiscard]] static std::vector<std::string> value_names() {
+    std::vector<std::string> names;
+    (names.insert(names.end(), detail::size_of<Sensors>(), std::string{detail::name_of<Sensors>()}), ...);
+    return names;
+  }
 
   /// The values that are the same for everybody; the places of the others are for `sense` to fill.
   [[nodiscard]] Values sense_common(const View& view) const {

@@ -30,6 +30,7 @@ struct PlannedRun {
   double until_s = 0.0;           ///< > 0; simulated seconds
   double replay_hz = 0.0;         ///< frames of its recording in a simulated second
   std::int64_t agents_every = 1;  ///< its agents.csv has the ticks whose number is a multiple of it
+  bool senses = false;            ///< it leaves senses.csv, too
   double work = 0.0;              ///< robots times steps of the engine, to begin with the longest
   std::filesystem::path folder;   ///< relative to the sweep's
   std::string fingerprint;        ///< of the run, as its manifest has it
@@ -38,7 +39,7 @@ struct PlannedRun {
 /// Reads a plan. Throws std::invalid_argument: "PATH: ..." for a file that cannot be read or lists nothing, and "PATH:LINE: FIELD
 /// = VALUE: must ..." for a line that is no JSON object, lacks a field or has a bad one. Lines stand in the order of their
 /// `index`; folders lie within the sweep's and none is there twice; the runs of a cell have one rule table, engine, duration,
-/// rate of recording and of agents.csv, and one value of each setting, and other seeds; those that are no shadows have one
+/// what they leave, and one value of each setting, and other seeds; those that are no shadows have one
 /// fingerprint, and its shadows have one; a replicate and its shadow have one seed.
 [[nodiscard]] std::vector<PlannedRun> read_plan(const std::filesystem::path& path);
 

@@ -100,6 +100,7 @@ class PlanLine {
   run.replay_hz = line.number("replay_hz");
   if (!(run.replay_hz >= 0.0)) line.reject("replay_hz", "be >= 0");
   run.agents_every = line.ticks("agents_every");
+  run.senses = line.yes_or_no("senses");
   run.work = line.number("work");
   if (!(run.work >= 0.0)) line.reject("work", "be >= 0");
   run.folder = line.folder("folder");
@@ -136,6 +137,7 @@ class RunsSoFar {
     same("until_s", run.until_s, first.until_s);
     same("replay_hz", run.replay_hz, first.replay_hz);
     same("agents_every", run.agents_every, first.agents_every);
+    same("senses", run.senses, first.senses);
     same("fingerprint", run.fingerprint, fingerprints_.emplace(std::pair{run.cell, run.shadow}, run.fingerprint).first->second);
   }
 
@@ -179,6 +181,7 @@ TROPHIC_INLINE std::string plan_text(std::span<const PlannedRun> runs) {
                                       {"until_s", run.until_s},
                                       {"replay_hz", run.replay_hz},
                                       {"agents_every", run.agents_every},
+                                      {"senses", run.senses},
                                       {"work", run.work},
                                       {"folder", run.folder.string()},
                                       {"fingerprint", run.fingerprint}};

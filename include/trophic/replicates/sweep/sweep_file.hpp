@@ -37,6 +37,7 @@ inline constexpr std::size_t most_runs = 1'000'000;
 ///     shadow = false                 # each run's neutral shadow, too
 ///     replay_hz = 0.0                # frames of each run's recording in a simulated second: 0, 5, 10 or 30
 ///     agents_every = 1               # each agents.csv has the ticks whose number is a multiple of it
+///     senses = false                 # each run's senses.csv, too
 ///     [set]                          # in every run
 ///     ecology.duration_s = 3000.0
 ///     [grid]                         # every value with every other
@@ -55,6 +56,7 @@ struct SweepFile {
     bool shadow = false;
     double replay_hz = 0.0;
     std::int64_t agents_every = 1;
+    bool senses = false;
 
     static constexpr auto fields() {
       return std::tuple{
@@ -63,7 +65,8 @@ struct SweepFile {
           field("paired", &Numbers::paired, "replicate k has the same seed in every cell"),
           field("shadow", &Numbers::shadow, "each run's neutral shadow, too"),
           field("replay_hz", &Numbers::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second"),
-          field("agents_every", &Numbers::agents_every, between(1.0, 1e6), "ticks from one to the next in agents.csv")};
+          field("agents_every", &Numbers::agents_every, between(1.0, 1e6), "ticks from one to the next in agents.csv"),
+          field("senses", &Numbers::senses, "each run's senses.csv, too")};
     }
   };
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Which robots touch each other or a wall, by the shapes of their boxes: the same for every engine.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <trophic/habitat/link_frames.hpp>
+#include <trophic/habitat/pose.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// A box in the world: its centre, half of each edge as a vector, and the radius of the sphere that holds it.
+struct PlacedBox {
+  Eigen::Vector3d centre_m;
+  Eigen::Matrix3d half_edges_m;  ///< columns
+  double radius_m = 0.0;
+};
+
+/// All boxes of a robot. `joint_angles_rad` as those of `link_frames`.
+[[nodiscard]] inline std::vector<PlacedBox> placed_boxes(const RobotModel& robot, const Pose& root,
+                                                         std::span<const double> joint_angles_rad) {
+  std::vector<PlacedBox> boxes;
+  const std::vector<Eigen::Isometry3d> frames = link_frames(robot, root, joint_angles_rad);
+  for (std::size_t link = 0; link < frames.size(); ++link) {
+    for (const Box& box : robot.links[link].boxes) {
+      const Eigen::Matrix3d axes = frames[link].linear() * box.orientation.toRotationMatrix();
+      boxes.push_back({.centre_m = frames[link] * box.centre_m,
+                       .half_edges_m = axes * box.half_extents_m.asDiagonal(),
+                       .radius_m = box.half_extents_m.norm()});
+    }
+  }
+  return boxes;
+}
+
+/// Whether two boxes overlap or touch: no axis separates them, neither a face's normal nor the product of two edges (separating
+/// axis theorem [gottschalk1996]). Edges that are parallel but for rounding give no axis: the faces' normals stand for theirs.
+[[nodiscard]] inline bool touch(const PlacedBox& a, const PlacedBox& b) {
+  const Eigen::Vector3d between_m = b.centre_m - a.centre_m;
+  if (between_m.squaredNorm() > (a.radius_m + b.radius_m) * (a.radius_m + b.radius_m)) return false;
+  const auto separates = [&](const Eigen::Vector3d& axis) {
+    const double reach =
+        (axis.transpose() * a.half_edges_m).cwiseAbs().sum() + (axis.transpose() * b.half_edges_m).cwiseAbs().sum();
+    return std::abs(axis.dot(between_m)) > reach;
+  };
+  for (int i = 0; i < 3; ++i) {
+    if (separates(a.half_edges_m.col(i)) || separates(b.half_edges_m.col(i))) return false;
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Eigen::Vector3d axis = a.half_edges_m.col(i).cross(b.half_edges_m.col(j));
+      const double parallel = 1e-9 * a.half_edges_m.col(i).norm() * b.half_edges_m.col(j).norm();
+      if (axis.norm() > parallel && separates(axis)) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether two robots touch: some box of one and some box of the other do.
+[[nodiscard]] inline bool touch(std::span<const PlacedBox> a, std::span<const PlacedBox> b) {
+  return std::ranges::any_of(
+      a, [&](const PlacedBox& one) { return std::ranges::any_of(b, [&](const PlacedBox& other) { return touch(one, other); }); });
+}
+
+/// Whether a robot reaches |x| or |y| = `half_side_m`, where the walls of an arena stand or its slopes begin.
+[[nodiscard]] inline bool touch_wall(std::span<const PlacedBox> boxes, double half_side_m) {
+  return std::ranges::any_of(boxes, [&](const PlacedBox& box) {
+    const auto reach_m = [&](int axis) { return std::abs(box.centre_m[axis]) + box.half_edges_m.row(axis).cwiseAbs().sum(); };
+    return std::max(reach_m(0), reach_m(1)) >= half_side_m;
+  });
+}
+
+}  // namespace trophic
