@@ -11,6 +11,7 @@
 #include <string>
 #include <trophic/backend/mujoco/engine.hpp>
 #include <trophic/drawing/drawing.hpp>
+#include <trophic/habitat/link_frames.hpp>
 #include <utility>
 
 namespace trophic::drawing {
@@ -233,19 +234,10 @@ class Drawing::Scene {
   }
 
   void add_body(const RobotLook& look) {
-    std::vector<Eigen::Isometry3d> frames(robot_.links.size());
-    for (std::size_t i = 0; i < robot_.links.size(); ++i) {
-      const Link& link = robot_.links[i];
-      if (i == 0) {
-        frames[i] = Eigen::Translation3d{look.root.position_m} * look.root.orientation;
-      } else {
-        frames[i] = frames[static_cast<std::size_t>(link.parent)] * Eigen::Translation3d{link.offset_m} * link.rotation;
-        if (!look.joint_angles_rad.empty()) {
-          frames[i] = frames[i] * Eigen::AngleAxisd{look.joint_angles_rad[i - 1], robot_.hinges[i - 1].axis};
-        }
-      }
+    const std::vector<Eigen::Isometry3d> frames = link_frames(robot_, look.root, look.joint_angles_rad);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
       const Colour colour = i == 0 ? look.colour : limb_colour(look.colour);
-      for (const Box& box : link.boxes) {
+      for (const Box& box : robot_.links[i].boxes) {
         const Eigen::Isometry3d frame = frames[i] * Eigen::Translation3d{box.centre_m} * box.orientation;
         add(mjGEOM_BOX, box.half_extents_m, frame.translation(), frame.linear(), colour, 1.0F)->category = mjCAT_DYNAMIC;
       }
