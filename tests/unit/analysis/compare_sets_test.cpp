@@ -12,7 +12,7 @@ using namespace trophic;
 using namespace trophic::analysis;
 
 /// Six runs with two metrics: x around `x`, y around 1 whatever x is.
-RunSet set_around(double x, double spread = 0.01) {
+RunSet set_near(double x, double spread = 0.01) {
   RunSet set;
   for (int i = 0; i < 6; ++i) {
     const double shift = (i % 2 == 0 ? 1.0 : -1.0) * spread;
@@ -27,27 +27,27 @@ RunSet set_around(double x, double spread = 0.01) {
 }  // namespace
 
 TEST_CASE("a difference that the shadows have too is raw, and none over the shadows") {
-  const ShadowedSet a{set_around(0.5), set_around(0.4)};
-  const ShadowedSet b{set_around(0.7), set_around(0.6)};
+  const ShadowedSet a{set_near(0.5), set_near(0.4)};
+  const ShadowedSet b{set_near(0.7), set_near(0.6)};
   const auto x = compare_sets(a, b).front();
   CHECK(*x.raw.value == doctest::Approx(0.2));
   CHECK(x.raw.differs());
   CHECK(*x.over_shadow.value == doctest::Approx(0.0));
   CHECK_FALSE(x.over_shadow.differs());
-  const ShadowedSet c{set_around(0.7), set_around(0.4)};
+  const ShadowedSet c{set_near(0.7), set_near(0.4)};
   CHECK(*compare_sets(a, c).front().over_shadow.value == doctest::Approx(0.2));
   CHECK(compare_sets(a, c).front().over_shadow.differs());
 }
 
 TEST_CASE("without a shadow of both there is only the raw difference") {
-  const auto x = compare_sets({set_around(0.5), set_around(0.4)}, {set_around(0.7), {}}).front();
+  const auto x = compare_sets({set_near(0.5), set_near(0.4)}, {set_near(0.7), {}}).front();
   CHECK(x.raw.differs());
   CHECK_FALSE(x.over_shadow.value);
   CHECK_FALSE(x.over_shadow.interval);
 }
 
 TEST_CASE("p values are corrected for the number of metrics that vary") {
-  const auto all = compare_sets({set_around(0.5), {}}, {set_around(0.51), {}});
+  const auto all = compare_sets({set_near(0.5), {}}, {set_near(0.51), {}});
   REQUIRE(all.size() == 3);
   CHECK(*all[0].raw.adjusted == doctest::Approx(2.0 * *all[0].raw.p));
   CHECK(*all[1].raw.adjusted == 1.0);
@@ -56,8 +56,8 @@ TEST_CASE("p values are corrected for the number of metrics that vary") {
 }
 
 TEST_CASE("a metric that one set lacks is left out, five runs have no interval") {
-  ShadowedSet a{set_around(0.5), {}};
-  ShadowedSet b{set_around(0.7), {}};
+  ShadowedSet a{set_near(0.5), {}};
+  ShadowedSet b{set_near(0.7), {}};
   for (RunMetrics& run : b.ours.runs) run.measurements[0].name.species = "wolf";
   CHECK(compare_sets(a, b).size() == 2);
   a.ours.runs.pop_back();

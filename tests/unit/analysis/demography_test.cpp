@@ -9,18 +9,17 @@ using namespace trophic;
 using namespace trophic::test;
 using analysis::AgentRow;
 using analysis::EventRow;
-using analysis::Group;
 
 TEST_CASE("population and hunger are means over ticks") {
   std::vector<AgentRow> agents{robot(1, 0, prey, 0, 0), robot(1, 1, predator, 0, 0),
                                robot(1, 2, predator, 0, 0, {}, Origin::random), robot(2, 0, prey, 0, 0)};
   agents[1].hunger_ticks = 4;
   agents[2].hunger_ticks = 10;
-  CHECK(*analysis::population_size(agents, predator, Group::all).mean() == 1.0);
-  CHECK(*analysis::population_size(agents, predator, Group::random).mean() == 0.5);
+  CHECK(*analysis::population_size(agents, predator, analysis::Group::all).mean() == 1.0);
+  CHECK(*analysis::population_size(agents, predator, analysis::Group::random).mean() == 0.5);
   CHECK(*analysis::hunger(agents, predator).mean() == 7.0);
   CHECK_FALSE(analysis::hunger(agents, prey).mean());
-  CHECK_FALSE(analysis::population_size({}, prey, Group::all).mean());
+  CHECK_FALSE(analysis::population_size({}, prey, analysis::Group::all).mean());
 }
 
 TEST_CASE("share of the ticks at an exact number of members") {

@@ -19,7 +19,7 @@ using test::TemporaryFolder;
 
 using test::agent_header;
 using test::event_header;
-const std::string manifest = test::manifest("00ff", 12);
+const std::string plain_manifest = test::manifest("00ff", 12);
 
 std::string error_of_events(const std::string& text) {
   const TemporaryFolder folder;
@@ -88,7 +88,7 @@ TEST_CASE("agents out of order are refused") {
 
 TEST_CASE("a line cut off by a kill is reported, the rest is used, of agents the whole last tick goes") {
   const TemporaryFolder folder;
-  static_cast<void>(folder.file("manifest.json", manifest));
+  static_cast<void>(folder.file("manifest.json", plain_manifest));
   static_cast<void>(folder.file("events.csv", event_header + "0,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n0,0,birth,1,pre"));
   static_cast<void>(folder.file("agents.csv", agent_header + "0,0,0,0,prey,random,1,1,0,0,0,0,,,\n" +
                                                   "0,0,1,1,prey,random,1,1,0,0,0,0,,,\n" +
@@ -108,7 +108,7 @@ TEST_CASE("a missing table is missing, a missing or foreign manifest is an error
   CHECK(message_of<std::runtime_error>(read).starts_with(path + ": cannot be read: "));
   static_cast<void>(folder.file("manifest.json", R"({"fingerprint": "00ff"})"));
   CHECK(message_of<std::runtime_error>(read).find("'rule_table' not found") != std::string::npos);
-  static_cast<void>(folder.file("manifest.json", manifest));
+  static_cast<void>(folder.file("manifest.json", plain_manifest));
   const auto run = analysis::read_run(folder.path());
   CHECK(run.manifest.seed == 12);
   CHECK(run.manifest.web.eats(1, 0));
@@ -120,7 +120,7 @@ TEST_CASE("a missing table is missing, a missing or foreign manifest is an error
 
 TEST_CASE("a run is cut to its first seconds, one that did not last so long is refused") {
   const TemporaryFolder folder;
-  auto run = analysis::read_run(test::write_run(folder.path() / "run", manifest));
+  auto run = analysis::read_run(test::write_run(folder.path() / "run", plain_manifest));
   analysis::cut_to(run, 1.0);
   CHECK(run.manifest.until_s == 1.0);
   CHECK(run.events->size() == 2);
@@ -133,10 +133,10 @@ TEST_CASE("a run is cut to its first seconds, one that did not last so long is r
 
 TEST_CASE("a table that was cut at a line's end, or whose rows are doubled, reversed or gone, is refused") {
   const TemporaryFolder folder;
-  const std::filesystem::path run = test::write_run(folder.path() / "run", manifest);
+  const std::filesystem::path run = test::write_run(folder.path() / "run", plain_manifest);
   const auto sum = analysis::CsvReader{run / "events.csv", {}}.sum();
   CHECK(sum.rows == 5);
-  std::string text = manifest;
+  std::string text = plain_manifest;
   text.insert(1, R"("tables": {"events.csv": {"rows": 5, "crc32": )" + std::to_string(sum.crc32) + "}}, ");
   std::ofstream{run / "manifest.json"} << text;
   CHECK(analysis::read_run(run).events->size() == 5);
@@ -161,11 +161,11 @@ TEST_CASE("a table that was cut at a line's end, or whose rows are doubled, reve
 TEST_CASE("a thinned table has the ticks that its manifest says, and no others") {
   const TemporaryFolder folder;
   const auto thinned = [&](const std::string& name, const std::string& every) {
-    const std::string text = manifest.substr(0, manifest.size() - 1) + ", \"agents_every_ticks\": " + every + "}";
+    const std::string text = plain_manifest.substr(0, plain_manifest.size() - 1) + ", \"agents_every_ticks\": " + every + "}";
     return test::write_run(folder.path() / name, text);
   };
   CHECK(analysis::read_manifest(thinned("two", "2")).agents_every_ticks == 2);
-  CHECK(analysis::read_manifest(test::write_run(folder.path() / "all", manifest)).agents_every_ticks == 1);
+  CHECK(analysis::read_manifest(test::write_run(folder.path() / "all", plain_manifest)).agents_every_ticks == 1);
   const auto run = analysis::read_run(folder.path() / "two");
   CHECK_FALSE(run.agents);
   REQUIRE(run.remarks.size() == 1);

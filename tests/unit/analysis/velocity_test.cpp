@@ -11,7 +11,7 @@ namespace {
 using namespace trophic;
 using namespace trophic::test;
 using analysis::AgentRow;
-using analysis::Group;
+
 using analysis::stored_velocity_samples;
 using analysis::velocity_samples;
 
@@ -72,8 +72,8 @@ TEST_CASE("no sample without adversary, in an empty run and in one that is too s
   brief.resize(brief.size() - 2);
   const auto samples = velocity_samples(brief);
   CHECK(samples.empty());
-  CHECK_FALSE(analysis::velocity(samples, predator, Group::all).mean_of_points());
-  CHECK(analysis::velocity(samples, predator, Group::all).series().empty());
+  CHECK_FALSE(analysis::velocity(samples, predator, analysis::Group::all).mean_of_points());
+  CHECK(analysis::velocity(samples, predator, analysis::Group::all).series().empty());
 }
 
 TEST_CASE("the stored adversary is kept while its robot is blind, and follows the body that it lived in") {
@@ -121,13 +121,13 @@ TEST_CASE("velocity is split by origin and averaged in windows of 200 s: 30 poin
     samples.push_back(
         {.time_s = time_s, .species = prey, .origin = Origin::inherited, .velocity_m_s = time_s <= 200.0 ? 3.0 : 5.0});
   }
-  const auto inherited = analysis::velocity(samples, prey, Group::inherited);
+  const auto inherited = analysis::velocity(samples, prey, analysis::Group::inherited);
   REQUIRE(inherited.series().size() == 30);
   CHECK(*inherited.series()[0].value == 3.0);
   CHECK(inherited.series()[0].time_s == 200.0);
   CHECK(*inherited.series()[1].value == 5.0);
   CHECK(*inherited.mean_of_points() == doctest::Approx((3.0 + 29.0 * 5.0) / 30.0));
-  CHECK(*analysis::velocity(samples, prey, Group::random).mean_of_points() == 1.0);
-  CHECK(*analysis::velocity(samples, prey, Group::all).series()[0].value == doctest::Approx(2.0));
-  CHECK_FALSE(analysis::velocity(samples, predator, Group::all).mean_of_points());
+  CHECK(*analysis::velocity(samples, prey, analysis::Group::random).mean_of_points() == 1.0);
+  CHECK(*analysis::velocity(samples, prey, analysis::Group::all).series()[0].value == doctest::Approx(2.0));
+  CHECK_FALSE(analysis::velocity(samples, predator, analysis::Group::all).mean_of_points());
 }

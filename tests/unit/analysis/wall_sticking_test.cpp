@@ -8,7 +8,7 @@
 using namespace trophic;
 using namespace trophic::test;
 using analysis::AgentRow;
-using analysis::Group;
+
 using analysis::wall_sticking;
 
 TEST_CASE("within 1 m of any wall sticks, at each tick as a share of the species") {
@@ -18,19 +18,19 @@ TEST_CASE("within 1 m of any wall sticks, at each tick as a share of the species
                                      robot(1, 3, predator, 0.0, 0.0), robot(2, 0, prey, 0.0, 0.0),
                                      robot(2, 1, prey, 11.0, 0.0),  // beyond, on a slope
                                      robot(2, 3, predator, -9.9, 9.9)};
-  CHECK(*wall_sticking(agents, prey, Group::all, 10.0).mean() == doctest::Approx((2.0 / 3.0 + 1.0 / 2.0) / 2.0));
-  CHECK(*wall_sticking(agents, predator, Group::all, 10.0).mean() == doctest::Approx(0.5));
-  CHECK(*wall_sticking(agents, prey, Group::all, 10.0, 2.0).mean() == doctest::Approx((1.0 + 0.5) / 2.0));
+  CHECK(*wall_sticking(agents, prey, analysis::Group::all, 10.0).mean() == doctest::Approx((2.0 / 3.0 + 1.0 / 2.0) / 2.0));
+  CHECK(*wall_sticking(agents, predator, analysis::Group::all, 10.0).mean() == doctest::Approx(0.5));
+  CHECK(*wall_sticking(agents, prey, analysis::Group::all, 10.0, 2.0).mean() == doctest::Approx((1.0 + 0.5) / 2.0));
 }
 
 TEST_CASE("ticks without a member are left out, without any there is no value") {
   const std::vector<AgentRow> agents{robot(1, 0, prey, 9.9, 0.0), robot(2, 1, predator, 0.0, 0.0),
                                      robot(3, 0, prey, 9.9, 0.0, {}, Origin::random)};
-  CHECK(*wall_sticking(agents, prey, Group::all, 10.0).mean() == 1.0);
-  CHECK(*wall_sticking(agents, prey, Group::random, 10.0).mean() == 1.0);
-  CHECK_FALSE(wall_sticking(agents, predator, Group::random, 10.0).mean());
-  CHECK_FALSE(wall_sticking(agents, 7, Group::all, 10.0).mean());
-  CHECK_FALSE(wall_sticking({}, prey, Group::all, 10.0).mean());
+  CHECK(*wall_sticking(agents, prey, analysis::Group::all, 10.0).mean() == 1.0);
+  CHECK(*wall_sticking(agents, prey, analysis::Group::random, 10.0).mean() == 1.0);
+  CHECK_FALSE(wall_sticking(agents, predator, analysis::Group::random, 10.0).mean());
+  CHECK_FALSE(wall_sticking(agents, 7, analysis::Group::all, 10.0).mean());
+  CHECK_FALSE(wall_sticking({}, prey, analysis::Group::all, 10.0).mean());
 }
 
 TEST_CASE("the rim of 1 m is 19 % of a floor of 20 m") {
