@@ -263,9 +263,9 @@ class Killed(Sweeps):
             time.sleep(0.01)
         time.sleep(random.uniform(0.0, 0.5))
 
-    def ranks_of(self, out):
+    def ranks_of(self, out, file="killed.toml"):
         """Processes of the program that work on a folder, oldest first."""
-        wanted = f"{OPTIONS.program} --sweep killed.toml --out {out}".split()
+        wanted = f"{OPTIONS.program} --sweep {file} --out {out}".split()
         found = []
         for folder in pathlib.Path("/proc").glob("[0-9]*"):
             try:
@@ -318,6 +318,27 @@ class Killed(Sweeps):
         self.assertIn("4 of 4 runs complete", said[0], said[1])
         self.assertEqual(job.returncode, 0, said)
         self.assert_same()
+
+    @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
+    def test_worker_of_mpi_that_has_nothing_to_do_is_killed(self):
+        self.write("few.toml", KILLED.replace("replicates = 2", "replicates = 1"))
+        job = subprocess.Popen([*self.mpirun(4, "--enable-recovery"), OPTIONS.program, "--sweep", "few.toml", "--out", "few"],
+                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        claims = []
+        for _ in range(3000):
+            claims = [path.read_text() for path in (self.folder / "few").glob("claims/*/*")]
+            if len(claims) == 2 and all(claims):
+                break
+            time.sleep(0.01)
+        ranks = self.ranks_of("few", "few.toml")
+        self.assertEqual((len(ranks), len(claims)), (4, 2))
+        at_work = {json.loads(claim)["process"] for claim in claims}
+        idle = set(ranks[1:]) - at_work
+        self.assertEqual(len(idle), 1, (ranks, claims))
+        os.kill(idle.pop(), signal.SIGKILL)
+        said = job.communicate(timeout=120)
+        self.assertIn("2 of 2 runs complete", said[0], said[1])
+        self.assertEqual(job.returncode, 0, said)
 
     @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
     def test_first_rank_is_killed_and_the_job_started_again(self):

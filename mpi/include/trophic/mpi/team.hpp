@@ -29,6 +29,10 @@ namespace detail {
 inline constexpr int to_leader = 1;
 inline constexpr int to_worker = 2;
 inline constexpr long no_run = -1;  ///< from a worker: it has done none yet; to a worker: there is none left
+inline constexpr long bye = -2;     ///< from a worker: it has heard that there is none left; to a worker: so have all others
+
+/// How long the leader waits at the end for workers to say so.
+inline constexpr std::chrono::seconds patience{10};
 
 /// Looks for a message every few milliseconds, as MPI's own waiting takes a whole core.
 inline constexpr std::chrono::milliseconds pause{2};
@@ -73,7 +77,7 @@ class Leader {
       if (lost_.size() == workers_) break;
       std::this_thread::sleep_for(pause);
     }
-    for (const int worker : free_) send(worker, no_run);
+    dismiss();
     return sweep::tally_of(plan_, {}, results_);
   }
 
@@ -89,6 +93,25 @@ class Leader {
   };
 
   static void send(int worker, long run) { MPI_Send(&run, 1, MPI_LONG, worker, to_worker, MPI_COMM_WORLD); }
+
+  /// Tells all workers that there is nothing left, and those who answer whether all did. One that died with nothing to do is
+  /// missed only here.
+  void dismiss() {
+    for (int worker = 1; worker <= static_cast<int>(workers_); ++worker) {
+      if (lost_.contains(worker)) continue;
+      leaving_.insert(worker);
+      send(worker, no_run);
+    }
+    const std::set<int> told = leaving_;
+    const Clock::time_point end = Clock::now() + patience;
+    while (!leaving_.empty() && Clock::now() < end) {
+      if (!listen()) std::this_thread::sleep_for(pause);
+    }
+    lost_.insert(leaving_.begin(), leaving_.end());
+    for (const int worker : told) {
+      if (!leaving_.contains(worker)) send(worker, lost_.empty() ? bye : no_run);
+    }
+  }
 
   /// Takes one report, if there is one.
   bool listen() {
@@ -107,6 +130,10 @@ class Leader {
     given_.erase(worker);
     suspects_.erase(worker);
     lost_.erase(worker);
+    if (report.run == bye) {
+      leaving_.erase(worker);
+      return;
+    }
     free_.push_back(worker);
     if (report.run == no_run) return;
     const auto run = static_cast<std::size_t>(report.run);
@@ -174,6 +201,7 @@ class Leader {
   std::map<int, Given> given_;
   std::set<int> suspects_;  ///< whose run nobody claimed at the last look
   std::set<int> lost_;
+  std::set<int> leaving_;  ///< at the end, who has not said bye yet
   Clock::time_point next_look_;
 };
 
@@ -215,6 +243,8 @@ class Team final : public sweep::Team {
                                        const std::function<bool()>& go_on) override {
     if (!leads()) {
       work(plan, attempt);
+      report({detail::bye, 0, {}});
+      has_lost_workers_ = next() != detail::bye;
       return {};
     }
     detail::Leader leader{plan, sweep, lease_s, size() - 1};
@@ -224,21 +254,28 @@ class Team final : public sweep::Team {
   }
 
  private:
+  static void report(const detail::Report& report) {
+    const std::string bytes = report.bytes();
+    MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_CHAR, 0, detail::to_leader, MPI_COMM_WORLD);
+  }
+
+  /// What the leader says next.
+  [[nodiscard]] static long next() {
+    int there = 0;
+    while (MPI_Iprobe(0, detail::to_worker, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE) == MPI_SUCCESS && there == 0) {
+      std::this_thread::sleep_for(detail::pause);
+    }
+    long said = detail::no_run;
+    if (there != 0) MPI_Recv(&said, 1, MPI_LONG, 0, detail::to_worker, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    return said;
+  }
+
   static void work(const std::vector<sweep::PlannedRun>& plan,
                    const std::function<sweep::Result(const sweep::PlannedRun&)>& attempt) {
-    detail::Report report;
-    for (;;) {
-      const std::string bytes = report.bytes();
-      MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_CHAR, 0, detail::to_leader, MPI_COMM_WORLD);
-      int there = 0;
-      while (MPI_Iprobe(0, detail::to_worker, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE) == MPI_SUCCESS && there == 0) {
-        std::this_thread::sleep_for(detail::pause);
-      }
-      long run = detail::no_run;
-      if (there != 0) MPI_Recv(&run, 1, MPI_LONG, 0, detail::to_worker, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-      if (run == detail::no_run) return;
+    report({});
+    for (long run = next(); run != detail::no_run; run = next()) {
       const sweep::Result result = attempt(plan[static_cast<std::size_t>(run)]);
-      report = {run, static_cast<int>(result.ended), result.text};
+      report({run, static_cast<int>(result.ended), result.text});
     }
   }
 
