@@ -17,3 +17,13 @@ function(trophic_stop_if_missing)
     message(FATAL_ERROR "trophic: not found: ${packages}. On Debian or Ubuntu: apt-get install ${apt}")
   endif()
 endfunction()
+
+# trophic_leave_out(CHOICE TEXT): says why a part is not built, and leaves the calling CMakeLists.txt. CHOICE is the value of its option:
+# ON makes it an error.
+macro(trophic_leave_out choice text)
+  if("${choice}" STREQUAL "ON")
+    message(FATAL_ERROR "trophic: ${text}")
+  endif()
+  message(STATUS "trophic: ${text}")
+  return()
+endmacro()

@@ -101,7 +101,7 @@ inline void write_page(const Options& options, std::span<const analysis::Shadowe
   const std::string html = html_of(page);
   observe::LineFile{options.html, html};
   std::cout << "page    " << options.html << ": " << page.figures.size() << " figures, " << page.replays.size() << " replays, "
-            << html.size() / 1000000 << "." << html.size() / 100000 % 10 << " MB\n";
+            << megabytes_text(html.size()) << "\n";
 }
 
 inline void finish(const Options& options, const std::optional<std::filesystem::path>& out,
@@ -172,9 +172,7 @@ inline void check_page(const Options& options) {
     throw std::invalid_argument{"--replays " + std::to_string(*options.replays) + ": must be <= " + std::to_string(most_replays)};
   }
   if (options.html.empty()) return;
-  if (std::filesystem::exists(std::filesystem::symlink_status(options.html))) {
-    throw std::invalid_argument{"--html " + options.html + ": exists already; nothing is overwritten"};
-  }
+  check_new_file("--html", options.html);
   if (!options.figures.empty()) static_cast<void>(read_figures(options.figures));
 }
 

@@ -247,9 +247,7 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.watch && (options.replicates || (!options.save_mjcf.empty() && options.out.empty()))) {
     throw std::invalid_argument{"--watch: needs a run, and one only; not with --replicates or with --save-mjcf without --out"};
   }
-  if (!options.save_mjcf.empty() && std::filesystem::exists(std::filesystem::symlink_status(options.save_mjcf))) {
-    throw std::invalid_argument{"--save-mjcf " + options.save_mjcf + ": exists already; nothing is overwritten"};
-  }
+  if (!options.save_mjcf.empty()) check_new_file("--save-mjcf", options.save_mjcf);
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {
     throw std::invalid_argument{"--replay-hz " + std::to_string(*hz) + ": must be 0, 5, 10 or 30"};

@@ -32,15 +32,11 @@ struct Options {
   if (out.extension() != ".glb" && out.extension() != ".gltf") {
     throw std::invalid_argument{"--out " + options.out + ": must end in .glb or .gltf"};
   }
-  if (std::filesystem::exists(std::filesystem::symlink_status(out))) {
-    throw std::invalid_argument{"--out " + options.out + ": exists already; nothing is overwritten"};
-  }
+  check_new_file("--out", out);
   const replay::RecordedRun run = replay::open_run(options.run);
   for (const std::string& remark : run.remarks) std::cerr << "trophic export: " << remark << "\n";
   options.window.check(run.recording);
-  const double from_s = options.window.from_s.value_or(run.recording.head().first_time_s);
-  const double to_s = options.window.to_s.value_or(run.recording.time_s(run.recording.frames() - 1));
-  const replay::GltfScene scene{run, from_s, to_s, options.follow};
+  const replay::GltfScene scene{run, options.window.start_s(run.recording), options.window.end_s(run.recording), options.follow};
   const std::string content = out.extension() == ".glb" ? scene.file().glb() : scene.file().gltf();
   observe::LineFile{out, content};
   std::cout << options.out << ": " << scene.individuals() << (scene.individuals() == 1 ? " robot, " : " robots, ")

@@ -2,6 +2,8 @@
 // What a program prints either arrives or is an error.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -12,6 +14,17 @@ namespace trophic::command {
 inline void flush_output() {
   std::cout.flush();
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+}
+
+/// Throws std::invalid_argument, naming the option, if there is something where a new file is to be.
+inline void check_new_file(const std::string& option, const std::filesystem::path& path) {
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path))) return;
+  throw std::invalid_argument{option + " " + path.string() + ": exists already; nothing is overwritten"};
+}
+
+/// "6.2 MB", of so many bytes.
+[[nodiscard]] inline std::string megabytes_text(std::size_t bytes) {
+  return std::to_string(bytes / 1000000) + "." + std::to_string(bytes / 100000 % 10) + " MB";
 }
 
 /// Prints a text and returns 0, the exit code of a command that does no more.

@@ -50,9 +50,7 @@ struct Options {
 }
 
 [[nodiscard]] inline int run(const Options& options) {
-  if (std::filesystem::exists(std::filesystem::symlink_status(options.out))) {
-    throw std::invalid_argument{"--out " + options.out + ": exists already; nothing is overwritten"};
-  }
+  check_new_file("--out", options.out);
   static_cast<void>(replay::viewer_page());
   std::vector<replay::RecordedRun> runs;
   for (const auto& folder : folders_of(options)) {
@@ -62,8 +60,7 @@ struct Options {
   }
   const std::string page = replay::page_of(runs, options.window);
   observe::LineFile{options.out, page};
-  std::cout << options.out << ": " << page.size() / 1000000 << "." << page.size() / 100000 % 10
-            << " MB, opens in any browser, without a server\n";
+  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser, without a server\n";
   flush_output();
   return 0;
 }

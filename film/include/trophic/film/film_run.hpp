@@ -144,9 +144,7 @@ static_assert(drawing::Footage<RecordedFootage>);
   if (!is_film && plan.out.extension() != ".png")
     throw std::invalid_argument{"--out " + plan.out.string() + ": must end in .png or .mp4"};
   if (is_film && !plan.sheet.empty()) throw std::invalid_argument{"--sheet: needs --out with .png"};
-  if (std::filesystem::exists(std::filesystem::symlink_status(plan.out))) {
-    throw std::invalid_argument{"--out " + plan.out.string() + ": exists already; nothing is overwritten"};
-  }
+  check_new_file("--out", plan.out);
   if (!(plan.speed > 0.0 && plan.speed <= 1e4))
     throw std::invalid_argument{"--speed " + number_text(plan.speed) + ": must be > 0 and <= 10000"};
   if (plan.fps < 1 || plan.fps > 120)
@@ -162,10 +160,9 @@ static_assert(drawing::Footage<RecordedFootage>);
   const RecordedRun run = open_run(plan.folder);
   for (const std::string& remark : run.remarks) std::cerr << "trophic film: " << remark << "\n";
   plan.window.check(run.recording);
-  const double last_s = run.recording.time_s(run.recording.frames() - 1);
-  const double from_s = plan.window.from_s.value_or(run.recording.head().first_time_s);
+  const double from_s = plan.window.start_s(run.recording);
   const bool is_moment = !is_film && plan.sheet.empty();
-  const double to_s = is_moment ? from_s : plan.window.to_s.value_or(last_s);
+  const double to_s = is_moment ? from_s : plan.window.end_s(run.recording);
   const RecordedFootage footage{run, from_s, to_s};
   const auto followed = plan.follow ? std::optional{footage.body_of(*plan.follow)} : std::nullopt;
 

@@ -85,6 +85,12 @@ struct Window {
       throw std::invalid_argument{"--from " + number_text(*from_s) + ": must be <= --to, " + number_text(*to_s)};
     }
   }
+  [[nodiscard]] double start_s(const observe::RecordingReader& recording) const {
+    return from_s.value_or(recording.head().first_time_s);
+  }
+  [[nodiscard]] double end_s(const observe::RecordingReader& recording) const {
+    return to_s.value_or(recording.time_s(recording.frames() - 1));
+  }
   [[nodiscard]] bool has(double time_s) const { return !(from_s && time_s < *from_s - 1e-9) && !(to_s && time_s > *to_s + 1e-9); }
 };
 

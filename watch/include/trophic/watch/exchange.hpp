@@ -23,7 +23,7 @@ class Exchange {
     return std::forward<Use>(use)(footage_);
   }
 
-  /// The run need not go further than this for now, ecology seconds.
+  /// The run need not go further than this until it is told otherwise, ecology seconds.
   void want_until(double time_s) {
     const std::lock_guard lock{mutex_};
     wanted_s_ = time_s;
