@@ -52,6 +52,6 @@ endforeach()
 # What CMake's targets know as a definition: where the models lie.
 install(
   CODE "
-  file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/trophic/load/installed_model_dir.hpp\"
+  file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/trophic/habitat/load/installed_model_dir.hpp\"
        \"// SPDX-License-Identifier: MIT\\n// Where the models were installed.\\n#pragma once\\n\"
        \"#define TROPHIC_MODEL_DIR \\\"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/trophic/models\\\"\\n\")")

@@ -6,10 +6,10 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
-#include <trophic/archive/archive.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>
 

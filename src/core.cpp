@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // trophic::compiled: bodies, gaits and random numbers.
-#include <trophic/body/build.ipp>
-#include <trophic/body/module.ipp>
+#include <trophic/control/locomotion/cpg.ipp>
+#include <trophic/control/locomotion/steerable.ipp>
+#include <trophic/habitat/body/build.ipp>
+#include <trophic/habitat/body/module.ipp>
 #include <trophic/habitat/gait.ipp>
 #include <trophic/habitat/ground_pose.ipp>
 #include <trophic/habitat/habitat.ipp>
 #include <trophic/habitat/sides.ipp>
 #include <trophic/habitat/validate_robot.ipp>
-#include <trophic/locomotion/cpg.ipp>
-#include <trophic/locomotion/steerable.ipp>
 #include <trophic/params/named_params.ipp>
 #include <trophic/params/params.ipp>
 #include <trophic/params/policy.ipp>

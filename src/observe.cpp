@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // trophic::compiled: what runs leave behind.
-#include <trophic/archive/growing_file.ipp>
 #include <trophic/checkpoint/checkpoint_file.ipp>
 #include <trophic/checkpoint/go_on.ipp>
 #include <trophic/checkpoint/keeper.ipp>
 #include <trophic/checkpoint/rewind.ipp>
+#include <trophic/observe/growing_file.ipp>
 #include <trophic/observe/manifest.ipp>
 #include <trophic/observe/progress.ipp>
 #include <trophic/observe/read_recording.ipp>

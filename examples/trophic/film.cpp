@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `trophic film`.
-#include <trophic/film/command.hpp>
+#include <trophic/command/film.hpp>
 
 #include "commands.hpp"
 

@@ -9,7 +9,7 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/agent_log.hpp>
 #include <trophic/observe/event_log.hpp>
 #include <trophic/observe/genome_log.hpp>

@@ -16,8 +16,8 @@
 #include <mujoco/worlds.hpp>
 #include <optional>
 #include <string>
-#include <trophic/load/gait.hpp>
-#include <trophic/locomotion/cpg.hpp>
+#include <trophic/control/locomotion/cpg.hpp>
+#include <trophic/habitat/load/gait.hpp>
 #include <tuple>
 #include <vector>
 

@@ -15,7 +15,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/with.hpp>

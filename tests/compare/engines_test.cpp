@@ -13,9 +13,9 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
-#include <trophic/body/build.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/body/build.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -15,12 +15,12 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/ground_pose.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
-#include <trophic/locomotion/cpg.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 namespace trophic::conformance {

@@ -113,8 +113,9 @@ TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
                             .distance_m = drawn.uniform(0.0, 30.0),
                             .bearing_rad = drawn.uniform(-std::numbers::pi, std::numbers::pi)};
         for (const auto& sighting : {std::optional<Sighting>{}, std::optional{seen}}) {
+          const auto own = conformance::own_state(policy, robots.individuals[self], seed);
           const auto ask = [&](const test::HandPopulation& any, Rng& rng) {
-            return policy.sense(self, sighting, any.view(), rng);
+            return perception::ask::sense(policy, own, self, sighting, any.view(), rng);
           };
           const auto values = conformance::asked_twice(seed, [&](Rng& rng) { return ask(robots, rng); });
           check_range(values);
@@ -127,7 +128,7 @@ TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
           if (seen_in_mirror) seen_in_mirror->bearing_rad = -seen_in_mirror->bearing_rad;
           Rng rng{seed, Stream::user};
           const test::HandPopulation mirror = conformance::mirrored(robots);
-          const auto there = policy.sense(self, seen_in_mirror, mirror.view(), rng);
+          const auto there = perception::ask::sense(policy, own, self, seen_in_mirror, mirror.view(), rng);
           for (std::size_t n = 0; n < there.size(); ++n) CHECK(std::abs(there[n]) == std::abs(values[n]));
           // nor does it matter which bodies the two live in
           const auto order = test::random_order(seed, robots.individuals.size());
@@ -138,7 +139,7 @@ TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
           auto seen_by_moved = sighting;
           if (seen_by_moved) seen_by_moved->self = body_of(self), seen_by_moved->adversary = body_of(sighting->adversary);
           Rng again{seed, Stream::user};
-          CHECK((policy.sense(body_of(self), seen_by_moved, moved.view(), again) == values));
+          CHECK((perception::ask::sense(policy, own, body_of(self), seen_by_moved, moved.view(), again) == values));
         }
       }
     }
@@ -153,7 +154,8 @@ TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
         Rng drawn{seed, Stream::user};
         for (BodyIndex self = 0; self < robots.individuals.size(); ++self) {
           const Sighting seen{.self = self, .adversary = 0, .distance_m = drawn.uniform(0.0, 30.0), .bearing_rad = 0.5};
-          answers.add(made.sense(self, seen, robots.view(), drawn));
+          const auto own = conformance::own_state(made, robots.individuals[self], seed);
+          answers.add(perception::ask::sense(made, own, self, seen, robots.view(), drawn));
         }
       }
     });

@@ -12,15 +12,15 @@
 #include <string>
 #include <string_view>
 #include <trophic/analysis/data/read_run.hpp>
-#include <trophic/archive/archive.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/checkpoint/checkpoint_file.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/habitat.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/habitat.hpp>
+#include <trophic/habitat/load/robot.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
 

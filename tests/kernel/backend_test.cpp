@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <trophic/backend/mujoco/lane_step.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/robot.hpp>
 
 #include "kernel/reference.hpp"
 

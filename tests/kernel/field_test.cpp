@@ -4,8 +4,8 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 #include "kernel/reference.hpp"

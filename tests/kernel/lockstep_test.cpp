@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/robot.hpp>
 
 #include "kernel/random_robot.hpp"
 #include "kernel/reference.hpp"

@@ -4,7 +4,7 @@
 
 #include <numbers>
 #include <stdexcept>
-#include <trophic/body/build.hpp>
+#include <trophic/habitat/body/build.hpp>
 #include <trophic/support/rng.hpp>
 
 namespace trophic::test {

@@ -2,7 +2,7 @@
 // The kernel against mj_step over whole walks, and what must not change them.
 #include <doctest/doctest.h>
 
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/robot.hpp>
 
 #include "kernel/reference.hpp"
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/load/arena.hpp>
+#include <trophic/habitat/load/arena.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

@@ -7,8 +7,8 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/gait_evolution/tables.hpp>
 #include <trophic/gait_evolution/trial.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 
 namespace gait_evolution = trophic::gait_evolution;
 

@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <numbers>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/habitat/ground_pose.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
-#include <trophic/locomotion/locomotion.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -10,7 +10,7 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/rules/released.hpp>

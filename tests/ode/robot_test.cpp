@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <trophic/backend/ode/compliance.hpp>
 #include <trophic/backend/ode/robot.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 namespace ode = trophic::backend::ode;

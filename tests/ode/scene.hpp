@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <trophic/backend/ode.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 namespace trophic::test {

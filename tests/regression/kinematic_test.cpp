@@ -7,8 +7,8 @@
 #include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>

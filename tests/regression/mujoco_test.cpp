@@ -8,7 +8,7 @@
 #include <regression/golden.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/event_log.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>

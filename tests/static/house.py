@@ -10,6 +10,7 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1])
 CORE = ROOT / "include"
+PARTS = ("backends", "mpi", "pictures")  # what stands beside the core, each with its own include folder
 SKIPPED = 77
 
 
@@ -47,14 +48,14 @@ def simulated_time_only():
 
 def header_length():
     """A header has at most 400 lines."""
-    counted = [(path, len(path.read_text().splitlines())) for path in sources("include", "backends", "tests", suffixes=(".hpp", ".ipp"))]
+    counted = [(path, len(path.read_text().splitlines())) for path in sources("include", *PARTS, "tests", suffixes=(".hpp", ".ipp"))]
     return [f"{path.relative_to(ROOT)}: {lines} lines, must be <= 400" for path, lines in counted if lines > 400]
 
 
 def header_start():
     """The licence comes first, then what the file is for; headers have #pragma once."""
     offences = []
-    for path in sources("include", "src", "backends", "examples", "tests"):
+    for path in sources("include", "src", *PARTS, "examples", "tests"):
         text = path.read_text()
         if not text.startswith("// SPDX-License-Identifier: MIT\n"):
             offences.append(f"{path.relative_to(ROOT)}: the first line must be // SPDX-License-Identifier: MIT")
@@ -89,7 +90,7 @@ def sources_cited():
     form = re.compile(rf'({own}|paper, Sec\. "[^"]*"(, Eq\. \d+)?)([;:].*)?')
     cited = {"kachler2023"}
     documents = [path for path in ROOT.rglob("*.md") if not any(part.startswith(("build", ".")) for part in path.relative_to(ROOT).parts)]
-    for path in [*sources("include", "backends", "examples", suffixes=(".hpp", ".ipp", ".cpp")), *documents]:
+    for path in [*sources("include", *PARTS, "examples", suffixes=(".hpp", ".ipp", ".cpp")), *documents]:
         name, text = path.relative_to(ROOT), path.read_text()
         prose = text if path.suffix == ".md" else " ".join(re.findall(r"//.*|\"(?:[^\"\\\n]|\\.)*\"", text))
         for source in re.findall(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', text):
@@ -143,7 +144,7 @@ def analysis_rooms():
 
 def nothing_unfinished():
     """What is in the tree is done."""
-    files = sources("include", "backends", "examples", "tests", "models", suffixes=(".hpp", ".ipp", ".cpp", ".md", ".toml", ".txt"))
+    files = sources("include", *PARTS, "examples", "tests", "models", suffixes=(".hpp", ".ipp", ".cpp", ".md", ".toml", ".txt"))
     return lines_with(r"\b(TODO|FIXME|XXX)\b", files)
 
 
@@ -153,7 +154,7 @@ def formatted():
     if not tool or " 14." not in subprocess.run([tool, "--version"], capture_output=True, text=True).stdout:
         print("clang-format 14 is not installed")
         sys.exit(SKIPPED)
-    files = [str(path) for path in sources("include", "src", "backends", "examples", "tests")]
+    files = [str(path) for path in sources("include", "src", *PARTS, "examples", "tests")]
     done = subprocess.run([tool, "--dry-run", *files], capture_output=True, text=True, check=True)
     return sorted({line.split(":")[0] + ": run clang-format -i on it" for line in done.stderr.splitlines() if "warning:" in line})
 

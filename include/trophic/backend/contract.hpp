@@ -42,7 +42,7 @@ class Diverged : public std::runtime_error {
 ///   rounding adds no step); throws Diverged; a t in the past does nothing
 /// - `pose(i)` is the root link's; `joint_angles(i)` in the order of RobotModel::hinges (empty without joints)
 /// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved
-/// one. A State that lists its members in saved() (trophic/archive/archive.hpp) can be kept in checkpoints
+/// one. A State that lists its members in saved() (trophic/params/archive.hpp) can be kept in checkpoints
 /// - results must not depend on the number of threads
 /// - `remarks(physics)`: one sentence for every number of `physics` that has no effect on this backend, naming it; runs record
 /// them

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <trophic/archive/archive.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/support/linkage.hpp>
 #include <tuple>
 #include <vector>

@@ -12,8 +12,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <trophic/archive/archive.hpp>
 #include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <vector>

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <trophic/archive/growing_file.hpp>
 #include <trophic/checkpoint/checkpoint_file.hpp>
 #include <trophic/checkpoint/keeper.hpp>
 #include <trophic/checkpoint/schedule.hpp>
+#include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/support/linkage.hpp>
 

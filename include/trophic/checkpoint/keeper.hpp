@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/archive/archive.hpp>
 #include <trophic/checkpoint/checkpoint_file.hpp>
 #include <trophic/checkpoint/schedule.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/version.hpp>
 #include <tuple>
@@ -23,8 +23,8 @@
 namespace trophic::checkpoint {
 
 /// An observer that takes part in checkpoints: what it remembers and the lengths of the files that it appends to go into a
-/// section of its own, of this name. Archives write and read: see trophic/archive/archive.hpp and, for files,
-/// trophic/archive/growing_file.hpp.
+/// section of its own, of this name. Archives write and read: see trophic/params/archive.hpp and, for files,
+/// trophic/observe/growing_file.hpp.
 template <class O>
 concept Kept = Persists<O> && requires {
   { O::section } -> std::convertible_to<std::string_view>;

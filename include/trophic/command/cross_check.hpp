@@ -23,7 +23,7 @@
 #include <trophic/command/output.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>
 #include <utility>

@@ -19,8 +19,8 @@
 #include <trophic/gait_evolution/archive.hpp>
 #include <trophic/gait_evolution/pre_experiment.hpp>
 #include <trophic/gait_evolution/tables.hpp>
-#include <trophic/load/robot.hpp>
-#include <trophic/load/toml_writer.hpp>
+#include <trophic/habitat/load/robot.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>

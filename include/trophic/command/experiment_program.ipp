@@ -20,7 +20,7 @@
 #include <trophic/command/sweep.hpp>
 #include <trophic/command/toml_of_json.hpp>
 #include <trophic/command/words.hpp>
-#include <trophic/load/toml_writer.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/observe/next_free_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>

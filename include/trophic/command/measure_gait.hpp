@@ -15,8 +15,8 @@
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/gait_evolution/measure_walk.hpp>
 #include <trophic/gait_evolution/trial.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::command {

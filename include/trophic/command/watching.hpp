@@ -7,7 +7,7 @@
 #include <utility>
 // Who links trophic::watch has this definition.
 #ifdef TROPHIC_WITH_WATCH
-#include <trophic/watch/session.hpp>
+#include <trophic/pictures/watch/session.hpp>
 #endif
 
 namespace trophic::command::detail {

@@ -4,9 +4,9 @@
 
 #include <concepts>
 #include <trophic/backend/contract.hpp>
+#include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/locomotion/steerable.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <utility>
@@ -31,8 +31,8 @@ template <class Rules, Backend B>
   return {std::move(params), std::move(habitat)};
 }
 
-/// Loads the models that `params.ecology` names, by trophic/load/habitat.hpp. Throws as `checked` does, std::runtime_error for a
-/// missing or broken file.
+/// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws as `checked` does,
+/// std::runtime_error for a missing or broken file.
 template <class Rules, Backend B>
 [[nodiscard]] CheckedExperiment<Rules, B> load_checked(Experiment<Rules, B> params) {
   validate(params, "");
@@ -42,7 +42,7 @@ template <class Rules, Backend B>
     return checked<Rules, B>(std::move(params), std::move(habitat));
   } else {
     static_assert(std::same_as<Rules, void>,
-                  "an Ecology made from numbers alone reads model files: #include <trophic/load/habitat.hpp>");
+                  "an Ecology made from numbers alone reads model files: #include <trophic/habitat/load/habitat.hpp>");
   }
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/describe.hpp>
@@ -21,7 +22,6 @@
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/locomotion/locomotion.hpp>
 #include <trophic/observe/hooks.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
@@ -48,8 +48,8 @@ class Ecology {
  public:
   using Params = Experiment<Rules, B>;
 
-  /// Loads the models that `params.ecology` names, by trophic/load/habitat.hpp. Throws std::invalid_argument naming field, value
-  /// and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
+  /// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws std::invalid_argument naming
+  /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
   explicit Ecology(Params params = {}) : Ecology{load_checked<Rules, B>(std::move(params))} {}
 
   /// In a habitat made by the program; the names in `params.ecology` are then only labels.
@@ -334,7 +334,7 @@ class Ecology {
         perception::ask::horizon(rules_.visibility, population_[body]));
     Choice choice{.sighting = sighting, .decision = std::nullopt};
     if (!sighting && !rules_.blind_rule.decides()) return choice;
-    choice.inputs = rules_.sensors.sense(body, sighting, now, common, [&](std::size_t sensor) {
+    choice.inputs = rules_.sensors.sense(states().sensors[body], body, sighting, now, common, [&](std::size_t sensor) {
       return Rng{params_.seed, Stream::sensors, population_[body].id, static_cast<std::uint64_t>(tick_), sensor};
     });
     if (is_told) choice.outputs = population_.outputs(body, choice.inputs);

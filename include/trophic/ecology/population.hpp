@@ -76,7 +76,7 @@ class Population {
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
 
-  /// Writes everybody and all states to an archive, or reads them from it (trophic/archive/archive.hpp). Throws
+  /// Writes everybody and all states to an archive, or reads them from it (trophic/params/archive.hpp). Throws
   /// std::invalid_argument for bytes that are no population of these rules; its own is then undefined.
   template <class Archive>
   void persist(Archive& archive) {

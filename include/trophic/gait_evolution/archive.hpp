@@ -12,8 +12,8 @@
 #include <trophic/gait_evolution/history.hpp>
 #include <trophic/gait_evolution/pre_experiment.hpp>
 #include <trophic/gait_evolution/tables.hpp>
+#include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/load/toml_table.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <trophic/support/replace_file.hpp>

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <trophic/gait_evolution/genome_toml.hpp>
 #include <trophic/gait_evolution/lineage.hpp>
-#include <trophic/load/toml_table.hpp>
-#include <trophic/load/toml_writer.hpp>
+#include <trophic/habitat/load/toml_table.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>

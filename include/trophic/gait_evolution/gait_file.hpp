@@ -6,10 +6,10 @@
 #include <string_view>
 #include <trophic/gait_evolution/genome.hpp>
 #include <trophic/gait_evolution/genome_toml.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/models.hpp>
-#include <trophic/load/toml_table.hpp>
-#include <trophic/load/toml_writer.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/models.hpp>
+#include <trophic/habitat/load/toml_table.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/named_params.hpp>
 
 namespace trophic::gait_evolution {

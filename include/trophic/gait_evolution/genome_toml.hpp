@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 #include <trophic/gait_evolution/genome.hpp>
-#include <trophic/load/toml_table.hpp>
-#include <trophic/load/toml_writer.hpp>
+#include <trophic/habitat/load/toml_table.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::gait_evolution {

@@ -11,12 +11,12 @@
 #include <span>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <trophic/control/locomotion/cpg.hpp>
+#include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/gait_evolution/track.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/ground_pose.hpp>
-#include <trophic/locomotion/cpg.hpp>
-#include <trophic/locomotion/locomotion.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 

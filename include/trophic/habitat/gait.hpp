@@ -13,7 +13,7 @@ namespace trophic {
 
 struct RobotModel;
 
-/// Weights of a CPG with one oscillator per hinge (Sec. "Robot Controller"). Formulas: locomotion/cpg.hpp.
+/// Weights of a CPG with one oscillator per hinge (Sec. "Robot Controller"). Formulas: control/locomotion/cpg.hpp.
 struct Gait {
   std::string name;
   std::string robot;                ///< the robot that it was made for; informative, `check_fit` compares hinges

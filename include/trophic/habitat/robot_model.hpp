@@ -90,8 +90,8 @@ struct MeasuredWalk {
   }
 };
 
-/// A whole robot. Invariants (checked by `validate(RobotModel)` in body/validate.hpp): links.size() == hinges.size() + 1, parents
-/// before children, masses > 0, inertias positive definite.
+/// A whole robot. Invariants (checked by `validate(RobotModel)` in habitat/validate_robot.hpp): links.size() == hinges.size() +
+/// 1, parents before children, masses > 0, inertias positive definite.
 struct RobotModel {
   std::string name;
   std::string gait;  ///< name or path of the gait that it walks with unless told otherwise

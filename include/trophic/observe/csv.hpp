@@ -11,9 +11,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/archive/archive.hpp>
-#include <trophic/archive/growing_file.hpp>
 #include <trophic/observe/column.hpp>
+#include <trophic/observe/growing_file.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
 #include <type_traits>

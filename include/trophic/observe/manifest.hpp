@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <trophic/archive/archive.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/linkage.hpp>
 #include <tuple>

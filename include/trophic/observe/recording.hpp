@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <trophic/archive/growing_file.hpp>
 #include <trophic/observe/frame.hpp>
+#include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/recording_format.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>

@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <trophic/archive/growing_file.hpp>
 #include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
+#include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/run_description.hpp>

@@ -12,7 +12,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <trophic/archive/archive.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/touch.hpp>
@@ -21,6 +20,7 @@
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tables.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/population/spatial_grid.hpp>
 #include <trophic/population/view.hpp>
 #include <utility>

@@ -54,7 +54,7 @@ class StateLog {
       const std::string name = join_path(path, f.name);
       if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) {
         append_names(value, name, text);
-      } else {
+      } else if constexpr (!std::is_empty_v<std::remove_cvref_t<decltype(value)>>) {
         text += "," + name;
       }
     });
@@ -80,7 +80,7 @@ class StateLog {
         std::string text;
         for (const auto& one : value) text += (text.empty() ? "" : " ") + number_text(one);
         cell(text);
-      } else {
+      } else if constexpr (!std::is_empty_v<T>) {
         cell(value);
       }
     });

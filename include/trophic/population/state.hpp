@@ -135,6 +135,36 @@ concept BornWithState = requires(const P& policy, const Individual& newborn, con
   { policy.born(newborn, parent, body) } -> std::same_as<typename P::State>;
 };
 
+/// Fails to compile, with one sentence, if a policy names hooks that nobody would call.
+template <class Policy>
+struct CheckStateHooks {
+#define TROPHIC_CHECK_STATE_HOOK(hook, Happened, signature)                                                  \
+  static_assert(!StateNames_##hook<Policy> || Stateful<Policy>, "a policy has " #hook                        \
+                                                                " but no State, so it would never be "       \
+                                                                "called; see trophic/population/state.hpp"); \
+  static_assert(!StateNames_##hook<Policy> || !Stateful<Policy> || StateTakes_##hook<Policy>,                \
+                "a policy's " #hook " must be callable as " signature " const; see trophic/population/state.hpp");
+  TROPHIC_STATE_HOOKS(TROPHIC_CHECK_STATE_HOOK)
+#undef TROPHIC_CHECK_STATE_HOOK
+  static constexpr bool ok = true;
+};
+
+/// In a struct: fails to compile, with one sentence about `who`, if a policy's State is not what is asked for above.
+#define TROPHIC_CHECK_STATE_OF(Policy, who)                                                                                   \
+  static_assert(                                                                                                              \
+      !Stateful<Policy> ||                                                                                                    \
+          (Parameters<StateOf<Policy>> && OpenParams<StateOf<Policy>> &&                                                      \
+           AllListed<members_of<StateOf<Policy>>, fields_of<StateOf<Policy>>> && listed_once<StateOf<Policy>>()),             \
+      "the State of " who                                                                                                     \
+      " must be an aggregate that lists every member once in fields(), as Params do; see trophic/population/state.hpp");      \
+  static_assert(!Stateful<Policy> || only_state_members<StateOf<Policy>>(),                                                   \
+                "the State of " who                                                                                           \
+                " may hold numbers, enumerations, Ancestors, each also optional, and vectors of numbers: what can be saved"); \
+  static_assert(!Stateful<Policy> || BornWithState<Policy>, who                                                               \
+                " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) "    \
+                "const: what a newborn starts with; see trophic/population/state.hpp");                                       \
+  static_assert(CheckStateHooks<Policy>::ok);
+
 }  // namespace detail
 
 /// What a policy keeps for each body: its nested State, or nothing.

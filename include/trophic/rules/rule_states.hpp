@@ -14,34 +14,9 @@ namespace detail {
 /// Fails to compile, with one sentence, if a policy with a State is not what population/state.hpp asks for.
 template <class Rules>
 struct CheckStates {
-#define TROPHIC_CHECK_STATE_HOOK(hook, Happened, signature)                                                  \
-  static_assert(!StateNames_##hook<Policy> || Stateful<Policy>, "a policy has " #hook                        \
-                                                                " but no State, so it would never be "       \
-                                                                "called; see trophic/population/state.hpp"); \
-  static_assert(!StateNames_##hook<Policy> || !Stateful<Policy> || StateTakes_##hook<Policy>,                \
-                "a policy's " #hook " must be callable as " signature " const; see trophic/population/state.hpp");
-  template <class Policy>
-  struct Hooks {
-    TROPHIC_STATE_HOOKS(TROPHIC_CHECK_STATE_HOOK)
-    static constexpr bool ok = true;
-  };
-#undef TROPHIC_CHECK_STATE_HOOK
-
-#define TROPHIC_CHECK_STATE(Slot, member, kind, Contract)                                                                     \
-  using Slot = typename slot_##member<Rules>::type;                                                                           \
-  static_assert(                                                                                                              \
-      !Stateful<Slot> || (Parameters<StateOf<Slot>> && OpenParams<StateOf<Slot>> &&                                           \
-                          AllListed<members_of<StateOf<Slot>>, fields_of<StateOf<Slot>>> && listed_once<StateOf<Slot>>()),    \
-      "the State of the policy in Rules::" #Slot                                                                              \
-      " must be an aggregate that lists every member once in fields(), as Params do; see trophic/population/state.hpp");      \
-  static_assert(!Stateful<Slot> || only_state_members<StateOf<Slot>>(),                                                       \
-                "the State of the policy in Rules::" #Slot                                                                    \
-                " may hold numbers, enumerations, Ancestors, each also optional, and vectors of numbers: what can be saved"); \
-  static_assert(!Stateful<Slot> || BornWithState<Slot>,                                                                       \
-                "the policy in Rules::" #Slot                                                                                 \
-                " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) "    \
-                "const: what a newborn starts with; see trophic/population/state.hpp");                                       \
-  static_assert(Hooks<Slot>::ok);
+#define TROPHIC_CHECK_STATE(Slot, member, kind, Contract) \
+  using Slot = typename slot_##member<Rules>::type;       \
+  TROPHIC_CHECK_STATE_OF(Slot, "the policy in Rules::" #Slot)
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_STATE)
 #undef TROPHIC_CHECK_STATE
   static constexpr bool ok = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A backend's state of which no checkpoint could keep all.
-// expect: or a struct that lists every member in saved() or fields(); see trophic/archive/archive.hpp
-#include <trophic/archive/archive.hpp>
+// expect: or a struct that lists every member in saved() or fields(); see trophic/params/archive.hpp
+#include <trophic/params/archive.hpp>
 #include <tuple>
 #include <vector>
 

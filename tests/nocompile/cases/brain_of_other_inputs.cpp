@@ -3,7 +3,7 @@
 // expect: the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Reflex {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// expect: an Ecology made from numbers alone reads model files: #include <trophic/load/habitat.hpp>
+// expect: an Ecology made from numbers alone reads model files: #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 #ifdef VALID
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #endif
 
 int main() {

@@ -3,7 +3,7 @@
 // expect: an observer with on_deliberation needs bool wants_deliberations(), whether it is to be told now
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Listener {

@@ -3,7 +3,7 @@
 // expect: an observer needs at least one hook
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Watcher {

@@ -3,7 +3,7 @@
 // expect: the observer's on_tick must be callable as void on_tick(const View&)
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Watcher {

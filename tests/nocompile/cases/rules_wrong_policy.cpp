@@ -3,7 +3,7 @@
 // expect: the policy in Rules::Reprieve needs bool spared(BodyIndex hunter, const View&, const perception::Perceives&) const
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 #ifdef VALID

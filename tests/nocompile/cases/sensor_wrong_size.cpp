@@ -3,7 +3,7 @@
 // expect: each sensor needs a name, static constexpr std::size_t size, and std::array<double, size> sense(
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Age {

@@ -3,7 +3,7 @@
 // expect: the policy in Rules::Sensors needs to be a perception::sensors::List<...>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 int main() {

@@ -3,7 +3,7 @@
 // expect: a policy's on_walk must be callable as void on_walk(State&, BodyIndex, double distance_m, const View&) const
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Keeper {

@@ -3,7 +3,7 @@
 // expect: the State of the policy in Rules::Senescence may hold numbers, enumerations, Ancestors
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Keeper {

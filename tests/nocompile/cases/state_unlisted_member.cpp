@@ -3,7 +3,7 @@
 // expect: the State of the policy in Rules::Senescence must be an aggregate that lists every member once in fields()
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Keeper {

@@ -3,7 +3,7 @@
 // expect: the policy in Rules::Senescence has a State, so it needs State born(const Individual& newborn
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Keeper {

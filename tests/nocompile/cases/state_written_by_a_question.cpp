@@ -3,7 +3,7 @@
 // expect: needs bool dies(const Individual&, const View&, Rng&) const (with a State also const State& own)
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Keeper {

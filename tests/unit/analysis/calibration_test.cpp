@@ -18,7 +18,7 @@
 #include <trophic/analysis/statistics/interval.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/rules/paper.hpp>
 #include <unit/analysis/rows.hpp>

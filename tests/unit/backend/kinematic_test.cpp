@@ -7,8 +7,8 @@
 #include <numbers>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/load/arena.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -9,7 +9,7 @@
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>
 

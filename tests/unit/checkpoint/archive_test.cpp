@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/archive/archive.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/population/individual.hpp>
 #include <tuple>
 #include <utility>

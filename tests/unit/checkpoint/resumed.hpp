@@ -16,7 +16,7 @@
 #include <string>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <vector>
 

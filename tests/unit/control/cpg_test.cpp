@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <support/temporary_folder.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/locomotion/cpg.hpp>
+#include <trophic/control/locomotion/cpg.hpp>
+#include <trophic/habitat/load/gait.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 
 using namespace trophic;
 using trophic::Gait;

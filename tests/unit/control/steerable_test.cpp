@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 #include <support/toy_backend.hpp>
+#include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/gait.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/habitat.hpp>
-#include <trophic/load/robot.hpp>
-#include <trophic/locomotion/steerable.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/habitat.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <trophic/rules/paper.hpp>
 #include <utility>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <trophic/control/steering/targeted_steering.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 using namespace trophic;

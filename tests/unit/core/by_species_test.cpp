@@ -7,7 +7,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/rules/by_species.hpp>

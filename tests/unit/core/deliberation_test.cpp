@@ -10,7 +10,7 @@
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/death/reprieve/no_reprieve.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 

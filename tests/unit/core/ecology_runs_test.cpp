@@ -16,7 +16,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/reprieve/no_reprieve.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>

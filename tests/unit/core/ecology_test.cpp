@@ -20,7 +20,7 @@
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/ground_pose.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>

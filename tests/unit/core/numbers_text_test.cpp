@@ -6,7 +6,7 @@
 #include <string>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>

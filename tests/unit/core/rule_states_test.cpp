@@ -11,7 +11,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
@@ -19,6 +19,7 @@
 #include <vector>
 
 using namespace trophic;
+using perception::sensors::List;
 
 namespace {
 
@@ -52,6 +53,22 @@ struct Diary {
     if (sighting) ++own.sighted;
   }
   [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const { return false; }
+};
+
+/// How far its robot has walked in its life, 10 m as 1.
+struct Odometer {
+  static constexpr std::string_view name = "odometer";
+  static constexpr std::size_t size = 1;
+  struct State {
+    double walked_m = 0.0;
+    static constexpr auto fields() { return std::tuple{field("walked_m", &State::walked_m)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+  void on_walk(State& own, BodyIndex, double distance_m, const View&) const { own.walked_m += distance_m; }
+  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>&, const View&, Rng&,
+                                               const State& own) const {
+    return {own.walked_m / 10.0};
+  }
 };
 
 /// Counts the same from outside.
@@ -166,6 +183,31 @@ TEST_CASE("state log: a column for each member of each state, a row for each rob
                                             id(states.rescue_parent[body].killer) + "," +
                                             number_text(states.reprieve[body].adversary_distance_m));
   }
+}
+
+TEST_CASE("rule states: a sensor's state is kept for each body, told to its brain, and a column of the state log") {
+  using Sensors = List<perception::sensors::SideOfAdversary, Odometer, perception::sensors::TagRatioOfAll>;
+  using Rules = with_senescence<with_sensors<rules::Paper, Sensors>, Diary>;
+  static_assert(detail::has_states<Rules>());
+  struct Told {
+    [[nodiscard]] bool wants_deliberations() const { return true; }
+    void on_deliberation(const observe::Deliberation& deliberation, const View&) {
+      CHECK(deliberation.inputs[1] == ecology.states().sensors[deliberation.body].get<1>().walked_m / 10.0);
+      CHECK(deliberation.inputs[1] == ecology.states().senescence[deliberation.body].walked_m / 10.0);
+      ++decisions;
+    }
+    const Ecology<Rules, backend::Kinematic>& ecology;
+    std::size_t decisions = 0;
+  };
+  const test::TemporaryFolder folder;
+  Ecology<Rules, backend::Kinematic> ecology{{.seed = 6}};
+  Told told{ecology};
+  observe::StateLog log{folder.path() / "states.csv", ecology.states()};
+  ecology.run_until(400.0, told, log);
+  CHECK(told.decisions > 1000);
+  const auto lines = lines_of(folder.path() / "states.csv");
+  CHECK(lines[0].starts_with("time_s,tick,body,id,sensors.odometer.walked_m,senescence.walked_m,"));
+  CHECK(lines.back().starts_with("400,200,29,"));
 }
 
 TEST_CASE("state log: a table without states has the first four columns") {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <trophic/load/toml_table.hpp>
-#include <trophic/load/toml_writer.hpp>
+#include <trophic/habitat/load/toml_table.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/support/rng.hpp>
 #include <tuple>
 #include <utility>

@@ -9,7 +9,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>

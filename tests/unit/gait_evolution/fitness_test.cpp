@@ -6,8 +6,8 @@
 #include <support/toy_backend.hpp>
 #include <trophic/gait_evolution/fitness.hpp>
 #include <trophic/gait_evolution/trial.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <vector>
 
 namespace gait_evolution = trophic::gait_evolution;

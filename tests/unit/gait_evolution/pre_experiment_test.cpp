@@ -12,8 +12,8 @@
 #include <support/toy_backend.hpp>
 #include <trophic/gait_evolution/archive.hpp>
 #include <trophic/gait_evolution/pre_experiment.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 
 namespace gait_evolution = trophic::gait_evolution;
 using trophic::test::message_of;

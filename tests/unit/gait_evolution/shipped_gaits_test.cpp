@@ -4,8 +4,8 @@
 #include <string>
 #include <trophic/gait_evolution/cppn_gait.hpp>
 #include <trophic/gait_evolution/gait_file.hpp>
-#include <trophic/load/gait.hpp>
-#include <trophic/load/robot.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
 
 using trophic::Gait;
 using trophic::load_gait;

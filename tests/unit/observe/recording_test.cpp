@@ -13,7 +13,7 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/read_recording.hpp>
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/run_folder.hpp>

@@ -4,7 +4,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/rules/paper.hpp>
 #include <unit/observe/scene.hpp>

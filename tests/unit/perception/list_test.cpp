@@ -18,6 +18,7 @@
 #include <vector>
 
 using namespace trophic;
+using perception::SensorList;
 using perception::sensors::DistanceOverScale;
 using perception::sensors::DistanceOverTerrain;
 using perception::sensors::List;
@@ -54,11 +55,47 @@ struct OtherNoise : Noise {
   static constexpr std::string_view name = "other_noise";
 };
 
+/// How long a robot has seen nobody; its offspring begin with half of that.
+struct Loneliness {
+  static constexpr std::string_view name = "loneliness";
+  static constexpr std::size_t size = 1;
+  struct State {
+    double ticks = 0.0;
+    static constexpr auto fields() { return std::tuple{field("ticks", &State::ticks)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State* parent, const State&) const {
+    return {.ticks = parent != nullptr ? parent->ticks / 2.0 : 0.0};
+  }
+  void on_sighting(State& own, BodyIndex, const std::optional<Sighting>& sighting, const View&) const {
+    own.ticks = sighting ? 0.0 : own.ticks + 1.0;
+  }
+  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>&, const View&, Rng&,
+                                               const State& own) const {
+    return {own.ticks};
+  }
+};
+
+/// How far a robot has walked in its life. It does not care whom it sees.
+struct Odometer {
+  static constexpr std::string_view name = "odometer";
+  static constexpr std::size_t size = 1;
+  struct State {
+    double walked_m = 0.0;
+    static constexpr auto fields() { return std::tuple{field("walked_m", &State::walked_m)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+  void on_walk(State& own, BodyIndex, double distance_m, const View&) const { own.walked_m += distance_m; }
+  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>&, const View&, Rng&,
+                                               const State& own) const {
+    return {own.walked_m};
+  }
+};
+
 using Sensors = List<Place, TagRatioOfAll, DistanceOverScale>;
 
 template <class Any>
 std::vector<double> values(const Any& list, const test::HandPopulation& robots, const std::optional<Sighting>& sighting) {
-  const auto all = list.sense(0, sighting, robots.view(), list.sense_common(robots.view()), [](std::size_t sensor) {
+  const auto all = list.sense(NoState{}, 0, sighting, robots.view(), list.sense_common(robots.view()), [](std::size_t sensor) {
     return Rng{5, Stream::sensors, 0, 0, sensor};
   });
   return {all.begin(), all.end()};
@@ -111,4 +148,27 @@ TEST_CASE("list: what one sensor draws does not shift another's") {
   const auto frugal = values(Noisy{}, robots, std::nullopt);
   CHECK(values(Noisy{Noisy::with<Noise>({.draws = 9})}, robots, std::nullopt) == frugal);
   CHECK(frugal[0] != frugal[1]);
+}
+
+TEST_CASE("list: a sensor's state stands under its name, is told of what happens and is born as the sensor says") {
+  using Remembering = List<Place, Loneliness, TagRatioOfAll, Odometer>;
+  static_assert(!Stateful<Sensors> && Stateful<Remembering> && SensorList<Remembering>);
+  const Remembering list;
+  const test::HandPopulation robots{{{.x_m = 3.0, .tag = 1}, {.tag = 1}}};
+  const View view = robots.view();
+  const auto no_stream = [](std::size_t) { return Rng{5, Stream::sensors}; };
+  Remembering::State own = list.born(robots.individuals[0], nullptr, {});
+  for (int tick = 0; tick < 6; ++tick) list.on_sighting(own, 0, std::nullopt, view);
+  list.on_walk(own, 0, 1.5, view);
+  CHECK(list.sense(own, 0, std::nullopt, view, list.sense_common(view), no_stream) ==
+        Remembering::Values{3.0, 0.0, 6.0, 0.5, 1.5});
+
+  const Remembering::State child = list.born(robots.individuals[1], &own, own);
+  CHECK(list.sense(child, 0, std::nullopt, view, {}, no_stream) == Remembering::Values{3.0, 0.0, 3.0, 0.0, 0.0});
+  list.on_sighting(own, 0, Sighting{}, view);
+  CHECK(list.sense(own, 0, std::nullopt, view, {}, no_stream)[2] == 0.0);
+
+  std::vector<std::string> names;
+  for_each_field(own, [&](const auto& f, const auto&) { names.emplace_back(f.name); });
+  CHECK(names == std::vector<std::string>{"place", "loneliness", "tag_ratio_of_all", "odometer"});
 }

@@ -13,7 +13,7 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/replicates/run.hpp>
 #include <trophic/rules/paper.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/drawing/camera.hpp>
+#include <trophic/pictures/drawing/camera.hpp>
+#include <trophic/pictures/watch/eye.hpp>
 #include <trophic/support/rng.hpp>
-#include <trophic/watch/eye.hpp>
 
 using namespace trophic;
 

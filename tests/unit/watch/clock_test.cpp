@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/watch/clock.hpp>
+#include <trophic/pictures/watch/clock.hpp>
 
 using namespace trophic::watch;
 

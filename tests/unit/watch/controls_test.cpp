@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <string>
-#include <trophic/watch/controls.hpp>
-#include <trophic/watch/inspector.hpp>
+#include <trophic/pictures/watch/controls.hpp>
+#include <trophic/pictures/watch/inspector.hpp>
 #include <unit/watch/footage.hpp>
 
 using namespace trophic;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <support/hand_population.hpp>
 #include <trophic/habitat/pose.hpp>
-#include <trophic/watch/live_footage.hpp>
+#include <trophic/pictures/watch/live_footage.hpp>
 #include <vector>
 
 namespace trophic::test {

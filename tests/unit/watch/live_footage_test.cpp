@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/drawing/footage.hpp>
-#include <trophic/watch/live_footage.hpp>
+#include <trophic/pictures/drawing/footage.hpp>
+#include <trophic/pictures/watch/live_footage.hpp>
 #include <unit/watch/footage.hpp>
 
 using namespace trophic;

@@ -7,10 +7,10 @@
 #include <thread>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/load/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
+#include <trophic/pictures/watch/exchange.hpp>
+#include <trophic/pictures/watch/spectator.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/watch/exchange.hpp>
-#include <trophic/watch/spectator.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -11,11 +11,11 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/gait_evolution/trial.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/locomotion/cpg.hpp>
 #include <vector>
 
 namespace trophic::command::cross_check {

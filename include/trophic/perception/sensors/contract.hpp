@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 #include <trophic/population/sighting.hpp>
+#include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 #include <type_traits>
@@ -15,9 +16,11 @@
 #define TROPHIC_SENTENCE_SensorList                                                                                              \
   "to be a perception::sensors::List<...>; each sensor needs a name, static constexpr std::size_t size, and std::array<double, " \
   "size> sense(BodyIndex self, const std::optional<Sighting>&, const View&, Rng&) const or, about the whole population, "        \
-  "sense(const View&) const, and has no State; see trophic/perception/sensors/contract.hpp"
+  "sense(const View&) const; see trophic/perception/sensors/contract.hpp"
 
 namespace trophic::perception {
+
+TROPHIC_QUESTION(sense)
 
 namespace detail {
 
@@ -33,11 +36,12 @@ concept NamedSensor = requires {
 }  // namespace detail
 
 /// `size` numbers about one robot: `sense(self, sighting, view, rng)`, with its adversary where it perceives one. Asked when the
-/// robot decides. What a sensor says without an adversary is the sensor's own.
+/// robot decides. What a sensor says without an adversary is the sensor's own. One with a State may take `const State& own` last;
+/// the State is as it was before this tick's on_sighting.
 template <class P>
-concept OwnSensor = detail::Sized<P> &&
-    requires(const P policy, BodyIndex self, const std::optional<Sighting>& sighting, const View& view, Rng& rng) {
-  { policy.sense(self, sighting, view, rng) } -> std::same_as<std::array<double, P::size>>;
+concept OwnSensor = detail::Sized<P> && requires(const P policy, const StateOf<P> own, BodyIndex self,
+                                                 const std::optional<Sighting>& sighting, const View& view, Rng& rng) {
+  { ask::sense(policy, own, self, sighting, view, rng) } -> std::same_as<std::array<double, P::size>>;
 };
 
 /// `size` numbers that are the same for everybody: `sense(view)`. Asked once a tick, before the first robot decides.

@@ -20,6 +20,21 @@
 #include <utility>
 #include <vector>
 
+namespace trophic::detail {
+
+/// Fails to compile, with one sentence, if a sensor's State is not what population/state.hpp asks for.
+template <class One>
+struct CheckSensorState {
+  static_assert(
+      !Stateful<One> || perception::OwnSensor<One>,
+      "a sensor with a State must sense(self, sighting, view, rng) or (..., const State& own): sense(view) is for what is "
+      "the same for everybody");
+  TROPHIC_CHECK_STATE_OF(One, "a sensor")
+  static constexpr bool ok = true;
+};
+
+}  // namespace trophic::detail
+
 namespace trophic::perception::sensors {
 
 namespace detail {
@@ -51,14 +66,79 @@ template <class One>
   return 0;
 }
 
+template <class... Sensors>
+class Held {
+ public:
+  explicit Held(Sensors... sensors) : sensors_{std::move(sensors)...} {}
+
+ protected:
+  /// Calls `visit(sensor, its place in the list as an integral_constant)` for each.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    [&]<std::size_t... place>(std::index_sequence<place...>) {
+      (visit(std::get<place>(sensors_), std::integral_constant<std::size_t, place>{}), ...);
+    }
+    (std::index_sequence_for<Sensors...>{});
+  }
+
+ private:
+  std::tuple<Sensors...> sensors_;
+};
+
+/// Sensors some of which have a State: the list has one too, each sensor's under its name, and tells each sensor what happens.
+template <class... Sensors>
+class HeldWithStates : public Held<Sensors...> {
+ public:
+  static_assert((trophic::detail::CheckSensorState<Sensors>::ok && ...));
+  using Held<Sensors...>::Held;
+  using State = GroupOf<Names<Sensors...>, StateOf<Sensors>...>;
+
+  [[nodiscard]] State born(const Individual& newborn, const State* parent, const State& body) const {
+    State all;
+    this->each([&]<class One>(const One& sensor, auto place) {
+      if constexpr (trophic::detail::BornWithState<One>) {
+        const auto* parents = parent != nullptr ? &parent->template get<place>() : nullptr;
+        all.template get<place>() = sensor.born(newborn, parents, body.template get<place>());
+      }
+    });
+    return all;
+  }
+
+#define TROPHIC_TELL_SENSORS(hook, Happened, signature)                          \
+  void hook(State& own, BodyIndex self, Happened what, const View& view) const { \
+    this->each([&]<class One>(const One& sensor, auto place) {                   \
+      if constexpr (trophic::detail::StateTakes_##hook<One>) {                   \
+        sensor.hook(own.template get<place>(), self, what, view);                \
+      }                                                                          \
+    });                                                                          \
+  }
+  TROPHIC_STATE_HOOKS(TROPHIC_TELL_SENSORS)
+#undef TROPHIC_TELL_SENSORS
+};
+
+/// One sensor's state among those of a list; nothing for a sensor without State.
+template <class One, class All, class Place>
+[[nodiscard]] const StateOf<One>& state_in([[maybe_unused]] const All& all, Place) {
+  if constexpr (Stateful<One>) {
+    return all.template get<Place::value>();
+  } else {
+    static constexpr NoState none;
+    return none;
+  }
+}
+
+template <class... Sensors>
+using HeldSensors = std::conditional_t<(Stateful<Sensors> || ...), HeldWithStates<Sensors...>, Held<Sensors...>>;
+
 }  // namespace detail
 
 /// What a robot senses: the values of each sensor in the order of the list. A sensor's numbers are set under its name:
-/// `rules.sensors.distance_over_scale.full_scale_m`, or in a table by `with`.
+/// `rules.sensors.distance_over_scale.full_scale_m`, or in a table by `with`. Where a sensor has a State (population/state.hpp),
+/// the list has one for each body, in which that sensor's stands under its name.
 template <class... Sensors>
-class List {
+class List : public detail::HeldSensors<Sensors...> {
  public:
-  static constexpr bool is_sensor_list = ((Sensor<Sensors> && !Stateful<Sensors>)&&...);  ///< what the slot asks for
+  static constexpr bool is_sensor_list = (Sensor<Sensors> && ...);  ///< what the slot asks for
   static constexpr std::size_t count = sizeof...(Sensors);
   static constexpr std::size_t size = (detail::size_of<Sensors>() + ... + 0);
   static constexpr std::string_view name = JoinedText<detail::Names<Sensors...>>::view;
@@ -104,47 +184,33 @@ class List {
   /// The values that are the same for everybody; the places of the others are for `sense` to fill.
   [[nodiscard]] Values sense_common(const View& view) const {
     Values values{};
-    each(
-        [&]<class One>(const One& sensor, std::size_t, double* here) {
-          if constexpr (CommonSensor<One>) std::ranges::copy(sensor.sense(view), here);
-        },
-        values);
+    double* here = values.data();
+    this->each([&]<class One>(const One& sensor, auto) {
+      if constexpr (CommonSensor<One>) std::ranges::copy(sensor.sense(view), here);
+      here += One::size;
+    });
     return values;
   }
 
-  /// All values for one robot, given the common ones. `stream(i)` is the random stream of the i-th sensor.
-  template <class Stream>
-  [[nodiscard]] Values sense(BodyIndex self, const std::optional<Sighting>& sighting, const View& view, Values values,
-                             const Stream& stream) const {
-    each(
-        [&]<class One>(const One& sensor, std::size_t i, double* here) {
-          if constexpr (!CommonSensor<One>) {
-            Rng rng = stream(i);
-            std::ranges::copy(sensor.sense(self, sighting, view, rng), here);
-          }
-        },
-        values);
+  /// All values for one robot, given the common ones and its state. `stream(i)` is the random stream of the i-th sensor.
+  template <class Own, class Stream>
+  [[nodiscard]] Values sense([[maybe_unused]] const Own& own, BodyIndex self, const std::optional<Sighting>& sighting,
+                             const View& view, Values values, const Stream& stream) const {
+    double* here = values.data();
+    this->each([&]<class One>(const One& sensor, auto place) {
+      if constexpr (!CommonSensor<One>) {
+        Rng rng = stream(place());
+        std::ranges::copy(ask::sense(sensor, detail::state_in<One>(own, place), self, sighting, view, rng), here);
+      }
+      here += One::size;
+    });
     return values;
   }
 
  private:
   template <std::size_t... place>
   List(const Params& numbers, std::index_sequence<place...>)
-      : params{numbers}, sensors_{make_policy<Sensors>(numbers.template get<place>(), "sensors")...} {}
-
-  /// Calls `visit(sensor, place in the list, its first value)`.
-  template <class Visit>
-  void each(const Visit& visit, Values& values) const {
-    std::apply(
-        [&](const auto&... sensor) {
-          [[maybe_unused]] std::size_t place = 0;
-          [[maybe_unused]] double* here = values.data();
-          ((visit(sensor, place++, here), here += std::remove_cvref_t<decltype(sensor)>::size), ...);
-        },
-        sensors_);
-  }
-
-  std::tuple<Sensors...> sensors_;
+      : detail::HeldSensors<Sensors...>{make_policy<Sensors>(numbers.template get<place>(), "sensors")...}, params{numbers} {}
 };
 
 }  // namespace trophic::perception::sensors

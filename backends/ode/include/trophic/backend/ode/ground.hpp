@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <trophic/backend/ode/engine.hpp>
 #include <trophic/habitat/arena.hpp>
-#include <trophic/load/arena.hpp>
+#include <trophic/habitat/load/arena.hpp>
 #include <vector>
 
 namespace trophic::backend::ode {

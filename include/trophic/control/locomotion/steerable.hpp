@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Whether a brain's decision can reach the joints of a robot at all.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <trophic/control/steering/contract.hpp>
+#include <trophic/habitat/sides.hpp>
+#include <trophic/support/linkage.hpp>
+#include <vector>
+
+namespace trophic::locomotion {
+
+/// The target angle with which `check_steerable` asks, to the right and to the left; the paper's brain turns by it.
+inline constexpr double probe_angle_rad = 0.7;
+
+/// Throws std::invalid_argument: this robot cannot be steered by this rule.
+[[noreturn]] void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<Side>& sides);
+
+/// Throws std::invalid_argument, naming robot, steering and hinges, where a turn to the right and one to the left give the same
+/// joint targets: brains would have no effect on where robots go.
+template <control::Steering SteeringRule>
+void check_steerable(const RobotModel& robot, const SteeringRule& steering) {
+  const std::vector<Side> sides = sides_of(robot);
+  std::vector<double> right_rad(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) right_rad[i] = i % 2 == 0 ? 0.5 : -0.25;
+  std::vector<double> left_rad = right_rad;
+  steering.steer(probe_angle_rad, sides, right_rad);
+  steering.steer(-probe_angle_rad, sides, left_rad);
+  if (right_rad != left_rad) return;
+  refuse_steering(robot, SteeringRule::name, sides);
+}
+
+}  // namespace trophic::locomotion
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/control/locomotion/steerable.ipp>
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Definitions of steerable.hpp.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/control/locomotion/steerable.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/habitat/sides.hpp>
+#include <trophic/params/params.hpp>
+#include <vector>
+
+namespace trophic::locomotion {
+
+TROPHIC_INLINE void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<Side>& sides) {
+  std::string hinges;
+  for (const Side side : {Side::left, Side::right, Side::middle}) {
+    hinges += (hinges.empty() ? "" : ", ") + std::to_string(std::ranges::count(sides, side)) + " " + std::string{enum_name(side)};
+  }
+  throw std::invalid_argument{"ecology.robot = " + robot.name + " with rules.steering = " + std::string{steering} +
+                              ": cannot be steered, a turn to the right and one to the left move the hinges alike (" + hinges +
+                              ")"};
+}
+
+}  // namespace trophic::locomotion

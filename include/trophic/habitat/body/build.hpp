@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// From a module tree to the engine-neutral robot: links, inertias, hinges, neighbours, size.
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <trophic/habitat/body/module.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/linkage.hpp>
+#include <tuple>
+
+namespace trophic::body {
+
+/// A robot as its file describes it.
+struct Design {
+  std::string name;
+  std::string gait;  ///< name or path of the gait that it walks with unless told otherwise
+  ModuleTree modules;
+  double forward_deg = 0.0;
+  double friction = 1.0;
+  double hinge_range_rad = 1.047197551;      ///< 60 degrees
+  std::optional<double> root_density_kg_m3;  ///< set: boxes of the root link weigh volume * density instead of their part's mass
+  Servo servo;
+  MeasuredWalk walk;
+  PartMasses part_mass_kg;
+
+  static constexpr auto fields() {
+    return std::tuple{field("forward_deg", &Design::forward_deg, between(-180.0, 180.0)),
+                      field("friction", &Design::friction, at_least(0.0)),
+                      field("hinge_range_rad", &Design::hinge_range_rad, above_to(0.0, std::numbers::pi)),
+                      field("walk", &Design::walk), field("part_mass_kg", &Design::part_mass_kg)};
+  }
+};
+
+/// The robot of a design. Modules that no hinge separates become one link; every part is a uniform box; hinges are numbered depth
+/// first in face order, and so are links. Hinge i and j are neighbours when at most two attachments lie between them. The
+/// bounding radius is the sum of the hinge distances along the longest chain and the reach of its last box. Throws
+/// std::invalid_argument.
+[[nodiscard]] RobotModel build(const Design& design);
+
+}  // namespace trophic::body
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/habitat/body/build.ipp>
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Definitions of arena.hpp.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/toml_table.hpp>
+#include <utility>
+
+namespace trophic {
+
+TROPHIC_INLINE double flat_half_side_m(const HeightField& field) {
+  const double spacing_m = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
+  for (std::size_t ring = 0; 2 * ring + 1 < field.nodes; ++ring) {
+    bool flat = true;
+    for (std::size_t iy = ring; iy < field.nodes - ring; ++iy) {
+      for (std::size_t ix = ring; ix < field.nodes - ring; ++ix) flat = flat && field.height_m[iy * field.nodes + ix] == 0.0;
+    }
+    if (flat) return field.half_extent_m - static_cast<double>(ring) * spacing_m;
+  }
+  return 0.0;
+}
+
+TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view installed, std::size_t robots) {
+  const auto file = detail::TomlTable::read(find_model(ModelKind::arena, name_or_path, installed));
+  Arena arena;
+  arena.name = file.text("name");
+  arena.friction = file.has("friction") ? file.number("friction", at_least(0.0)) : 1.0;
+  if (!file.has("height_m")) {
+    if (file.has("robots_per_m2")) {
+      arena.extent_m = std::sqrt(static_cast<double>(robots) / file.number("robots_per_m2", above_to(0.0, 1e6)));
+    } else {
+      arena.extent_m = file.number("side_m", above(0.0));
+    }
+    arena.half_side_m = arena.extent_m / 2.0;
+    file.no_other_keys();
+    return arena;
+  }
+  HeightField field;
+  field.half_extent_m = file.number("half_extent_m", above(0.0));
+  const auto rows = file.rows("height_m");
+  field.nodes = rows.size();
+  if (field.nodes < 2) file.fail("height_m", ": " + std::to_string(field.nodes) + " rows: must be >= 2");
+  constexpr std::size_t most_nodes = 1024;  // what is derived from them costs their third power
+  if (field.nodes > most_nodes) {
+    file.fail("height_m", ": " + std::to_string(field.nodes) + " rows: must be <= " + std::to_string(most_nodes));
+  }
+  for (std::size_t iy = 0; iy < rows.size(); ++iy) {
+    if (rows[iy].size() != field.nodes) {
+      file.fail("height_m", ": row " + std::to_string(iy) + " has " + std::to_string(rows[iy].size()) + " numbers: must have " +
+                                std::to_string(field.nodes) + ", one a row");
+    }
+    for (const double height_m : rows[iy]) {
+      if (!std::isfinite(height_m) || height_m < 0.0) file.fail("height_m", " = " + number_text(height_m) + ": must be >= 0");
+    }
+    field.height_m.insert(field.height_m.end(), rows[iy].begin(), rows[iy].end());
+  }
+  file.no_other_keys();
+  arena.extent_m = 2.0 * field.half_extent_m;
+  arena.half_side_m = flat_half_side_m(field);
+  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the middle, where robots start");
+  arena.height_field = std::move(field);
+  return arena;
+}
+
+}  // namespace trophic

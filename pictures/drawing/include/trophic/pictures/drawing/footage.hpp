@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// From what is known of an ecology at a moment to the picture of it, whether it was recorded or goes on just now.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <trophic/observe/tables.hpp>
+#include <trophic/pictures/drawing/picture.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::drawing {
+
+/// Somebody died there.
+struct Death {
+  double time_s = 0.0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+/// How long a trail and the ring round a death are seen, ecology seconds.
+inline constexpr double trail_s = 60.0;
+inline constexpr double flash_s = 6.0;
+
+/// What a picture needs to know of any moment, ecology seconds: `rows_at` has a row for each body, as the last tick left it; rows
+/// go back by `trail_s` or to `first_s`, deaths by `flash_s`.
+template <class F>
+concept Footage = requires(const F& footage, double time_s, std::size_t body) {
+  { footage.rows_at(time_s) } -> std::convertible_to<std::span<const observe::AgentRow>>;
+  { footage.root(time_s, body) } -> std::same_as<Pose>;
+  { footage.joint_angles_rad(time_s, body) } -> std::same_as<std::vector<double>>;
+  { footage.deaths() } -> std::convertible_to<std::span<const Death>>;
+  { footage.robot() } -> std::same_as<const RobotModel&>;
+  { footage.arena() } -> std::same_as<const Arena&>;
+  { footage.tick_s() } -> std::same_as<double>;
+  { footage.first_s() } -> std::same_as<double>;
+  { footage.filled_tag() } -> std::same_as<int>;
+};
+
+namespace detail {
+
+[[nodiscard]] inline Colour colour(const observe::AgentRow& row) {
+  return row.active ? species_colour(row.species) : inactive_colour;
+}
+
+template <Footage F>
+void add_trail(Picture& picture, const F& footage, double time_s, std::size_t body) {
+  const double step_s = 2.0 * footage.tick_s();
+  const double oldest_s = std::max(footage.first_s(), time_s - trail_s);
+  double x_m = picture.robots[body].root.position_m.x();
+  double y_m = picture.robots[body].root.position_m.y();
+  for (double then_s = std::floor(time_s / step_s - 1e-9) * step_s; then_s >= oldest_s; then_s -= step_s) {
+    const observe::AgentRow& row = footage.rows_at(then_s)[body];
+    const auto strength = static_cast<float>(0.8 * (1.0 - (time_s - then_s) / trail_s));
+    picture.lines.push_back({x_m, y_m, row.x_m, row.y_m, colour(row), strength});
+    x_m = row.x_m;
+    y_m = row.y_m;
+  }
+}
+
+/// A line from each robot to the one that it hunts or flees.
+inline void add_sights(Picture& picture, std::span<const observe::AgentRow> rows) {
+  for (std::size_t body = 0; body < rows.size(); ++body) {
+    if (!rows[body].adversary) continue;
+    const auto other = std::ranges::find(rows, *rows[body].adversary, &observe::AgentRow::id);
+    if (other == rows.end()) continue;
+    const Eigen::Vector3d from = picture.robots[body].root.position_m;
+    const Eigen::Vector3d to = picture.robots[static_cast<std::size_t>(other - rows.begin())].root.position_m;
+    picture.lines.push_back({from.x(), from.y(), to.x(), to.y(), colour(rows[body]), 0.22F});
+  }
+}
+
+}  // namespace detail
+
+/// The picture of a moment. `marked`: the individual that is to be found at a glance.
+template <Footage F>
+[[nodiscard]] Picture picture_of(const F& footage, double time_s, std::optional<IndividualId> marked, std::string caption) {
+  Picture picture;
+  picture.caption = std::move(caption);
+  const std::span<const observe::AgentRow> rows = footage.rows_at(time_s);
+  for (std::size_t body = 0; body < rows.size(); ++body) {
+    picture.robots.push_back({.root = footage.root(time_s, body),
+                              .joint_angles_rad = footage.joint_angles_rad(time_s, body),
+                              .colour = detail::colour(rows[body]),
+                              .filled = rows[body].tag == footage.filled_tag(),
+                              .is_marked = marked && rows[body].id == *marked});
+    detail::add_trail(picture, footage, time_s, body);
+  }
+  detail::add_sights(picture, rows);
+  for (const Death& death : footage.deaths()) {
+    const double age = (time_s - death.time_s) / flash_s;
+    if (age < 0.0 || age >= 1.0) continue;
+    picture.flashes.push_back({death.x_m, death.y_m, ring_radius_m(footage.robot(), footage.arena()) * (1.2 + 2.2 * age)});
+  }
+  return picture;
+}
+
+/// The pose a part of the way from one to another.
+[[nodiscard]] inline Pose between(const Pose& from, const Pose& to, double part) {
+  return {from.position_m + part * (to.position_m - from.position_m), from.orientation.slerp(part, to.orientation)};
+}
+
+}  // namespace trophic::drawing

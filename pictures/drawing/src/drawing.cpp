@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Definitions of drawing.hpp.
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/habitat/link_frames.hpp>
+#include <trophic/pictures/drawing/drawing.hpp>
+#include <utility>
+
+namespace trophic::drawing {
+
+namespace {
+
+using backend::mujoco::DataPtr;
+using backend::mujoco::ModelPtr;
+
+constexpr double flat_m = 5e-4;  ///< half as high as what lies on the floor
+
+/// A world of nothing: what is drawn is put into the scene by hand.
+ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
+  const auto text = [](double value) { return std::to_string(value); };
+  const std::string xml =
+      "<mujoco><statistic center='0 0 0' extent='" + text(extent_m) + "'/><visual><global fovy='" + text(fovy_deg) +
+      "' offwidth='" + std::to_string(width) + "' offheight='" + std::to_string(height) +
+      "'/><quality offsamples='0' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
+      "shadowscale='0.9'/>"
+      "<headlight ambient='0.5 0.5 0.5' diffuse='0.14 0.14 0.14' specular='0 0 0'/></visual><asset><texture type='skybox' "
+      "builtin='flat' rgb1='1 1 1' rgb2='1 1 1' width='4' height='24'/></asset><worldbody>"
+      "<light directional='true' pos='" +
+      text(0.3 * extent_m) + " " + text(-0.5 * extent_m) + " " + text(extent_m) +
+      "' dir='-0.28 0.5 -1' diffuse='0.42 0.42 0.42' specular='0 0 0' castshadow='false'/></worldbody></mujoco>";
+  auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), "empty.xml", static_cast<int>(xml.size()));
+  std::ranges::copy(xml, static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), "empty.xml")]));
+  std::array<char, 1000> error{};
+  ModelPtr model{mj_loadXML("empty.xml", files.get(), error.data(), static_cast<int>(error.size()))};
+  mj_deleteVFS(files.get());
+  if (!model) throw std::runtime_error{std::string{"MuJoCo refuses an empty world: "} + error.data()};
+  return model;
+}
+
+constexpr Colour floor_colour{0.965F, 0.97F, 0.975F};
+constexpr Colour grid_colour{0.86F, 0.88F, 0.9F};
+constexpr Colour wall_colour{0.72F, 0.76F, 0.8F};
+
+}  // namespace
+
+class Drawing::Scene {
+ public:
+  Scene(const RobotModel& robot, const Arena& arena, Canvas canvas, std::size_t width, std::size_t height, bool large_text)
+      : robot_{robot},
+        arena_{arena},
+        canvas_{canvas},
+        model_{empty_model(width, height, arena.half_side_m)},
+        data_{mj_makeData(model_.get())},
+        ring_m_{ring_radius_m(robot, arena)} {
+    mjv_defaultScene(&scene_);
+    mjr_defaultContext(&context_);
+    mjv_makeScene(model_.get(), &scene_, most_geoms);
+    mjr_makeContext(model_.get(), &context_, large_text ? mjFONTSCALE_200 : mjFONTSCALE_100);
+    const int buffer = canvas == Canvas::buffer ? mjFB_OFFSCREEN : mjFB_WINDOW;
+    mjr_setBuffer(buffer, &context_);
+    if (context_.currentBuffer != buffer) {
+      mjr_freeContext(&context_);
+      mjv_freeScene(&scene_);
+      throw std::runtime_error{canvas == Canvas::buffer ? "OpenGL has no buffer to draw into without a screen"
+                                                        : "OpenGL cannot draw into this window"};
+    }
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  ~Scene() {
+    mjr_freeContext(&context_);
+    mjv_freeScene(&scene_);
+  }
+
+  void draw(const Picture& picture, const Camera& camera, std::size_t width, std::size_t height) {
+    view_ = {0, 0, static_cast<int>(width), static_cast<int>(height)};
+    mjvCamera eye;
+    mjv_defaultCamera(&eye);
+    for (int i = 0; i < 3; ++i) eye.lookat[i] = camera.at_m[i];
+    eye.distance = camera.distance_m;
+    eye.azimuth = camera.azimuth_deg;
+    eye.elevation = camera.elevation_deg;
+    pixel_m_ = camera.distance_m * 2.0 * half_height() / static_cast<double>(height);
+    mjvOption option;
+    mjv_defaultOption(&option);
+    mj_forward(model_.get(), data_.get());
+    mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
+    scene_.flags[mjRND_SHADOW] = 0;  // they darken the discs that tell tags, and take half of the time of a picture
+    // Where nothing is, MuJoCo draws black. A window needs a white sky; in a buffer it would cost more than `read` does.
+    scene_.flags[mjRND_SKYBOX] = canvas_ == Canvas::window ? 1 : 0;
+    scene_.flags[mjRND_REFLECTION] = 0;
+    scene_.flags[mjRND_HAZE] = 0;
+    add_arena();
+    for (const FloorLine& line : picture.lines) add_line(line);
+    for (const RobotLook& look : picture.robots) add_ring(look);
+    for (const Flash& flash : picture.flashes) add_flash(flash);
+    for (const RobotLook& look : picture.robots) add_body(look);
+    mjr_render(view_, &scene_, &context_);
+    if (!picture.caption.empty()) {
+      mjr_text(mjFONT_NORMAL, picture.caption.c_str(), &context_, 0.012F, 0.018F, ink[0], ink[1], ink[2]);
+    }
+  }
+
+  void write(Corner corner, const std::string& left, const std::string& right) {
+    const int place = corner == Corner::top_left    ? mjGRID_TOPLEFT
+                      : corner == Corner::top_right ? mjGRID_TOPRIGHT
+                                                    : mjGRID_BOTTOMLEFT;
+    mjr_overlay(mjFONT_NORMAL, place, view_, left.c_str(), right.empty() ? nullptr : right.c_str(), &context_);
+  }
+
+  [[nodiscard]] Image read() const {
+    Image upside_down = Image::blank(static_cast<std::size_t>(view_.width), static_cast<std::size_t>(view_.height), 0);
+    mjr_readPixels(upside_down.rgb.data(), nullptr, view_, &context_);
+    Image image = upside_down;
+    const std::size_t row = 3 * image.width;
+    for (std::size_t y = 0; y < image.height; ++y) {
+      std::copy_n(upside_down.rgb.begin() + static_cast<std::ptrdiff_t>((image.height - 1 - y) * row), row,
+                  image.rgb.begin() + static_cast<std::ptrdiff_t>(y * row));
+    }
+    for (std::size_t at = 0; at < image.rgb.size(); at += 3) {
+      if (image.rgb[at] == 0 && image.rgb[at + 1] == 0 && image.rgb[at + 2] == 0) {
+        std::fill_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(at), 3, std::uint8_t{255});
+      }
+    }
+    return image;
+  }
+
+ private:
+  static constexpr int most_geoms = 60000;
+
+  mjvGeom* add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& at, const Eigen::Matrix3d& turn,
+               const Colour& colour, float opacity) {
+    if (scene_.ngeom >= scene_.maxgeom)
+      throw std::runtime_error{"too much in one picture: " + std::to_string(most_geoms) + " shapes"};
+    mjvGeom* geom = scene_.geoms + scene_.ngeom++;
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = turn;
+    const std::array<float, 4> rgba{colour[0], colour[1], colour[2], opacity};
+    mjv_initGeom(geom, type, size.data(), at.data(), rows.data(), rgba.data());
+    geom->category = mjCAT_DECOR;
+    return geom;
+  }
+
+  /// Flat on the floor, `level` above what is lower.
+  void add_disc(double x, double y, double radius, int level, const Colour& colour) {
+    const Eigen::Vector3d at{x, y, 2e-3 + 1.5e-3 * level};
+    add(mjGEOM_CYLINDER, {radius, flat_m, 0.0}, at, Eigen::Matrix3d::Identity(), colour, 1.0F);  // MuJoCo: radius, half height
+  }
+
+  /// A line of so many pixels, as a thin box: MuJoCo lights its own lines otherwise than surfaces.
+  void add_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double pixels, const Colour& colour) {
+    const Eigen::Vector3d way = to - from;
+    const double length = way.norm();
+    if (length < 1e-6) return;
+    const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), way).toRotationMatrix();
+    add(mjGEOM_BOX, {0.5 * length, 0.5 * pixels * pixel_m_, flat_m}, 0.5 * (from + to), turn, colour, 1.0F);
+  }
+
+  void add_arena() {
+    const double half = arena_.half_side_m;
+    add(mjGEOM_BOX, {half, half, 0.01}, {0, 0, -0.0105}, Eigen::Matrix3d::Identity(), floor_colour, 1.0F);
+    const double step = half > 40 ? 10 : half > 15 ? 2 : 1;
+    for (double at = -std::floor(half / step) * step; at <= half + 1e-9; at += step) {
+      add_segment({at, -half, 1e-3}, {at, half, 1e-3}, 1.3, grid_colour);
+      add_segment({-half, at, 1e-3}, {half, at, 1e-3}, 1.3, grid_colour);
+    }
+    if (arena_.height_field) return add_slopes(*arena_.height_field);
+    const double thick = 0.006 * half;
+    const double height = 0.0175 * half;
+    for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      const double long_m = half + 2 * thick;
+      add(mjGEOM_BOX, {x != 0 ? thick : long_m, y != 0 ? thick : long_m, height},
+          {x * (half + thick), y * (half + thick), height}, Eigen::Matrix3d::Identity(), wall_colour, 1.0F);
+    }
+  }
+
+  /// A net of lines; the slopes of an arena rise too high for a picture and are drawn flatter, as in the browser.
+  void add_slopes(const HeightField& field) {
+    const double highest = std::ranges::max(field.height_m);
+    const double scale = highest > 1.5 ? 1.5 / highest : 1.0;
+    const auto node = [&](std::size_t ix, std::size_t iy) {
+      const double cell = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
+      return Eigen::Vector3d{static_cast<double>(ix) * cell - field.half_extent_m,
+                             static_cast<double>(iy) * cell - field.half_extent_m, scale * field.height_m[iy * field.nodes + ix]};
+    };
+    for (std::size_t i = 0; i < field.nodes; ++i) {
+      for (std::size_t j = 0; j + 1 < field.nodes; ++j) {
+        add_segment(node(i, j), node(i, j + 1), 1.6, wall_colour);
+        add_segment(node(j, i), node(j + 1, i), 1.6, wall_colour);
+      }
+    }
+  }
+
+  void add_line(const FloorLine& line) {
+    add_segment({line.x0_m, line.y0_m, 2e-3}, {line.x1_m, line.y1_m, 2e-3}, 1.6, mixed(floor_colour, line.colour, line.opacity));
+  }
+
+  void add_ring(const RobotLook& look) {
+    const double x = look.root.position_m.x();
+    const double y = look.root.position_m.y();
+    if (look.is_marked) {
+      add_disc(x, y, 1.78 * ring_m_, 0, ink);
+      add_disc(x, y, 1.66 * ring_m_, 1, floor_colour);
+    }
+    const Eigen::Quaterniond& q = look.root.orientation;
+    const double yaw = std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+    const double heading = yaw + robot_.forward_rad;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd{heading + std::numbers::pi / 4, Eigen::Vector3d::UnitZ()}.toRotationMatrix();
+    const double tip = 0.3 * ring_m_;
+    const Eigen::Vector3d at{x + 1.08 * ring_m_ * std::cos(heading), y + 1.08 * ring_m_ * std::sin(heading), 4e-3};
+    add(mjGEOM_BOX, {tip, tip, 1e-3}, at, turn, look.colour, 1.0F);
+    add_disc(x, y, ring_m_, 2, look.colour);
+    add_disc(x, y, 0.86 * ring_m_, 3, look.filled ? mixed(floor_colour, look.colour, 0.45F) : floor_colour);
+  }
+
+  void add_flash(const Flash& flash) {
+    constexpr int sides = 48;
+    for (int i = 0; i < sides; ++i) {
+      const auto corner = [&](int k) {
+        const double angle = 2.0 * std::numbers::pi * k / sides;
+        return Eigen::Vector3d{flash.x_m + flash.radius_m * std::cos(angle), flash.y_m + flash.radius_m * std::sin(angle), 9e-3};
+      };
+      add_segment(corner(i), corner(i + 1), 1.8, ink);
+    }
+  }
+
+  void add_body(const RobotLook& look) {
+    const std::vector<Eigen::Isometry3d> frames = link_frames(robot_, look.root, look.joint_angles_rad);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const Colour colour = i == 0 ? look.colour : limb_colour(look.colour);
+      for (const Box& box : robot_.links[i].boxes) {
+        const Eigen::Isometry3d frame = frames[i] * Eigen::Translation3d{box.centre_m} * box.orientation;
+        add(mjGEOM_BOX, box.half_extents_m, frame.translation(), frame.linear(), colour, 1.0F)->category = mjCAT_DYNAMIC;
+      }
+    }
+  }
+
+  RobotModel robot_;
+  Arena arena_;
+  Canvas canvas_;
+  ModelPtr model_;
+  DataPtr data_;
+  mjvScene scene_{};
+  mjrContext context_{};
+  mjrRect view_{};
+  double ring_m_;
+  double pixel_m_ = 0.01;  ///< about how large a pixel is at what the camera looks at
+};
+
+Drawing::Drawing(const RobotModel& robot, const Arena& arena, Canvas canvas, std::size_t width, std::size_t height,
+                 bool large_text)
+    : scene_{std::make_unique<Scene>(robot, arena, canvas, width, height, large_text)} {}
+Drawing::Drawing(Drawing&&) noexcept = default;
+Drawing& Drawing::operator=(Drawing&&) noexcept = default;
+Drawing::~Drawing() = default;
+
+void Drawing::draw(const Picture& picture, const Camera& camera, std::size_t width, std::size_t height) {
+  scene_->draw(picture, camera, width, height);
+}
+
+void Drawing::write(Corner corner, const std::string& left, const std::string& right) {
+  scene_->write(corner, left, right);
+}
+
+Image Drawing::read() const {
+  return scene_->read();
+}
+
+}  // namespace trophic::drawing

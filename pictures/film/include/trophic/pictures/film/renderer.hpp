@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Pictures without a screen, by OSMesa.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/pictures/drawing/camera.hpp>
+#include <trophic/pictures/drawing/picture.hpp>
+#include <trophic/pictures/film/image.hpp>
+
+namespace trophic::film {
+
+/// How fine a picture is.
+enum class Quality {
+  fast,  ///< each pixel drawn once
+  fine   ///< drawn twice as large and scaled down: smooth edges
+};
+
+/// One at a time in a thread.
+class Renderer {
+ public:
+  /// Of pictures of `width` times `height` pixels, both even, 16 to 4096. Throws std::invalid_argument for another size and
+  /// std::runtime_error where there is no OpenGL.
+  Renderer(const RobotModel& robot, const Arena& arena, std::size_t width, std::size_t height, Quality quality);
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  [[nodiscard]] Image draw(const drawing::Picture& picture, const drawing::Camera& camera);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace trophic::film

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Definitions of encoder.hpp.
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <trophic/pictures/film/encoder.hpp>
+#include <vector>
+
+extern "C" char** environ;
+
+namespace trophic::film {
+
+Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s) : path_{path} {
+  if (std::filesystem::exists(std::filesystem::symlink_status(path))) {
+    throw std::runtime_error{"cannot create " + path.string() + ": it exists"};
+  }
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
+  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  std::vector<std::string> words{"ffmpeg",
+                                 "-v",
+                                 "error",
+                                 "-f",
+                                 "rawvideo",
+                                 "-pix_fmt",
+                                 "rgb24",
+                                 "-s",
+                                 size,
+                                 "-r",
+                                 std::to_string(pictures_per_s),
+                                 "-i",
+                                 "-",
+                                 "-an",
+                                 "-c:v",
+                                 "libx264",
+                                 "-pix_fmt",
+                                 "yuv420p",
+                                 "-crf",
+                                 "20",
+                                 "-preset",
+                                 "veryfast",
+                                 "-movflags",
+                                 "+faststart",
+                                 "-n",
+                                 "-f",
+                                 "mp4",
+                                 "file:" + path.string()};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+  const int failed = ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[0]);
+  pipe_ = ends[1];
+  if (failed != 0) {
+    ::close(pipe_);
+    pipe_ = -1;
+    process_ = -1;
+    throw std::runtime_error{std::string{"ffmpeg cannot be started: "} + std::strerror(failed) +
+                             "; apt-get install ffmpeg, or name a .png"};
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+Encoder::~Encoder() {
+  if (process_ < 0) return;
+  static_cast<void>(wait());
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+int Encoder::wait() {
+  if (pipe_ >= 0) ::close(pipe_);
+  pipe_ = -1;
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  return status;
+}
+
+void Encoder::add(const Image& image) {
+  for (std::size_t at = 0; at < image.rgb.size();) {
+    const ssize_t taken = ::write(pipe_, image.rgb.data() + at, image.rgb.size() - at);
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken <= 0) throw std::runtime_error{"ffmpeg takes no more pictures for " + path_.string()};
+    at += static_cast<std::size_t>(taken);
+  }
+}
+
+void Encoder::finish() {
+  const int status = wait();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error{"ffmpeg cannot make " + path_.string()};
+}
+
+}  // namespace trophic::film

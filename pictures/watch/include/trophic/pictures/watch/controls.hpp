@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What keys and mouse do to what is shown. Knows no window: whoever has one passes on what was pressed where.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <trophic/observe/tables.hpp>
+#include <trophic/pictures/drawing/camera.hpp>
+#include <trophic/pictures/drawing/picture.hpp>
+#include <trophic/pictures/watch/clock.hpp>
+#include <trophic/pictures/watch/eye.hpp>
+#include <trophic/pictures/watch/live_footage.hpp>
+
+namespace trophic::watch {
+
+enum class Key { pause, step, faster, slower, follow, next, deselect, whole, top, help };
+enum class Button { turns, shifts };
+
+/// The size of a window and a place in it, from its upper left corner, in the same units.
+struct WindowSize {
+  double width = 1280.0;
+  double height = 720.0;
+  [[nodiscard]] double aspect() const { return width / std::max(1.0, height); }
+  [[nodiscard]] drawing::PicturePoint point(double x, double y) const {
+    return {(2.0 * x - width) / height, (height - 2.0 * y) / height};
+  }
+};
+
+class Controls {
+ public:
+  /// A mouse that moved less than this between press and release has clicked.
+  static constexpr double click_reach = 4.0;
+
+  static constexpr const char* help = "space\nright arrow\nup, down\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
+  static constexpr const char* help_meanings =
+      "pause, go on\none tick\nfaster, slower\nwho is that\nfollow it\nthe next one\nlet it go\nwhole arena, from above\n"
+      "turn, come nearer\nmove\nthis help\nclose; the run goes on";
+
+  /// `elapsed_s` of the onlooker's time have passed. Comes before anything is drawn.
+  void advance(const LiveFootage& footage, double elapsed_s, const WindowSize& window) {
+    if (!is_begun_) {
+      is_begun_ = true;
+      clock_.set(footage.first_s());
+      eye_.see_whole(footage.arena(), window.aspect());
+    }
+    tick_s_ = footage.tick_s();
+    clock_.advance(elapsed_s, footage.newest_s());
+    if (selected_ && lives(footage)) {
+      if (is_following_) eye_.look_at(footage.root(clock_.time_s(), body_).position_m);
+    }
+  }
+
+  void press(Key key, const LiveFootage& footage, const WindowSize& window) {
+    switch (key) {
+      case Key::pause:
+        return clock_.pause_or_go_on();
+      case Key::step:
+        return clock_.step(footage.tick_s());
+      case Key::faster:
+        return clock_.faster();
+      case Key::slower:
+        return clock_.slower();
+      case Key::follow:
+        return follow(footage, window);
+      case Key::next:
+        return select_next(footage);
+      case Key::deselect:
+        return let_go();
+      case Key::whole:
+        is_following_ = false;
+        return eye_.see_whole(footage.arena(), window.aspect());
+      case Key::top:
+        is_following_ = false;
+        return eye_.see_from_above(footage.arena(), window.aspect());
+      case Key::help:
+        shows_help_ = !shows_help_;
+        return;
+    }
+  }
+
+  void press_mouse(Button button, double x, double y) { mouse_ = Mouse{.button = button, .x = x, .y = y, .moved = 0.0}; }
+  void move_mouse(double x, double y, const WindowSize& window) {
+    if (!mouse_) return;
+    const double right = (x - mouse_->x) / window.height;
+    const double up = (mouse_->y - y) / window.height;
+    mouse_->moved += std::hypot(x - mouse_->x, y - mouse_->y);
+    mouse_->x = x;
+    mouse_->y = y;
+    if (mouse_->moved < click_reach) return;
+    if (mouse_->button == Button::turns) return eye_.turn(right, up);
+    is_following_ = false;
+    eye_.shift(right, up);
+  }
+  void release_mouse(const LiveFootage& footage, const WindowSize& window) {
+    if (mouse_ && mouse_->button == Button::turns && mouse_->moved < click_reach) {
+      click(footage, window.point(mouse_->x, mouse_->y));
+    }
+    mouse_.reset();
+  }
+  void turn_wheel(double notches) { eye_.zoom(notches); }
+
+  [[nodiscard]] const Clock& clock() const { return clock_; }
+  [[nodiscard]] const drawing::Camera& camera() const { return eye_.camera(); }
+  [[nodiscard]] std::optional<IndividualId> selected() const { return selected_; }
+  [[nodiscard]] bool is_following() const { return is_following_; }
+  [[nodiscard]] bool shows_help() const { return shows_help_; }
+  [[nodiscard]] double wanted_until_s() const { return clock_.wanted_until_s(tick_s_); }
+
+  /// The body of the individual that was chosen; none if nobody was chosen or that one has died.
+  [[nodiscard]] std::optional<std::size_t> selected_body(const LiveFootage& footage) const {
+    return selected_ && lives(footage) ? std::optional{body_} : std::nullopt;
+  }
+
+ private:
+  struct Mouse {
+    Button button;
+    double x, y, moved;
+  };
+
+  [[nodiscard]] bool lives(const LiveFootage& footage) const {
+    const auto rows = footage.rows_at(clock_.time_s());
+    return body_ < rows.size() && rows[body_].id == *selected_;
+  }
+  void select(const LiveFootage& footage, std::size_t body) {
+    body_ = body;
+    selected_ = footage.rows_at(clock_.time_s())[body].id;
+  }
+  void let_go() {
+    selected_.reset();
+    is_following_ = false;
+  }
+
+  /// Chooses the robot whose ring is clicked at; a click beside all of them lets go.
+  void click(const LiveFootage& footage, const drawing::PicturePoint& point) {
+    const auto at = drawing::floor_at(eye_.camera(), point);
+    let_go();
+    if (!at) return;
+    double nearest_m = 1.5 * drawing::ring_radius_m(footage.robot(), footage.arena());
+    for (std::size_t body = 0; body < footage.rows_at(clock_.time_s()).size(); ++body) {
+      const double away_m = (footage.root(clock_.time_s(), body).position_m.head<2>() - *at).norm();
+      if (away_m >= nearest_m) continue;
+      nearest_m = away_m;
+      select(footage, body);
+    }
+  }
+  void select_next(const LiveFootage& footage) {
+    const std::size_t bodies = footage.rows_at(clock_.time_s()).size();
+    if (bodies != 0) select(footage, selected_ ? (body_ + 1) % bodies : 0);
+  }
+  void follow(const LiveFootage& footage, const WindowSize& window) {
+    if (is_following_) {
+      is_following_ = false;
+      return eye_.see_whole(footage.arena(), window.aspect());
+    }
+    if (!selected_ || !lives(footage)) return;
+    is_following_ = true;
+    eye_.come_near(footage.robot(), footage.root(clock_.time_s(), body_).position_m);
+  }
+
+  Clock clock_;
+  Eye eye_;
+  std::optional<Mouse> mouse_;
+  std::optional<IndividualId> selected_;
+  std::size_t body_ = 0;
+  double tick_s_ = 1.0;
+  bool is_begun_ = false;
+  bool is_following_ = false;
+  bool shows_help_ = true;
+};
+
+}  // namespace trophic::watch

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/habitat.hpp>
+#include <utility>
+
+using namespace trophic;
+
+namespace {
+
+std::string complaint(std::string_view content) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("arena.toml", content);
+  const std::string message = test::message_of<std::invalid_argument>([&] { (void)load_arena(file); });
+  return message.starts_with(file) ? message.substr(file.size()) : message;
+}
+
+}  // namespace
+
+TEST_CASE("the paper's arena: 20 m between walls") {
+  const Arena arena = load_arena("walled_square");
+  CHECK(arena.name == "walled_square");
+  CHECK(arena.half_side_m == 10.0);
+  CHECK(arena.extent_m == 20.0);
+  CHECK(arena.friction == 1.0);
+  CHECK_FALSE(arena.height_field);
+}
+
+TEST_CASE("the released code's arena: flat to 28/3 m, an outer ring of nodes at 10 m") {
+  const Arena arena = load_arena("height_field");
+  CHECK(arena.half_side_m == doctest::Approx(28.0 / 3.0).epsilon(1e-14));
+  CHECK(arena.extent_m == 24.0);
+  REQUIRE(arena.height_field);
+  REQUIRE(arena.height_field->nodes == 10);
+  CHECK(arena.height_field->half_extent_m == 12.0);
+  REQUIRE(arena.height_field->height_m.size() == 100);
+  int raised = 0;
+  for (std::size_t iy = 0; iy < 10; ++iy) {
+    for (std::size_t ix = 0; ix < 10; ++ix) {
+      const bool outer = ix == 0 || iy == 0 || ix == 9 || iy == 9;
+      CHECK(arena.height_field->height_m[iy * 10 + ix] == (outer ? 10.0 : 0.0));
+      raised += outer;
+    }
+  }
+  CHECK(raised == 36);
+}
+
+TEST_CASE("the floor is the largest centred square of zeros") {
+  HeightField field{.nodes = 5, .half_extent_m = 4.0, .height_m = std::vector<double>(25, 0.0)};
+  CHECK(flat_half_side_m(field) == 4.0);
+  field.height_m[2] = 1.0;
+  CHECK(flat_half_side_m(field) == 2.0);
+  field.height_m[6] = 1.0;
+  CHECK(flat_half_side_m(field) == 0.0);
+}
+
+TEST_CASE("a floor that follows the number of robots: 30 on 20 m x 20 m, four times as many on twice the side") {
+  struct Case {
+    std::size_t robots;
+    double side_m;
+  };
+  for (const Case& expected : {Case{30, 20.0}, Case{120, 40.0}, Case{3000, 200.0}}) {
+    CAPTURE(expected.robots);
+    const Arena arena = load_arena("walled_by_density", TROPHIC_MODEL_DIR, expected.robots);
+    CHECK(arena.name == "walled_by_density");
+    CHECK(arena.extent_m == doctest::Approx(expected.side_m).epsilon(1e-15));
+    CHECK(arena.half_side_m == arena.extent_m / 2.0);
+    CHECK_FALSE(arena.height_field);
+  }
+}
+
+TEST_CASE("a habitat's floor follows ecology.robots where its arena says so, and nowhere else") {
+  EcologyParams ecology;
+  ecology.robots = 120;
+  CHECK(load_habitat(ecology).arena.extent_m == 20.0);
+  ecology.arena = "walled_by_density";
+  CHECK(load_habitat(ecology).arena.extent_m == doctest::Approx(40.0).epsilon(1e-15));
+}
+
+TEST_CASE("bad arenas name key and value") {
+  CHECK(complaint("name = \"a\"\nrobots_per_m2 = 0\n") == ": robots_per_m2 = 0: must be > 0 and <= 1e+06");
+  CHECK(complaint("name = \"a\"\nrobots_per_m2 = \"few\"\n") == ": robots_per_m2 = 'few': must be a number");
+  CHECK(complaint("name = \"a\"\nrobots_per_m2 = 1\nside_m = 5\n") ==
+        ": side_m: unknown key; known here: friction, height_m, name, robots_per_m2");
+  CHECK(complaint("name = \"a\"\n") == ": side_m: missing");
+  CHECK(complaint("name = \"a\"\nside_m = 0\n") == ": side_m = 0: must be > 0");
+  CHECK(complaint("name = \"a\"\nside_m = inf\n") == ": side_m = inf: must be > 0");
+  CHECK(complaint("name = \"a\"\nside_m = 5\nwalls = 4\n") ==
+        ": walls: unknown key; known here: friction, height_m, name, robots_per_m2, side_m");
+  CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0]]\n") == ": height_m: 1 rows: must be >= 2");
+  CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0]]\n") ==
+        ": height_m: row 1 has 1 numbers: must have 2, one a row");
+  CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0, -1]]\n") == ": height_m = -1: must be >= 0");
+  CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[1, 1], [1, 1]]\n") ==
+        ": height_m: must be 0 in the middle, where robots start");
+  CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = 3\n") == ": height_m = 3: must be a list");
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/habitat/load/robot.hpp>
+
+using namespace trophic;
+using trophic::test::message_of;
+using trophic::test::TemporaryFolder;
+
+namespace {
+
+const TemporaryFolder& folder() {
+  static const TemporaryFolder shared;
+  return shared;
+}
+
+/// What loading a robot file of this content says, after "FILE: " or "FILE:".
+template <class Error>
+std::string complaint(std::string_view content) {
+  const std::string file = folder().file("robot.toml", content);
+  const std::string message = message_of<Error>([&] { (void)load_robot(file); });
+  CAPTURE(message);
+  REQUIRE(message.starts_with(file + ":"));
+  return message.substr(file.size() + 1);
+}
+
+const std::string leg = "name = \"one_leg\"\n[core.left]\nmodule = \"hinge\"\n[core.left.front]\nmodule = \"brick\"\n";
+
+}  // namespace
+
+TEST_CASE("a file that says all it can") {
+  const std::string file = folder().file("full.toml", R"(
+name = "full"
+forward_deg = -90
+friction = 0.5
+hinge_range_rad = 0.8
+root_density_kg_m3 = 500.0
+servo = { position_gain = 2.0, velocity_gain = 0.0, target_limit_rad = 0.6 }
+walk = { speed_m_s = 0.03, turn_rate_per_rad = 0.04 }
+part_mass_kg = { servo_body = 0.1, servo_plate = 0.2, brick = 0.3 }
+core.left = { module = "hinge", rotation_deg = -90, front = { module = "brick", rotation_deg = 180 } }
+)");
+  const RobotModel robot = load_robot(file);
+  CHECK(robot.name == "full");
+  CHECK(robot.forward_rad == doctest::Approx(-std::numbers::pi / 2));
+  CHECK(robot.friction == 0.5);
+  CHECK(robot.walk.speed_m_s == 0.03);
+  CHECK(robot.walk.turn_rate_per_rad == 0.04);
+  CHECK(robot.hinges.at(0).range_rad == 0.8);
+  CHECK(robot.hinges[0].servo.position_gain == 2.0);
+  CHECK(robot.hinges[0].servo.velocity_gain == 0.0);
+  CHECK(robot.hinges[0].servo.target_limit_rad == 0.6);
+  CHECK(robot.links[1].mass_kg == doctest::Approx(0.6));
+  CHECK(robot.links[0].mass_kg == doctest::Approx(500.0 * (0.089 * 0.089 * 0.0603 + 0.018 * 0.053 * 0.0165891)));
+}
+
+TEST_CASE("a core alone is a robot without hinges") {
+  const RobotModel robot = load_robot(folder().file("core.toml", "name = \"stone\"\ncore = {}\n"));
+  CHECK(robot.links.size() == 1);
+  CHECK(robot.hinges.empty());
+  CHECK(robot.walk.speed_m_s == 0.0);
+  CHECK(robot.rest_height_m == doctest::Approx(0.03015));
+}
+
+TEST_CASE("files that are not there or not TOML") {
+  CHECK(message_of<std::runtime_error>([] { (void)load_robot("./no/such.toml"); }) ==
+        "no robot \"./no/such.toml\"; searched: ./no/such.toml");
+  CHECK(complaint<std::runtime_error>("name = \n").starts_with("1:"));
+  CHECK(complaint<std::runtime_error>(leg + "[core.left]\nmodule = \"brick\"\n").starts_with("6:"));
+}
+
+TEST_CASE("two modules on one face are a table defined twice") {
+  const std::string message = complaint<std::runtime_error>(leg + "[core.left]\nmodule = \"brick\"\n");
+  CHECK(message.find("cannot redefine existing table 'core.left'") != std::string::npos);
+}
+
+TEST_CASE("bad content names key and value") {
+  using Bad = std::invalid_argument;
+  CHECK(complaint<Bad>("core = {}\n") == " name: missing");
+  CHECK(complaint<Bad>("name = 3\ncore = {}\n") == " name = 3: must be a text");
+  CHECK(complaint<Bad>("name = \"a\"\n") == " core: missing");
+  CHECK(complaint<Bad>("name = \"a\"\ncore = 1\n") == " core = 1: must be a table");
+  CHECK(complaint<Bad>("colour = \"red\"\n" + leg) ==
+        " colour: unknown key; known here: core, forward_deg, friction, gait, hinge_range_rad, name, part_mass_kg, "
+        "root_density_kg_m3, servo, walk");
+  CHECK(complaint<Bad>(leg + "top = 1\n") ==
+        " core.left.front.top: unknown key; known here: back, front, left, module, right, "
+        "rotation_deg");
+  CHECK(complaint<Bad>("name = \"a\"\ncore.left.module = \"wheel\"\n") ==
+        " core.left.module = \"wheel\": must be \"hinge\" or \"brick\"");
+  CHECK(complaint<Bad>("name = \"a\"\ncore.left = {}\n") == " core.left.module: missing");
+  CHECK(complaint<Bad>(leg + "rotation_deg = 45\n") == " core.left.front.rotation_deg = 45: must be a multiple of 90");
+  CHECK(complaint<Bad>(leg + "back = { module = \"brick\" }\n") ==
+        " core.left.front.back.module = \"brick\": left.front.back: a brick has no back face");
+  CHECK(complaint<Bad>("name = \"a\"\npart_mass_kg.brick = 0\ncore = {}\n") == " part_mass_kg.brick = 0: must be > 0");
+  CHECK(complaint<Bad>("name = \"a\"\npart_mass_kg.wheel = 1\ncore = {}\n") ==
+        " part_mass_kg.wheel: unknown key; known here: brick, core, hinge_frame, servo_body, servo_plate");
+  CHECK(complaint<Bad>("name = \"a\"\nroot_density_kg_m3 = 0\ncore = {}\n") == " root_density_kg_m3 = 0: must be > 0");
+  CHECK(complaint<Bad>("name = \"a\"\nfriction = nan\ncore = {}\n") == " friction = nan: must be >= 0");
+  CHECK(complaint<Bad>("name = \"a\"\nfriction = \"high\"\ncore = {}\n") == " friction = 'high': must be a number");
+  CHECK(complaint<Bad>("name = \"a\"\nservo.position_gain = -5\ncore = {}\n") == " servo.position_gain = -5: must be > 0");
+  CHECK(complaint<Bad>("name = \"a\"\nwalk.speed_m_s = -1\ncore = {}\n") == " walk.speed_m_s = -1: must be >= 0 and <= 100");
+  CHECK(complaint<Bad>("name = \"a\"\nforward_deg = 200\ncore = {}\n") == " forward_deg = 200: must be >= -180 and <= 180");
+}
+
+TEST_CASE("models are found in TROPHIC_MODELS first, then where the library was built") {
+  const TemporaryFolder own;
+  std::filesystem::create_directory(own.path() / "robots");
+  const std::string file = own.file("robots/spider.toml", "name = \"own\"\ncore = {}\n");
+  REQUIRE(setenv("TROPHIC_MODELS", own.path().c_str(), 1) == 0);
+  CHECK(find_model(ModelKind::robot, "spider") == file);
+  CHECK(find_model(ModelKind::robot, "gecko") == std::filesystem::path{TROPHIC_MODEL_DIR} / "robots/gecko.toml");
+  CHECK(message_of<std::runtime_error>([] { (void)find_model(ModelKind::arena, "moon"); }) ==
+        "no arena \"moon\"; searched: " + own.path().string() + "/arenas/moon.toml, " TROPHIC_MODEL_DIR "/arenas/moon.toml");
+  REQUIRE(unsetenv("TROPHIC_MODELS") == 0);
+  CHECK(find_model(ModelKind::robot, "spider") == std::filesystem::path{TROPHIC_MODEL_DIR} / "robots/spider.toml");
+}
