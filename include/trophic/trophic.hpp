@@ -180,6 +180,7 @@
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/sense_log.hpp>
+#include <trophic/observe/state_columns.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/observe/tables.hpp>

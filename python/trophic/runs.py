@@ -42,7 +42,7 @@ class Run:
         return self.manifest["fingerprint"]
 
     def table(self, name: str, columns: list[str] | None = None) -> pandas.DataFrame:
-        """events, agents, phylogeny, genomes, senses of a run with --senses, or states where a StateLog wrote them; only these columns, if given."""
+        """events, agents, phylogeny, genomes, senses of a run with --senses, or states of one with --states; only these columns, if given."""
         return _table(self.path / f"{name}.csv", columns)
 
     @functools.cached_property
@@ -69,6 +69,11 @@ class Run:
     def senses(self) -> pandas.DataFrame:
         """What every robot touched, was told and answered, of a run with --senses. `inputs` has the names of input0, input1, ..."""
         return self.table("senses")
+
+    @functools.cached_property
+    def states(self) -> pandas.DataFrame:
+        """What rules keep for every robot, of a run with --states: a column SLOT.MEMBER for each member of each State."""
+        return self.table("states")
 
     @property
     def inputs(self) -> list[str]:

@@ -144,7 +144,7 @@ void tick(benchmark::State& state, std::int64_t warm_up, std::int64_t ticks) {
   const double before_bytes = test::resident_bytes();
   Ecology<TimedPaper, Timed<Backend>> ecology{numbers};
   const trophic::test::TemporaryFolder folder;
-  observe::RunFolder files{folder.path() / "run", {}, 0.0, Opening::made_new, state.range(1)};
+  observe::RunFolder files{folder.path() / "run", {}, {.replay_hz = 0.0, .agents_every_ticks = state.range(1)}};
   BeforeLogs before;
   AfterLogs after;
   WarmUp warm{warm_up};

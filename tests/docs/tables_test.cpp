@@ -78,6 +78,13 @@ std::string document() {
                                     "What every robot touched, was told and answered, at the ticks of agents.csv. Written with "
                                     "--senses only.\nBodies are as they stand at that moment, contacts those of their boxes' "
                                     "shapes.") +
+         "\n## states.csv\n\nWhat rules with a State keep for every robot, at the ticks of agents.csv, after that tick's rules. "
+         "Written "
+         "with --states only.\nThe columns time_s, tick, body and id are those of agents.csv. Then stands a column SLOT.MEMBER "
+         "for each "
+         "member of each State\nof the table, such as reprieve.adversary_distance_m: numbers exact, an ancestor by its id, the "
+         "numbers of "
+         "a list with spaces\nbetween, nothing as an empty cell. Where no rule has a State there are no other columns.\n" +
          section<observe::TaxonRow>(
              "phylogeny.csv",
              "Every individual in the ALife data standard, written when it dies. Those alive at the end follow.") +

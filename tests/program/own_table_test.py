@@ -29,7 +29,7 @@ class OwnTable(InFolder):
         text = self.call_ok("--help")
         self.assertIn(f"rule table: {AGEING} or paper ({AGEING})", text)
         for option in ("rules", "backend", "seed", "duration", "robots", "robot", "threads", "replicates", "jobs", "resume", "shadow",
-                       "config", "set", "out", "replay-hz", "agents-every", "senses", "save-mjcf", "print-config", "print-table", "version", "completion"):
+                       "config", "set", "out", "replay-hz", "agents-every", "senses", "states", "save-mjcf", "print-config", "print-table", "version", "completion"):
             self.assertIn(f"--{option} ", text)
 
     def test_the_first_table_is_the_default_and_its_numbers_are_listed(self):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""senses_test.py PREDATOR_PREY: --senses adds senses.csv to a run's folder, in every way that runs are made, and changes nothing else."""
+"""senses_test.py PREDATOR_PREY: --senses adds senses.csv and --states states.csv to a run's folder, in every way that runs are made, and
+neither changes anything else."""
 
 import collections
 import csv
@@ -121,6 +122,38 @@ class Senses(InFolder):
         self.assertEqual(len(tables), 2)
         done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--senses", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--senses: not with --sweep; its file says it\n"))
+
+    def test_states_of_a_table_whose_rules_keep_some(self):
+        rules = ("--rules", "released", "--seed", 3)
+        self.run_ok("--duration", 600, *rules, "--out", "without")
+        self.run_ok("--duration", 600, *rules, "--states", "--out", "with")
+        for name in OTHERS[:-1]:
+            self.assertEqual(*((self.folder / out / name).read_bytes() for out in ("with", "without")), name)
+        states, agents = self.rows("with", "states.csv"), self.rows("with", "agents.csv")
+        self.assertEqual([(s["tick"], s["body"], s["id"]) for s in states], [(a["tick"], a["body"], a["id"]) for a in agents])
+        self.assertEqual(list(states[0])[4:],
+                         ["starvation_parent.body", "starvation_parent.victim", "rescue_parent.killer", "reprieve.adversary_distance_m"])
+        self.assertTrue(any(row["rescue_parent.killer"] for row in states))
+        self.assertEqual(self.manifest("with")["tables"]["states.csv"]["rows"], len(states))
+
+        self.run_ok("--duration", 300, *rules, "--states", "--out", "parts")
+        self.run_ok("--duration", 600, *rules, "--resume", "--out", "parts")
+        self.run_ok("--from", "with", "--at", 400, "--duration", 600, "--out", "again")
+        for out in ("parts", "again"):
+            self.assertEqual((self.folder / out / "states.csv").read_bytes(), (self.folder / "with/states.csv").read_bytes(), out)
+
+    def test_states_of_replicates_of_a_sweep_and_of_rules_without_any(self):
+        self.run_ok("--duration", 20, "--rules", "released", "--replicates", 1, "--shadow", "--states", "--out", "set")
+        for run in ("replicate-00", "shadow/replicate-00"):
+            self.assertEqual(len(self.rows(f"set/{run}", "states.csv")), 30 * 11)
+        (self.folder / "grid.toml").write_text('engine = "kinematic"\nreplicates = 1\nstates = true\n[set]\necology.duration_s = 20.0\n'
+                                               "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n")
+        self.run_ok("--sweep", "grid.toml", "--out", "sweep")
+        tables = list((self.folder / "sweep").rglob("states.csv"))
+        self.assertEqual(len(tables), 2)
+        self.assertEqual(tables[0].read_text().splitlines()[0], "time_s,tick,body,id")
+        done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--states", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--states: not with --sweep; its file says it\n"))
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ void compare_crowd(const std::string& name) {
   habitat.arena.half_side_m = 32.0;
   habitat.arena.extent_m = 64.0;
   Kinematics ecology{params, habitat};
-  observe::RunFolder folder{run, {}, 0.0};
+  observe::RunFolder folder{run, {}, {.replay_hz = 0.0}};
   observe::Tally tally;
   ecology.run_until(600.0, folder, tally);
   CHECK(tally.deaths(Cause::caught) > 50);

@@ -88,7 +88,7 @@ template <class Base, class Other>
                              .count = options.replicates.value_or(is_kinematic ? 30 : 10),
                              .jobs = options.jobs,
                              .resume = options.resume,
-                             .replay_hz = 0.0},
+                             .extent = {.replay_hz = 0.0}},
                     .duration_s = options.duration_s,
                     .shadow = options.shadow,
                     .provenance = provenance};

@@ -26,6 +26,7 @@
 #include <trophic/ecology/shadow_of.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/state_columns.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
@@ -97,9 +98,8 @@ template <class Rules, Backend B>
   auto& spectator = watching ? watching->spectator() : nobody;
   const auto simulate = [&] {
     observe::StopOnSignal stop;
-    observe::RunFolder folder{
-        options.out,   options.provenance, replay_hz_of(options), standing.opening(), agents_every_ticks_of(options),
-        options.senses};
+    observe::RunFolder folder{options.out, options.provenance, extent_of(options), standing.opening(),
+                              observe::state_columns(ecology.states())};
     observe::Progress progress;
     try {
       if (standing.begins) {
@@ -152,7 +152,7 @@ template <class Rules, Backend B>
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(origin.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening(), origin.agents_every_ticks, origin.senses};
+  observe::RunFolder files{folder, {}, origin.extent, standing.opening(), observe::state_columns(ecology.states())};
   observe::Progress progress;
   checkpoint::run_kept(ecology, origin.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology.time_s() >= origin.at_s;

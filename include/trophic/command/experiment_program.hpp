@@ -48,11 +48,8 @@ void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams&
 /// What --replicates, --jobs and --resume say, with the master seed.
 [[nodiscard]] replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed);
 
-/// What --replay-hz says.
-[[nodiscard]] double replay_hz_of(const ExperimentOptions& options);
-
-/// What --agents-every says.
-[[nodiscard]] std::int64_t agents_every_ticks_of(const ExperimentOptions& options);
+/// What --replay-hz, --agents-every, --senses and --states say.
+[[nodiscard]] observe::Extent extent_of(const ExperimentOptions& options);
 
 /// Tells of replicates that are not complete, a sentence each, and returns the exit code.
 [[nodiscard]] int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished);

@@ -65,8 +65,9 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
     origin.fingerprint = json.at("fingerprint").get<std::string>();
     origin.seed = json.at("seed").get<std::uint64_t>();
-    origin.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
-    origin.senses = json.contains("senses");
+    origin.extent.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
+    origin.extent.senses = json.contains("senses");
+    origin.extent.states = std::filesystem::exists(origin.folder / observe::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
@@ -113,17 +114,14 @@ TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::u
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
           .resume = options.resume,
           .checkpoints = {.every_s = options.checkpoint_s},
-          .replay_hz = replay_hz_of(options),
-          .agents_every_ticks = agents_every_ticks_of(options),
-          .senses = options.senses};
+          .extent = extent_of(options)};
 }
 
-TROPHIC_INLINE double replay_hz_of(const ExperimentOptions& options) {
-  return options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz;
-}
-
-TROPHIC_INLINE std::int64_t agents_every_ticks_of(const ExperimentOptions& options) {
-  return static_cast<std::int64_t>(options.agents_every);
+TROPHIC_INLINE observe::Extent extent_of(const ExperimentOptions& options) {
+  return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz,
+          .agents_every_ticks = static_cast<std::int64_t>(options.agents_every),
+          .senses = options.senses,
+          .states = options.states};
 }
 
 TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
@@ -219,6 +217,8 @@ namespace detail {
        "agents.csv has the ticks whose number is a multiple of this (1); a run that goes on keeps its own; for large ecologies"},
       {"--senses", &options.senses,
        "leave senses.csv too: what every robot touched, was told and answered; a run that goes on keeps to what it began with"},
+      {"--states", &options.states,
+       "leave states.csv too: what rules with a State keep for every robot; a run that goes on keeps to what it began with"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--watch", &options.watch,

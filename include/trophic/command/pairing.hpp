@@ -12,6 +12,7 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
@@ -45,6 +46,7 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> replay_hz;
   std::uint64_t agents_every = 1;
   bool senses = false;
+  bool states = false;
   bool print_config = false;
   std::string sweep;  ///< file of a grid of settings
   std::string shard;  ///< "I/N"; empty: all of it
@@ -63,8 +65,7 @@ struct OriginRun {
   std::string fingerprint;
   std::uint64_t seed = 0;
   double at_s = 0.0;
-  std::int64_t agents_every_ticks = 1;
-  bool senses = false;  ///< whether it has senses.csv
+  observe::Extent extent;  ///< how much of it is written down
   toml::table params;
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
   std::function<bool()> make;           ///< makes the new run's folder as this run was; false if a signal came first

@@ -100,9 +100,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
     run.index = plan.size();
     run.replicate = replicate;
     run.seed = replicates::seed_of(master_seed, replicate);
-    run.replay_hz = file.numbers.replay_hz;
-    run.agents_every = file.numbers.agents_every;
-    run.senses = file.numbers.senses;
+    run.extent = file.numbers.extent();
     run.folder = like.folder / replicates::name_of(replicate);
     plan.push_back(std::move(run));
   }
@@ -157,8 +155,7 @@ class Runner {
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::Keeping keeping{
-        options_.provenance, {.every_s = options_.checkpoint_s}, run.replay_hz, run.agents_every, run.senses};
+    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, run.extent};
     keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
     pairing_of(run.rule_table, run.engine, pairings_)
         .run_planned(config, run.shadow, run.seed, folder, keeping, progress.watch(run.folder.string()), stop_);
@@ -256,6 +253,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   refuse(options.replay_hz.has_value(), "--replay-hz", in_file);
   refuse(options.agents_every != 1, "--agents-every", in_file);
   refuse(options.senses, "--senses", in_file);
+  refuse(options.states, "--states", in_file);
   refuse(!options.config.empty(), "--config", in_file);
   refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
   refuse(options.resume, "--resume", "a sweep always goes on with what is not complete");

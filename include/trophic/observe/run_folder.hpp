@@ -14,6 +14,7 @@
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/observe/state_log.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
@@ -24,22 +25,29 @@ namespace trophic::observe {
 /// A new folder. Throws std::invalid_argument if something of that name exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
+/// How much of a run is written down.
+struct Extent {
+  double replay_hz = default_replay_hz;  ///< frames of the recording in a simulated second; 0: no recording
+  std::int64_t agents_every_ticks = 1;   ///< agents.csv has the ticks whose number is a multiple of it
+  bool senses = false;                   ///< senses.csv too, at the ticks of agents.csv
+  bool states = false;                   ///< states.csv too, at the ticks of agents.csv
+  friend bool operator==(const Extent&, const Extent&) = default;
+};
+
 /// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, where asked for, senses.csv
-/// in a new folder. Tables are flushed at every tick, so that a crash keeps what happened before it; the manifest says how the
-/// run ended, and how many rows each table has. Watches one call of run_until. No other program can go on in the folder
-/// meanwhile.
+/// and states.csv in a new folder. Tables are flushed at every tick, so that a crash keeps what happened before it; the manifest
+/// says how the run ended, and how many rows each table has. Watches one call of run_until. No other program can go on in the
+/// folder meanwhile.
 class RunFolder {
  public:
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
 
-  /// Makes the folder at once: see make_new_folder. `replay_hz`: frames of the recording in a simulated second; 0: no recording.
-  /// `agents_every_ticks`: agents.csv has the ticks whose number is a multiple of it; the manifest says so where it is not 1.
-  /// `senses`: there is also senses.csv, at the same ticks, and the manifest names the brain's inputs.
-  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, with the rates at
-  /// which the recording and agents.csv began, and senses.csv where it is there; throws std::runtime_error if a file is missing
-  /// or another program works in it.
-  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, double replay_hz = default_replay_hz,
-                     Opening opening = Opening::made_new, std::int64_t agents_every_ticks = 1, bool senses = false);
+  /// Makes the folder at once: see make_new_folder. The manifest says where agents.csv has not every tick, and with senses.csv
+  /// names the brain's inputs. `states`: what rules keep, for states.csv (state_columns.hpp).
+  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, to the extent to
+  /// which it began; throws std::runtime_error if a file is missing or another program works in it.
+  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const Extent& extent = {},
+                     Opening opening = Opening::made_new, StateColumns states = {});
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
@@ -64,9 +72,11 @@ class RunFolder {
 
  private:
   struct Tables;
+  void open_more(bool senses, bool states, Opening opening);
 
   std::filesystem::path path_;
   FolderLock lock_;
+  StateColumns states_;
   std::unique_ptr<Tables> tables_;
   Manifest manifest_;
   Recording recording_;

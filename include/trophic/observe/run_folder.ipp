@@ -46,6 +46,7 @@ struct RunFolder::Tables {
   Phylogeny phylogeny;
   GenomeLog genomes;
   std::optional<SenseLog> senses;
+  std::optional<StateLog> states;
 
   [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const {
     std::vector<std::pair<std::string, TableSum>> all{{"events.csv", events.sum()},
@@ -53,23 +54,25 @@ struct RunFolder::Tables {
                                                       {"phylogeny.csv", phylogeny.sum()},
                                                       {"genomes.csv", genomes.sum()}};
     if (senses) all.emplace_back(SenseLog::file_name, senses->sum());
+    if (states) all.emplace_back(StateLog::file_name, states->sum());
     return all;
   }
 };
 
-TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, double replay_hz, Opening opening,
-                                    std::int64_t agents_every_ticks, bool senses)
+TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, const Extent& extent,
+                                    Opening opening, StateColumns states)
     : path_{opening == Opening::made_new ? make_new_folder(path) : path},
       lock_{path_},
+      states_{std::move(states)},
       tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv", opening},
-                                              .agents = AgentLog{path_ / "agents.csv", opening, agents_every_ticks},
+                                              .agents = AgentLog{path_ / "agents.csv", opening, extent.agents_every_ticks},
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv", opening},
                                               .genomes = GenomeLog{path_ / "genomes.csv", opening},
-                                              .senses = std::nullopt})},
+                                              .senses = std::nullopt,
+                                              .states = std::nullopt})},
       manifest_{path_ / "manifest.json", std::move(provenance)},
-      recording_{path_ / "replay.trp", replay_hz, opening} {
-  if (senses && opening == Opening::made_new)
-    tables_->senses.emplace(path_ / SenseLog::file_name, opening, tables_->agents.every_ticks());
+      recording_{path_ / "replay.trp", extent.replay_hz, opening} {
+  if (opening == Opening::made_new) open_more(extent.senses, extent.states, opening);
 }
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder& RunFolder::operator=(RunFolder&&) noexcept = default;
@@ -77,9 +80,18 @@ TROPHIC_INLINE RunFolder::~RunFolder() = default;
 
 TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   archive(tables_->events, tables_->agents, tables_->phylogeny, tables_->genomes, manifest_, recording_);
-  if (archive.reads() && !archive.at_end())
-    tables_->senses.emplace(path_ / SenseLog::file_name, Opening::gone_on_with, tables_->agents.every_ticks());
-  if (tables_->senses) archive(*tables_->senses);
+  bool senses = tables_->senses.has_value();
+  bool states = tables_->states.has_value();
+  archive(senses, states);
+  if (archive.reads()) open_more(senses, states, Opening::gone_on_with);
+  if (senses) archive(*tables_->senses);
+  if (states) archive(*tables_->states);
+}
+
+TROPHIC_INLINE void RunFolder::open_more(bool senses, bool states, Opening opening) {
+  const std::int64_t every_ticks = tables_->agents.every_ticks();
+  if (senses) tables_->senses.emplace(path_ / SenseLog::file_name, opening, every_ticks);
+  if (states) tables_->states.emplace(path_ / StateLog::file_name, states_, opening, every_ticks);
 }
 
 TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& view) {
@@ -135,6 +147,7 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
   tables_->phylogeny.on_tick(view);
   tables_->genomes.on_tick(view);
   if (tables_->senses) tables_->senses->on_tick(view);
+  if (tables_->states) tables_->states->on_tick(view);
   manifest_.on_tick(view);
 }
 

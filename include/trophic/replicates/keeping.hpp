@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <trophic/checkpoint/schedule.hpp>
 #include <trophic/observe/manifest.hpp>
-#include <trophic/observe/recording.hpp>
+#include <trophic/observe/run_folder.hpp>
 
 namespace trophic::replicates {
 
@@ -13,9 +13,7 @@ namespace trophic::replicates {
 struct Keeping {
   observe::Provenance provenance = {};
   checkpoint::Schedule checkpoints = {};
-  double replay_hz = observe::default_replay_hz;  ///< frames of each run's recording in a simulated second; 0: none
-  std::int64_t agents_every_ticks = 1;            ///< each agents.csv has the ticks whose number is a multiple of it
-  bool senses = false;                            ///< each run leaves senses.csv too
+  observe::Extent extent = {};  ///< how much of each run is written down
 };
 
 }  // namespace trophic::replicates

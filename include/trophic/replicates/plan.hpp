@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/checkpoint/schedule.hpp>
-#include <trophic/observe/recording.hpp>
+#include <trophic/observe/run_folder.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
@@ -42,9 +42,7 @@ struct Plan {
   std::size_t jobs = 1;                   ///< replicates at a time; results do not depend on it
   bool resume = false;                    ///< go on in a folder that exists: run what is missing, go on with what was cut off
   checkpoint::Schedule checkpoints = {};  ///< of each replicate
-  double replay_hz = observe::default_replay_hz;  ///< frames of each run's recording in a simulated second; 0: none
-  std::int64_t agents_every_ticks = 1;            ///< each agents.csv has the ticks whose number is a multiple of it
-  bool senses = false;                            ///< each run leaves senses.csv too
+  observe::Extent extent = {};            ///< how much of each run is written down
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

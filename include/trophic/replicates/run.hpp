@@ -50,7 +50,7 @@ Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const obse
     const Replicate& replicate = pending[i];
     Experiment<Rules, B> own = experiment;
     own.seed = replicate.seed;
-    Keeping keeping{provenance, plan.checkpoints, plan.replay_hz, plan.agents_every_ticks, plan.senses};
+    Keeping keeping{provenance, plan.checkpoints, plan.extent};
     keeping.provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
     keeping.provenance.emplace_back("replicate", std::to_string(replicate.index));
     run_in_folder(own, replicate.folder, keeping, progress.watch(name_of(replicate.index)), stop, extra...);

@@ -9,6 +9,7 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/state_columns.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/replicates/keeping.hpp>
 
@@ -22,8 +23,8 @@ void run_in_folder(const Experiment<Rules, B>& experiment, const std::filesystem
   const double until_s = experiment.ecology.duration_s;
   Ecology<Rules, B> ecology{experiment};
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(until_s));
-  observe::RunFolder files{folder,        keeping.provenance, keeping.replay_hz, standing.opening(), keeping.agents_every_ticks,
-                           keeping.senses};
+  observe::RunFolder files{folder, keeping.provenance, keeping.extent, standing.opening(),
+                           observe::state_columns(ecology.states())};
   checkpoint::run_kept(ecology, until_s, folder, keeping.checkpoints, standing.from, files, progress, stop, extra...);
   files.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
 }

@@ -84,7 +84,7 @@ TEST_CASE("so does a run that was stopped, and one that is made longer") {
   const auto part = [&](double until_s, std::int64_t stop_tick) {
     Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3, until_s)};
     const auto standing = checkpoint::standing_in(folder.path() / "parts", ecology.describe(until_s));
-    observe::RunFolder files{folder.path() / "parts", {}, observe::default_replay_hz, standing.opening()};
+    observe::RunFolder files{folder.path() / "parts", {}, {}, standing.opening()};
     StopAt stop{.tick = stop_tick};
     checkpoint::run_kept(ecology, until_s, folder.path() / "parts", {.every_s = 0.0}, standing.from, files, stop);
     return standing;
@@ -102,10 +102,10 @@ TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that 
   const TemporaryFolder folder;
   const fs::path whole = folder.path() / "whole";
   const fs::path parts = folder.path() / "parts";
-  run_part(brief<rules::Released>(5), whole, never, 50.0, 7);
-  run_part(brief<rules::Released>(5), parts, 101, 50.0, 7);
-  run_part(brief<rules::Released>(5), parts, 209, 50.0, 1);
-  run_part(brief<rules::Released>(5), parts, never, 50.0, 5);
+  run_part(brief<rules::Released>(5), whole, never, 50.0, {.agents_every_ticks = 7});
+  run_part(brief<rules::Released>(5), parts, 101, 50.0, {.agents_every_ticks = 7});
+  run_part(brief<rules::Released>(5), parts, 209, 50.0, {.agents_every_ticks = 1});
+  run_part(brief<rules::Released>(5), parts, never, 50.0, {.agents_every_ticks = 5});
   CHECK(results_in(whole) == results_in(parts));
   const auto manifest = nlohmann::json::parse(content(parts / "manifest.json"));
   CHECK(manifest["agents_every_ticks"] == 7);
@@ -119,23 +119,40 @@ TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that 
   CHECK_FALSE(nlohmann::json::parse(content(folder.path() / "all/manifest.json")).contains("agents_every_ticks"));
 }
 
+TEST_CASE("so does a run with states.csv, with senses.csv beside it or not") {
+  for (const bool senses : {false, true}) {
+    const TemporaryFolder folder;
+    const fs::path whole = folder.path() / "whole";
+    const fs::path parts = folder.path() / "parts";
+    run_part(brief<rules::Released>(5), whole, never, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
+    run_part(brief<rules::Released>(5), parts, 101, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
+    run_part(brief<rules::Released>(5), parts, 209, 50.0, {.senses = !senses});
+    run_part(brief<rules::Released>(5), parts, never, 50.0);
+    CHECK(results_in(whole) == results_in(parts));
+    CHECK(fs::exists(parts / "senses.csv") == senses);
+    const auto manifest = nlohmann::json::parse(content(parts / "manifest.json"));
+    CHECK(manifest["tables"]["states.csv"] == nlohmann::json::parse(content(whole / "manifest.json"))["tables"]["states.csv"]);
+    CHECK(manifest["tables"]["states.csv"]["rows"] == manifest["tables"]["agents.csv"]["rows"]);
+  }
+}
+
 TEST_CASE("so does a run with senses.csv, and no other file of it knows of that one") {
   const TemporaryFolder folder;
   const fs::path whole = folder.path() / "whole";
   const fs::path parts = folder.path() / "parts";
   const fs::path without = folder.path() / "without";
-  run_part(brief<rules::Paper>(5), whole, never, 50.0, 2, true);
-  run_part(brief<rules::Paper>(5), parts, 101, 50.0, 2, true);
-  run_part(brief<rules::Paper>(5), parts, 209, 50.0, 1, false);
-  run_part(brief<rules::Paper>(5), parts, never, 50.0, 5, true);
+  run_part(brief<rules::Paper>(5), whole, never, 50.0, {.agents_every_ticks = 2, .senses = true});
+  run_part(brief<rules::Paper>(5), parts, 101, 50.0, {.agents_every_ticks = 2, .senses = true});
+  run_part(brief<rules::Paper>(5), parts, 209, 50.0, {.agents_every_ticks = 1, .senses = false});
+  run_part(brief<rules::Paper>(5), parts, never, 50.0, {.agents_every_ticks = 5, .senses = true});
   CHECK(results_in(whole) == results_in(parts));
   auto manifest = nlohmann::json::parse(content(whole / "manifest.json"));
   CHECK(manifest["tables"]["senses.csv"]["rows"] == 30 * (300 / 2 + 1));
   CHECK(manifest["senses"]["inputs"].size() == 3);
 
   // what it began without it goes on without
-  run_part(brief<rules::Paper>(5), without, 101, 50.0, 2, false);
-  run_part(brief<rules::Paper>(5), without, never, 50.0, 2, true);
+  run_part(brief<rules::Paper>(5), without, 101, 50.0, {.agents_every_ticks = 2, .senses = false});
+  run_part(brief<rules::Paper>(5), without, never, 50.0, {.agents_every_ticks = 2, .senses = true});
   CHECK_FALSE(fs::exists(without / "senses.csv"));
   fs::remove(whole / "senses.csv");
   manifest.erase("senses");
@@ -203,7 +220,7 @@ TEST_CASE("files that lost what they had at the checkpoint are refused") {
   fs::resize_file(run / "agents.csv", 1000);
   Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3)};
   const auto standing = checkpoint::standing_in(run, ecology.describe(600.0));
-  observe::RunFolder files{run, {}, observe::default_replay_hz, standing.opening()};
+  observe::RunFolder files{run, {}, {}, standing.opening()};
   CHECK(message_of<std::runtime_error>([&] {
           checkpoint::restore(*standing.from, ecology, files);
         }).find("agents.csv: it has 1000 bytes: must be >= ") != std::string::npos);

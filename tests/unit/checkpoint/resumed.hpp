@@ -18,6 +18,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/state_columns.hpp>
 #include <vector>
 
 namespace trophic::test {
@@ -33,7 +34,9 @@ namespace trophic::test {
   std::vector<std::string> results;
   for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp"})
     results.push_back(content(folder / table));
-  if (std::filesystem::exists(folder / "senses.csv")) results.push_back(content(folder / "senses.csv"));
+  for (const auto* name : {"senses.csv", "states.csv"}) {
+    if (std::filesystem::exists(folder / name)) results.push_back(content(folder / name));
+  }
   results.push_back(checkpoint::read_last(folder).section(checkpoint::ecology_section));
   auto manifest = nlohmann::json::parse(content(folder / "manifest.json"));
   manifest.erase("continued");
@@ -55,12 +58,12 @@ inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 /// Begins or goes on with a run in a folder, with a checkpoint every so many seconds of its clock, until it ends or crashes.
 template <class Rules, class B>
 void run_part(const Experiment<Rules, B>& experiment, const std::filesystem::path& folder, std::int64_t crash_tick,
-              double every_s, std::int64_t agents_every_ticks = 1, bool senses = false) {
+              double every_s, const observe::Extent& extent = {}) {
   Ecology<Rules, B> ecology{experiment};
   const double until_s = experiment.ecology.duration_s;
   const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
   Crash crash{.at_tick = crash_tick};
-  observe::RunFolder files{folder, {}, observe::default_replay_hz, standing.opening(), agents_every_ticks, senses};
+  observe::RunFolder files{folder, {}, extent, standing.opening(), observe::state_columns(ecology.states())};
   const checkpoint::Schedule schedule{.every_s = every_s, .most_share = std::numeric_limits<double>::infinity()};
   try {
     checkpoint::run_kept(ecology, until_s, folder, schedule, standing.from, files, crash);

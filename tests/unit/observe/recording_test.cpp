@@ -47,7 +47,7 @@ TEST_CASE("a recorded run has the bytes of one that is not, and the recording is
   const test::TemporaryFolder folder;
   for (const double hz : {0.0, 5.0, 30.0}) {
     Kinematics ecology{{.seed = 5}};
-    observe::RunFolder files{folder.path() / number_text(hz), {}, hz};
+    observe::RunFolder files{folder.path() / number_text(hz), {}, {.replay_hz = hz}};
     ecology.run_until(120.0, files);
   }
   for (const char* file : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"}) {

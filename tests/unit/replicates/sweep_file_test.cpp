@@ -73,6 +73,8 @@ TEST_CASE("What a file leaves out has its default") {
   CHECK(file.numbers.agents_every == 1);
   CHECK_FALSE(file.numbers.senses);
   CHECK(read("senses = true\n[grid]\na = [1]\n").numbers.senses);
+  CHECK_FALSE(file.numbers.states);
+  CHECK(read("states = true\n[grid]\na = [1]\n").numbers.extent() == observe::Extent{.replay_hz = 0.0, .states = true});
 }
 
 TEST_CASE("A file that is no sweep is refused in one line") {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <trophic/observe/run_folder.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 
@@ -27,13 +28,11 @@ struct PlannedRun {
   std::string engine;
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();  ///< numbers, texts and switches by their paths
   std::uint64_t seed = 0;
-  double until_s = 0.0;           ///< > 0; simulated seconds
-  double replay_hz = 0.0;         ///< frames of its recording in a simulated second
-  std::int64_t agents_every = 1;  ///< its agents.csv has the ticks whose number is a multiple of it
-  bool senses = false;            ///< it leaves senses.csv, too
-  double work = 0.0;              ///< robots times steps of the engine, to begin with the longest
-  std::filesystem::path folder;   ///< relative to the sweep's
-  std::string fingerprint;        ///< of the run, as its manifest has it
+  double until_s = 0.0;                      ///< > 0; simulated seconds
+  observe::Extent extent{.replay_hz = 0.0};  ///< how much of it is written down
+  double work = 0.0;                         ///< robots times steps of the engine, to begin with the longest
+  std::filesystem::path folder;              ///< relative to the sweep's
+  std::string fingerprint;                   ///< of the run, as its manifest has it
 };
 
 /// Reads a plan. Throws std::invalid_argument: "PATH: ..." for a file that cannot be read or lists nothing, and "PATH:LINE: FIELD

@@ -97,10 +97,11 @@ class PlanLine {
   run.seed = line.whole("seed");
   run.until_s = line.number("until_s");
   if (!(run.until_s > 0.0)) line.reject("until_s", "be > 0");
-  run.replay_hz = line.number("replay_hz");
-  if (!(run.replay_hz >= 0.0)) line.reject("replay_hz", "be >= 0");
-  run.agents_every = line.ticks("agents_every");
-  run.senses = line.yes_or_no("senses");
+  run.extent.replay_hz = line.number("replay_hz");
+  if (!(run.extent.replay_hz >= 0.0)) line.reject("replay_hz", "be >= 0");
+  run.extent.agents_every_ticks = line.ticks("agents_every");
+  run.extent.senses = line.yes_or_no("senses");
+  run.extent.states = line.yes_or_no("states");
   run.work = line.number("work");
   if (!(run.work >= 0.0)) line.reject("work", "be >= 0");
   run.folder = line.folder("folder");
@@ -135,9 +136,10 @@ class RunsSoFar {
     same("engine", run.engine, first.engine);
     same("settings", run.settings, first.settings);
     same("until_s", run.until_s, first.until_s);
-    same("replay_hz", run.replay_hz, first.replay_hz);
-    same("agents_every", run.agents_every, first.agents_every);
-    same("senses", run.senses, first.senses);
+    same("replay_hz", run.extent.replay_hz, first.extent.replay_hz);
+    same("agents_every", run.extent.agents_every_ticks, first.extent.agents_every_ticks);
+    same("senses", run.extent.senses, first.extent.senses);
+    same("states", run.extent.states, first.extent.states);
     same("fingerprint", run.fingerprint, fingerprints_.emplace(std::pair{run.cell, run.shadow}, run.fingerprint).first->second);
   }
 
@@ -179,9 +181,10 @@ TROPHIC_INLINE std::string plan_text(std::span<const PlannedRun> runs) {
                                       {"settings", run.settings},
                                       {"seed", run.seed},
                                       {"until_s", run.until_s},
-                                      {"replay_hz", run.replay_hz},
-                                      {"agents_every", run.agents_every},
-                                      {"senses", run.senses},
+                                      {"replay_hz", run.extent.replay_hz},
+                                      {"agents_every", run.extent.agents_every_ticks},
+                                      {"senses", run.extent.senses},
+                                      {"states", run.extent.states},
                                       {"work", run.work},
                                       {"folder", run.folder.string()},
                                       {"fingerprint", run.fingerprint}};

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/linkage.hpp>
 #include <tuple>
@@ -38,6 +39,7 @@ inline constexpr std::size_t most_runs = 1'000'000;
 ///     replay_hz = 0.0                # frames of each run's recording in a simulated second: 0, 5, 10 or 30
 ///     agents_every = 1               # each agents.csv has the ticks whose number is a multiple of it
 ///     senses = false                 # each run's senses.csv, too
+///     states = false                 # each run's states.csv, too
 ///     [set]                          # in every run
 ///     ecology.duration_s = 3000.0
 ///     [grid]                         # every value with every other
@@ -57,6 +59,7 @@ struct SweepFile {
     double replay_hz = 0.0;
     std::int64_t agents_every = 1;
     bool senses = false;
+    bool states = false;
 
     static constexpr auto fields() {
       return std::tuple{
@@ -66,8 +69,10 @@ struct SweepFile {
           field("shadow", &Numbers::shadow, "each run's neutral shadow, too"),
           field("replay_hz", &Numbers::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second"),
           field("agents_every", &Numbers::agents_every, between(1.0, 1e6), "ticks from one to the next in agents.csv"),
-          field("senses", &Numbers::senses, "each run's senses.csv, too")};
+          field("senses", &Numbers::senses, "each run's senses.csv, too"),
+          field("states", &Numbers::states, "each run's states.csv, too")};
     }
+    [[nodiscard]] observe::Extent extent() const { return {replay_hz, agents_every, senses, states}; }
   };
 
   std::filesystem::path path;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <string>
+#include <trophic/observe/state_columns.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <vector>
+
+using namespace trophic;
+
+namespace {
+
+struct Keeper {
+  static constexpr std::string_view name = "keeper";
+  struct Inner {
+    double b = 0.5;
+    static constexpr auto fields() { return std::tuple{field("b", &Inner::b)}; }
+  };
+  struct State {
+    std::int64_t a = 7;
+    Inner inner = {};
+    std::vector<double> list = {};
+    std::optional<Ancestor> who = {};
+    static constexpr auto fields() {
+      return std::tuple{field("a", &State::a), field("inner", &State::inner), field("list", &State::list),
+                        field("who", &State::who)};
+    }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const { return false; }
+};
+
+}  // namespace
+
+TEST_CASE("state columns: SLOT.MEMBER, nested members by their path, and a cell for each") {
+  RuleStates<with_senescence<rules::Paper, Keeper>> states;
+  states.senescence.push_back({});
+  states.senescence.push_back(
+      {.a = -1, .inner = {.b = 0.25}, .list = {1.0, 2.5}, .who = Ancestor{.id = 12, .species = 0, .genome = {}}});
+  const observe::StateColumns columns = observe::state_columns(states);
+  CHECK(columns.names == std::vector<std::string>{"senescence.a", "senescence.inner.b", "senescence.list", "senescence.who"});
+  std::string row;
+  columns.append(0, row);
+  CHECK(row == ",7,0.5,,");
+  row.clear();
+  columns.append(1, row);
+  CHECK(row == ",-1,0.25,1 2.5,12");
+}
+
+TEST_CASE("state columns: the slots of a table in their order, and none where no rule keeps anything") {
+  const RuleStates<rules::Released> released;
+  CHECK(observe::state_columns(released).names == std::vector<std::string>{"starvation_parent.body", "starvation_parent.victim",
+                                                                           "rescue_parent.killer",
+                                                                           "reprieve.adversary_distance_m"});
+  const RuleStates<rules::Paper> paper;
+  CHECK(observe::state_columns(paper).names.empty());
+}
