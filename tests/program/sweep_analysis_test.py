@@ -50,7 +50,8 @@ class SweepAnalysis(InFolderWithSets):
                 manifest = json.loads((sweep / folder / "manifest.json").read_text())
                 plan.append({"index": len(plan), "cell": cell, "replicate": replicate, "shadow": shadow, "rule_table": rules,
                              "engine": "kinematic", "settings": {**settings, "ecology.duration_s": UNTIL_S}, "seed": manifest["seed"],
-                             "until_s": UNTIL_S, "replay_hz": 0.0, "agents_every": 1, "senses": False, "work": 30 * UNTIL_S * 60, "folder": folder, "fingerprint": manifest["fingerprint"]})
+                             "until_s": UNTIL_S, "replay_hz": 0.0, "agents_every": 1, "senses": False, "states": False,
+                             "work": 30 * UNTIL_S * 60, "folder": folder, "fingerprint": manifest["fingerprint"]})
         shutil.rmtree(cls.sets / "cell")
 
     @staticmethod
