@@ -4,7 +4,7 @@
 FROM debian:12 AS build
 COPY . /src
 WORKDIR /src
-RUN scripts/setup g++ cmake ninja-build git libboost-dev libeigen3-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev zlib1g-dev \
+RUN scripts/setup g++ cmake make ninja-build git libboost-dev libeigen3-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev zlib1g-dev \
       libcli11-dev libpugixml-dev libmujoco-dev libode-dev libgl-dev \
  && cmake --preset release -DTROPHIC_BACKEND_MUJOCO=ON -DTROPHIC_BACKEND_ODE=ON \
  && cmake --build --preset release \
