@@ -2,6 +2,7 @@
 // What rules with a State keep, as columns of a table.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,13 +11,11 @@
 #include <trophic/params/params.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <type_traits>
+#include <vector>
 
 namespace trophic::observe {
 
 namespace detail {
-
-template <class Value>
-inline constexpr bool is_state_group = HasFields<Value> || std::is_empty_v<Value>;
 
 template <class State>
 void append_names(const State& state, const std::string& path, std::vector<std::string>& names) {
@@ -24,7 +23,7 @@ void append_names(const State& state, const std::string& path, std::vector<std::
     const std::string name = join_path(path, f.name);
     if constexpr (HasFields<Value>) {
       append_names(value, name, names);
-    } else if constexpr (!is_state_group<Value>) {
+    } else if constexpr (!std::is_empty_v<Value>) {
       names.push_back(name);
     }
   });
@@ -35,7 +34,7 @@ void append_state(const State& state, std::string& row) {
   for_each_field(state, [&]<class Value>(const auto&, const Value& value) {
     if constexpr (HasFields<Value>) {
       append_state(value, row);
-    } else if constexpr (!is_state_group<Value>) {
+    } else if constexpr (!std::is_empty_v<Value>) {
       row.push_back(',');
       if constexpr (std::same_as<Value, Ancestor>) {
         append_cell(row, value.id);

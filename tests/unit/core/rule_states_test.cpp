@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <support/odometer.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/senescence/old_age.hpp>
@@ -53,22 +54,6 @@ struct Diary {
     if (sighting) ++own.sighted;
   }
   [[nodiscard]] bool dies(const Individual&, const View&, Rng&) const { return false; }
-};
-
-/// How far its robot has walked in its life, 10 m as 1.
-struct Odometer {
-  static constexpr std::string_view name = "odometer";
-  static constexpr std::size_t size = 1;
-  struct State {
-    double walked_m = 0.0;
-    static constexpr auto fields() { return std::tuple{field("walked_m", &State::walked_m)}; }
-  };
-  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
-  void on_walk(State& own, BodyIndex, double distance_m, const View&) const { own.walked_m += distance_m; }
-  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>&, const View&, Rng&,
-                                               const State& own) const {
-    return {own.walked_m / 10.0};
-  }
 };
 
 /// Counts the same from outside.
@@ -186,14 +171,14 @@ TEST_CASE("state log: a column for each member of each state, a row for each rob
 }
 
 TEST_CASE("rule states: a sensor's state is kept for each body, told to its brain, and a column of the state log") {
-  using Sensors = List<perception::sensors::SideOfAdversary, Odometer, perception::sensors::TagRatioOfAll>;
+  using Sensors = List<perception::sensors::SideOfAdversary, test::Odometer, perception::sensors::TagRatioOfAll>;
   using Rules = with_senescence<with_sensors<rules::Paper, Sensors>, Diary>;
   static_assert(detail::has_states<Rules>());
   struct Told {
     [[nodiscard]] bool wants_deliberations() const { return true; }
     void on_deliberation(const observe::Deliberation& deliberation, const View&) {
-      CHECK(deliberation.inputs[1] == ecology.states().sensors[deliberation.body].get<1>().walked_m / 10.0);
-      CHECK(deliberation.inputs[1] == ecology.states().senescence[deliberation.body].walked_m / 10.0);
+      CHECK(deliberation.inputs[1] == ecology.states().sensors[deliberation.body].get<1>().walked_m);
+      CHECK(deliberation.inputs[1] == ecology.states().senescence[deliberation.body].walked_m);
       ++decisions;
     }
     const Ecology<Rules, backend::Kinematic>& ecology;

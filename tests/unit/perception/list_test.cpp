@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <support/hand_population.hpp>
+#include <support/odometer.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
@@ -75,22 +76,6 @@ struct Loneliness {
   }
 };
 
-/// How far a robot has walked in its life. It does not care whom it sees.
-struct Odometer {
-  static constexpr std::string_view name = "odometer";
-  static constexpr std::size_t size = 1;
-  struct State {
-    double walked_m = 0.0;
-    static constexpr auto fields() { return std::tuple{field("walked_m", &State::walked_m)}; }
-  };
-  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
-  void on_walk(State& own, BodyIndex, double distance_m, const View&) const { own.walked_m += distance_m; }
-  [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>&, const View&, Rng&,
-                                               const State& own) const {
-    return {own.walked_m};
-  }
-};
-
 using Sensors = List<Place, TagRatioOfAll, DistanceOverScale>;
 
 template <class Any>
@@ -151,7 +136,7 @@ TEST_CASE("list: what one sensor draws does not shift another's") {
 }
 
 TEST_CASE("list: a sensor's state stands under its name, is told of what happens and is born as the sensor says") {
-  using Remembering = List<Place, Loneliness, TagRatioOfAll, Odometer>;
+  using Remembering = List<Place, Loneliness, TagRatioOfAll, test::Odometer>;
   static_assert(!Stateful<Sensors> && Stateful<Remembering> && SensorList<Remembering>);
   const Remembering list;
   const test::HandPopulation robots{{{.x_m = 3.0, .tag = 1}, {.tag = 1}}};
