@@ -13,6 +13,8 @@
 #include <trophic/observe/run_description.ipp>
 #include <trophic/observe/run_folder.ipp>
 #include <trophic/observe/terminal.ipp>
+#include <trophic/replicates/run.ipp>
+#include <trophic/replicates/run_with_shadow.ipp>
 #include <trophic/replicates/sweep/attempt.ipp>
 #include <trophic/replicates/sweep/claim.ipp>
 #include <trophic/replicates/sweep/folder.ipp>

@@ -110,6 +110,8 @@
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/shadow_of.hpp>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/gait_evolution/activation.hpp>
 #include <trophic/gait_evolution/archive.hpp>
@@ -159,6 +161,7 @@
 #include <trophic/initialization/placement/scattered.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
 #include <trophic/observe/agent_log.hpp>
+#include <trophic/observe/audience.hpp>
 #include <trophic/observe/column.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/deliberation.hpp>

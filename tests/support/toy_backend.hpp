@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/contract.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic::test {
@@ -29,6 +30,9 @@ class ToyBackend {
     double y_m = 0.0;
     double yaw_rad = 0.0;
     std::vector<double> targets_rad;
+    static constexpr auto saved() {
+      return std::tuple{&State::time_s, &State::x_m, &State::y_m, &State::yaw_rad, &State::targets_rad};
+    }
   };
 
   ToyBackend(const RobotModel& robot, const Arena&, std::span<const Pose> starts, const Physics&, const Params& params)

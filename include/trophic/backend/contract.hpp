@@ -12,6 +12,7 @@
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/params/params.hpp>
 #include <vector>
 
@@ -36,13 +37,12 @@ class Diverged : public std::runtime_error {
 /// A backend simulates n copies of one RobotModel in one Arena.
 ///
 /// - built from (model, arena, one start pose of the root link per robot, physics, its own Params); joint angles start at 0, at
-/// rest;
-///   throws std::invalid_argument naming field, value and bound
+///   rest; throws std::invalid_argument naming field, value and bound
 /// - `advance_to(t)` takes whole steps until the first step time >= t (simulated seconds since the start; 1e-9 s of slack so that
 ///   rounding adds no step); throws Diverged; a t in the past does nothing
 /// - `pose(i)` is the root link's; `joint_angles(i)` in the order of RobotModel::hinges (empty without joints)
 /// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved
-/// one. A State that lists its members in saved() (trophic/params/archive.hpp) can be kept in checkpoints
+///   one. State lists its members in saved(), so that checkpoints hold it (trophic/params/archive.hpp)
 /// - results must not depend on the number of threads
 /// - `remarks(physics)`: one sentence for every number of `physics` that has no effect on this backend, naming it; runs record
 /// them
@@ -52,6 +52,7 @@ concept Backend = requires(B backend, const B& observed, std::size_t robot, doub
   { B::version() } -> std::convertible_to<std::string>;
   { B::remarks(Physics{}) } -> std::same_as<std::vector<std::string>>;
   requires Parameters<typename B::Params>;
+  requires Savable<typename B::State>;
   requires std::constructible_from < B, const RobotModel&, const Arena&, std::span<const Pose>,
   const Physics&, const typename B::Params& > ;
   {backend.advance_to(time_s)};

@@ -8,6 +8,7 @@
 #include <trophic/checkpoint/checkpoint_file.hpp>
 #include <trophic/checkpoint/keeper.hpp>
 #include <trophic/checkpoint/schedule.hpp>
+#include <trophic/ecology/simulation.hpp>
 #include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/support/linkage.hpp>
@@ -37,11 +38,12 @@ struct Standing {
 /// Runs an ecology to `until_s` before observers, from where it stands or from a checkpoint, and keeps checkpoints in the folder.
 /// Observers that take part in checkpoints (see Kept) are read from it; with one, those that own files must have been made with
 /// `Opening::gone_on_with`. Throws as `restore` and `run_until` do.
-template <class Ecology, class... Observers>
-void run_kept(Ecology& ecology, double until_s, const std::filesystem::path& folder, const Schedule& schedule,
+template <class... Observers>
+void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder, const Schedule& schedule,
               const std::optional<Checkpoint>& from, Observers&... observers) {
-  if (from) restore(*from, ecology, observers...);
-  Keeper<Observers...> keeper{folder, schedule, observers...};
+  const Parts parts = parts_of(observers...);
+  if (from) restore(*from, ecology, parts);
+  Keeper keeper{folder, schedule, parts};
   ecology.run_until(until_s, observers..., keeper);
 }
 

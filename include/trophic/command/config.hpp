@@ -97,16 +97,16 @@ inline void check_keys(const toml::table& table, const NamedParams& named_params
   detail::check_keys(table, "", named_params, where);
 }
 
-/// Sets what the file says, then each assignment. Throws std::invalid_argument with the file's name for what it says wrong.
-template <class Numbers>
-void read_config_into(Numbers& numbers, const Config& config) {
-  read_numbers(numbers, config.origin);
-  const NamedParams named_params = named_params_of(numbers);
+/// Sets what the file says, then each assignment, by `read`, which throws std::invalid_argument for what is no such number.
+/// `named_params`: of the numbers to be set. Throws std::invalid_argument with the file's name for what it says wrong.
+template <class Read>
+void read_config_by(Read&& read, const NamedParams& named_params, const Config& config) {
+  read(config.origin);
   if (!config.numbers.empty()) {
     const std::string where = config.file.empty() ? "" : config.file + ": ";
     check_keys(config.numbers, named_params, where);
     try {
-      read_numbers(numbers, config.numbers);
+      read(config.numbers);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{where + error.what()};
     }
@@ -114,8 +114,14 @@ void read_config_into(Numbers& numbers, const Config& config) {
   for (const std::string& assignment : config.assignments) {
     const toml::table table = read_assignment(assignment);
     check_keys(table, named_params, "--set ");
-    read_numbers(numbers, table);
+    read(table);
   }
+}
+
+/// Sets these numbers so.
+template <class Numbers>
+void read_config_into(Numbers& numbers, const Config& config) {
+  read_config_by([&](const toml::table& table) { read_numbers(numbers, table); }, named_params_of(numbers), config);
 }
 
 }  // namespace trophic::command

@@ -3,156 +3,23 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
-#include <thread>
-#include <trophic/checkpoint/rewind.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/experiment_program.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
+#include <trophic/command/run_experiment.hpp>
 #include <trophic/command/sweep.hpp>
-#include <trophic/command/toml_of_json.hpp>
 #include <trophic/command/words.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/observe/next_free_folder.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/params/toml.hpp>
-#include <trophic/support/whole_file.hpp>
 #include <utility>
 
 namespace trophic::command {
-
-namespace detail {
-
-/// The numbers of a manifest as those of a configuration file. Throws nlohmann::json::exception for what is no number, text or
-/// switch.
-[[nodiscard]] TROPHIC_INLINE toml::table toml_of(const nlohmann::json& json) {
-  toml::table table;
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_object()) {
-      table.insert(key, toml_of(value));
-    } else {
-      insert_value(table, key, value);
-    }
-  }
-  return table;
-}
-
-}  // namespace detail
-
-TROPHIC_INLINE void apply(const ExperimentOptions& options, std::uint64_t& seed, EcologyParams& ecology) {
-  if (options.seed) seed = *options.seed;
-  if (options.duration_s) ecology.duration_s = *options.duration_s;
-  if (options.robots) ecology.robots = *options.robots;
-  if (options.robot) ecology.robot = *options.robot;
-}
-
-TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
-  OriginRun origin;
-  origin.folder = options.from;
-  const std::filesystem::path path = origin.folder / "manifest.json";
-  try {
-    const auto json = nlohmann::json::parse(read_whole_file(path));
-    origin.rule_table = json.at("rule_table").get<std::string>();
-    origin.engine = json.at("backend").get<std::string>();
-    origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
-    origin.fingerprint = json.at("fingerprint").get<std::string>();
-    origin.seed = json.at("seed").get<std::uint64_t>();
-    origin.extent.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
-    origin.extent.senses = json.contains("senses");
-    origin.extent.states = std::filesystem::exists(origin.folder / observe::StateLog::file_name);
-    origin.params = detail::toml_of(json.at("params"));
-  } catch (const nlohmann::json::exception& error) {
-    throw std::invalid_argument{path.string() + ": " + error.what()};
-  }
-  const auto last_s = checkpoint::last_moment_s(origin.folder);
-  if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no checkpoint"};
-  origin.at_s = options.at_s.value_or(last_s.value_or(0.0));
-  if (!(origin.at_s >= 0.0) || std::isinf(origin.at_s)) {
-    throw std::invalid_argument{"--at " + number_text(origin.at_s) + ": must be >= 0 and finite"};
-  }
-  return origin;
-}
-
-TROPHIC_INLINE Beginning standing_after(const OriginRun& origin, const std::filesystem::path& folder,
-                                        const observe::RunDescription& run) {
-  checkpoint::Checkpoint last = checkpoint::read_last(folder);
-  const bool is_moment = last.time_s >= origin.at_s && last.time_s < origin.at_s + run.tick_s;
-  if (!is_moment || last.fingerprint != origin.fingerprint || last.seed != origin.seed) {
-    return {checkpoint::standing_in(folder, run)};
-  }
-  return {{.complete = false, .from = std::move(last), .remark = {}}, true};
-}
-
-TROPHIC_INLINE observe::Provenance text_of(const OriginRun& origin, double at_s) {
-  return {{"run", origin.folder.string()},
-          {"at_s", number_text(at_s)},
-          {"seed", std::to_string(origin.seed)},
-          {"fingerprint", origin.fingerprint}};
-}
-
-TROPHIC_INLINE int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
-  TomlWriter writer;
-  writer.put("rule_table", table);
-  writer.put("engine", backend);
-  writer.put_all(named_params);
-  return print_text(writer.text());
-}
-
-TROPHIC_INLINE replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed) {
-  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return {.out = options.out,
-          .master_seed = master_seed,
-          .count = *options.replicates,
-          .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
-          .resume = options.resume,
-          .checkpoints = {.every_s = options.checkpoint_s},
-          .extent = extent_of(options)};
-}
-
-TROPHIC_INLINE observe::Extent extent_of(const ExperimentOptions& options) {
-  return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz,
-          .agents_every_ticks = static_cast<std::int64_t>(options.agents_every),
-          .senses = options.senses,
-          .states = options.states};
-}
-
-TROPHIC_INLINE int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
-  flush_output();
-  if (unfinished.empty()) return 0;
-  for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
-  std::cerr << "the same command with --resume goes on with these and no others\n";
-  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
-}
-
-TROPHIC_INLINE int report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view, double until_s) {
-  folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
-  const bool is_stopped = view.time_s < until_s;
-  if (is_stopped) {
-    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << " at " << number_text(view.time_s) << " of "
-              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " goes on\n";
-  }
-  progress.summary(std::cout, view);
-  std::cout << "files   " << folder.path().string() << "/{";
-  for (const std::string& name : folder.files()) {
-    const bool is_table = name.ends_with(".csv");
-    std::cout << (name == "events.csv"      ? ""
-                  : is_table                ? ","
-                  : name == "manifest.json" ? "}.csv, "
-                                            : ", ")
-              << (is_table ? name.substr(0, name.size() - 4) : name);
-  }
-  std::cout << ", checkpoint.bin\n";
-  flush_output();
-  return is_stopped ? stopped : 0;
-}
 
 namespace detail {
 
@@ -169,7 +36,7 @@ namespace detail {
 [[nodiscard]] TROPHIC_INLINE std::vector<std::string> paths_of(const std::vector<Pairing>& pairings) {
   std::vector<std::string> paths;
   for (const Pairing& pairing : pairings) {
-    for (const NamedParam& param : pairing.named_params()) {
+    for (const NamedParam& param : pairing.experiment()->named_params()) {
       if (std::ranges::find(paths, param.path) == paths.end()) paths.push_back(param.path);
     }
   }
@@ -275,12 +142,13 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     return true;
   }
   const std::filesystem::path part = options.out + ".origin";
-  if (!pairing.replay(origin, part)) return false;
+  if (!command::replay(pairing, origin, part)) return false;
   std::filesystem::rename(part, out);
   return true;
 }
 
-[[nodiscard]] TROPHIC_INLINE int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
+[[nodiscard]] TROPHIC_INLINE int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings,
+                                             OpenWindow open_window) {
   Config config = read_config(options.config, options.assignments);
   const auto tables = names_of(pairings, &Pairing::table);
   const auto backends = names_of(pairings, &Pairing::backend);
@@ -309,17 +177,17 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
       throw std::invalid_argument{"--from " + options.from + ": is a run of " + origin->rule_table + " on " + origin->engine +
                                   ", which this program lacks"};
     }
-    origin->description = its->describe(origin->params);
+    origin->description = describe(*its, *origin);
     check_unchanged(*origin);
     config.origin = origin->params;
     if (table != origin->rule_table) config.origin.erase("rules");
     origin->make = [&, its] { return replay(options, *its, *origin); };
   }
-  return find(table, backend)->run(options, config, origin);
+  return run_experiment(*find(table, backend), options, config, origin, open_window);
 }
 
-[[nodiscard]] TROPHIC_INLINE int run_options(ExperimentOptions& options, const std::vector<Pairing>& pairings,
-                                             sweep::Team* team) {
+[[nodiscard]] TROPHIC_INLINE int run_options(ExperimentOptions& options, const std::vector<Pairing>& pairings, sweep::Team* team,
+                                             OpenWindow open_window) {
   for (const Pairing& pairing : pairings) {
     const auto same = [&](const Pairing& p) { return p.table == pairing.table && p.backend == pairing.backend; };
     if (std::ranges::count_if(pairings, same) > 1) {
@@ -333,24 +201,24 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     throw std::invalid_argument{"mpirun: only with --sweep; each of its " + std::to_string(team->size()) +
                                 " processes would do the same"};
   }
-  return run_pairing(options, pairings);
+  return run_pairing(options, pairings, open_window);
 }
 
 }  // namespace detail
 
 TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
-                                      const std::string& backend_versions, FindTeam find_team) {
+                                      const std::string& backend_versions, const LinkedParts& linked) {
   ExperimentOptions options;
   options.program = program_name(argv[0]);
   options.provenance = provenance(argc, argv);
   const auto tables = detail::names_of(pairings, &Pairing::table);
-  const std::unique_ptr<sweep::Team> team = find_team == nullptr ? nullptr : find_team();
+  const std::unique_ptr<sweep::Team> team = linked.find_team == nullptr ? nullptr : linked.find_team();
   return run_command(argc, argv,
                      {.name = {},
                       .about = "Runs an ecology of simulated robots by the rules of " + one_of(tables) +
                                ", and leaves its events, agents, phylogeny and genomes with a manifest in a new folder.",
                       .options = detail::options_of(options, pairings),
-                      .work = [&] { return detail::run_options(options, pairings, team.get()); },
+                      .work = [&] { return detail::run_options(options, pairings, team.get(), linked.open_window); },
                       .subcommands = {},
                       .version = version_text(backend_versions)});
 }

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What an experiment's command line says, and what each of its rule tables does on each of its backends.
+// What an experiment's command line says, and its rule tables on its backends.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <trophic/checkpoint/schedule.hpp>
-#include <trophic/command/config.hpp>
-#include <trophic/observe/joint_progress.hpp>
+#include <trophic/command/any_experiment.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
-#include <trophic/replicates/keeping.hpp>
 #include <trophic/replicates/sweep/claim.hpp>
 #include <vector>
 
@@ -71,27 +68,11 @@ struct OriginRun {
   std::function<bool()> make;           ///< makes the new run's folder as this run was; false if a signal came first
 };
 
-/// What a plan says of a run: what it is, and how much.
-struct PlannedFacts {
-  observe::RunDescription description;
-  double work = 0.0;  ///< robots times steps of the engine
-};
-
 /// One rule table on one backend. A program has one for each that it was built with.
 struct Pairing {
   std::string table;
   std::string backend;
-  NamedParams (*named_params)();  ///< all numbers as the table has them
-  int (*run)(const ExperimentOptions& options, const Config& config, const std::optional<OriginRun>& origin);
-  observe::RunDescription (*describe)(const toml::table& params);
-  /// Makes in a folder what that run was at its moment, the same bytes. False if a signal came first.
-  bool (*replay)(const OriginRun& origin, const std::filesystem::path& folder);
-  /// Of the numbers of a configuration file, or of the table's neutral shadow with them.
-  PlannedFacts (*facts)(const Config& config, bool shadow);
-  /// Runs that, or goes on with it, in a folder.
-  void (*run_planned)(const Config& config, bool shadow, std::uint64_t seed, const std::filesystem::path& folder,
-                      const replicates::Keeping& keeping, observe::JointProgress::Part progress,
-                      const observe::StopOnSignal& stop);
+  std::unique_ptr<AnyExperiment> (*experiment)();  ///< with the numbers that the table has
 };
 
 }  // namespace trophic::command

@@ -26,7 +26,7 @@ std::vector<std::string> run_table(const std::string& name, Experiment<Table, B>
   experiment.ecology.duration_s = study.duration_s;
   replicates::Plan plan = study.plan;
   plan.out /= name;
-  auto unfinished = replicates::run_with_shadow<Table, B>(experiment, plan, study.shadow, study.provenance, std::cout);
+  auto unfinished = replicates::run_with_shadow(experiment, plan, study.shadow, study.provenance, std::cout);
   for (std::string& sentence : unfinished) sentence.insert(0, name + "/");
   return unfinished;
 }

@@ -19,6 +19,7 @@
 #include <trophic/command/backends.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
+#include <trophic/command/run_experiment.hpp>
 #include <trophic/command/sweep.hpp>
 #include <trophic/command/toml_of_json.hpp>
 #include <trophic/command/words.hpp>
@@ -107,7 +108,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
 }
 
 [[nodiscard]] inline PlannedRun first_of(const Pairing& pairing, const sweep::Settings& settings, std::size_t cell, bool shadow) {
-  const PlannedFacts facts = pairing.facts(config_of(settings), shadow);
+  const PlannedFacts facts = command::facts(pairing, config_of(settings), shadow);
   return {.index = 0,
           .cell = cell,
           .replicate = 0,
@@ -157,8 +158,8 @@ class Runner {
     if (until_s) insert_duration(config.numbers, *until_s);
     replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, run.extent};
     keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
-    pairing_of(run.rule_table, run.engine, pairings_)
-        .run_planned(config, run.shadow, run.seed, folder, keeping, progress.watch(run.folder.string()), stop_);
+    run_planned(pairing_of(run.rule_table, run.engine, pairings_), config, run.shadow, run.seed, folder, keeping,
+                progress.watch(run.folder.string()), stop_);
   }
 
  private:

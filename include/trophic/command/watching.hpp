@@ -2,39 +2,59 @@
 // `--watch`: a run in a window while it goes on, in programs that are linked with trophic::watch.
 #pragma once
 
-#include <stdexcept>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
-#include <utility>
+#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 // Who links trophic::watch has this definition.
 #ifdef TROPHIC_WITH_WATCH
 #include <trophic/pictures/watch/session.hpp>
 #endif
 
-namespace trophic::command::detail {
+namespace trophic::command {
+
+/// A window that a run can be seen in.
+class Window {
+ public:
+  Window() = default;
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+  virtual ~Window() = default;
+
+  /// Calls `simulate` while the window shows what it is told, and returns what that returns.
+  [[nodiscard]] virtual int show(const std::function<int()>& simulate) = 0;
+  /// As checkpoint::run_kept, and the window is told.
+  virtual void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder,
+                        const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
+                        observe::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
+};
+
+/// Opens a window with a title. Throws std::invalid_argument, saying what is missing, where none can be opened.
+using OpenWindow = std::unique_ptr<Window> (*)(const std::string& title);
 
 #ifdef TROPHIC_WITH_WATCH
-using Watching = watch::Session;
-#else
-/// Says that there is no window in this program.
-class Watching {
- public:
-  struct Spectator {
-    [[nodiscard]] static bool keep_running() { return true; }
+[[nodiscard]] inline std::unique_ptr<Window> open_window(const std::string& title) {
+  class Watched final : public Window {
+   public:
+    explicit Watched(const std::string& name) : session_{name} {}
+    [[nodiscard]] int show(const std::function<int()>& simulate) override { return session_.show(simulate); }
+    void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder, const checkpoint::Schedule& schedule,
+                  const std::optional<checkpoint::Checkpoint>& from, observe::RunFolder& files, observe::Progress& progress,
+                  const observe::StopOnSignal& stop) override {
+      checkpoint::run_kept(ecology, until_s, folder, schedule, from, files, progress, stop, session_.spectator());
+    }
+
+   private:
+    watch::Session session_;
   };
-
-  explicit Watching(const std::string&) {
-    throw std::invalid_argument{
-        "--watch: this program was built without a window; apt-get install libglfw3-dev libmujoco-dev and build again"};
-  }
-  [[nodiscard]] Spectator& spectator() { return spectator_; }
-  template <class Simulate>
-  [[nodiscard]] int show(Simulate&& simulate) {
-    return std::forward<Simulate>(simulate)();
-  }
-
- private:
-  Spectator spectator_;
-};
+  return std::make_unique<Watched>(title);
+}
 #endif
 
-}  // namespace trophic::command::detail
+}  // namespace trophic::command

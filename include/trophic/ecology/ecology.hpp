@@ -20,9 +20,12 @@
 #include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
+#include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/observe/hooks.hpp>
+#include <trophic/observe/audience.hpp>
+#include <trophic/observe/state_columns.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
 #include <trophic/population/sighting.hpp>
@@ -31,7 +34,6 @@
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,7 +46,7 @@ namespace trophic {
 /// whatever the number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is
 /// a RuleError.
 template <class Rules, Backend B, bool is_table>
-class Ecology {
+class Ecology final : public Simulation {
  public:
   using Params = Experiment<Rules, B>;
 
@@ -55,41 +57,7 @@ class Ecology {
   /// In a habitat made by the program; the names in `params.ecology` are then only labels.
   Ecology(Params params, Habitat habitat) : Ecology{checked<Rules, B>(std::move(params), std::move(habitat))} {}
 
-  Ecology(const Ecology&) = delete;
-  Ecology& operator=(const Ecology&) = delete;
-
-  /// Runs until the clock reaches `until_s` (rounded up to whole ticks) or an observer says stop. May be called again to go on.
-  /// An observer that gives up a tick leaves everything as it was before that tick.
-  /// If anything throws, the observers are told and the exception goes on.
-  template <class... Observers>
-  void run_until(double until_s, Observers&&... observers) {
-    observe::Audience<std::remove_reference_t<Observers>...> audience{observers...};
-    try {
-      audience.start(describe(until_s), view());
-      if (!started_) {
-        started_ = true;
-        if (audience.wants_frame(times_, 0)) show_frame(audience, KeptFrame::of(backend_, 0), habitat_, times_, time_s());
-        for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
-        starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
-        tick(audience);
-      }
-      while (time_s() < until_s && audience.keep_running() && move(audience)) {
-        tick(audience);
-        audience.between_ticks(*this, false);
-      }
-      audience.between_ticks(*this, true);
-      audience.end(view());
-    } catch (const std::exception& error) {
-      audience.failure(error.what());
-      throw;
-    }
-  }
-
-  /// Writes everything that decides how the run goes on to an archive, or reads it: then an ecology of the same numbers goes on
-  /// from that moment to the same bytes. Between ticks only. Reading throws std::invalid_argument for what is no such moment; the
-  /// ecology is then good for nothing.
-  template <class Archive>
-  void persist(Archive& archive) {
+  void persist(Archive& archive) override {
     auto bodies = backend_.save();
     auto rhythms = locomotion_.save();
     archive(tick_, started_, poses_, starvation_clock_, population_, rhythms, bodies);
@@ -100,15 +68,14 @@ class Ecology {
     tree_ = SearchTree{poses_, population_.individuals()};
   }
 
-  [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * params_.ecology.tick_s; }
-  [[nodiscard]] std::int64_t tick() const { return tick_; }
+  [[nodiscard]] double time_s() const override { return static_cast<double>(tick_) * params_.ecology.tick_s; }
+  [[nodiscard]] std::int64_t tick() const override { return tick_; }
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }
   [[nodiscard]] const B& backend() const { return backend_; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return population_.states(); }  ///< what rules with a State keep
 
-  /// The world as rules see it now. Valid as long as the ecology lives and does not run.
-  [[nodiscard]] View view() const {
+  [[nodiscard]] View view() const override {
     return {.time_s = time_s(),
             .tick = tick_,
             .tick_s = params_.ecology.tick_s,
@@ -120,10 +87,11 @@ class Ecology {
             .members = population_.members()};
   }
 
-  /// What determines this run, for observers.
-  [[nodiscard]] observe::RunDescription describe(double until_s) const {
+  [[nodiscard]] observe::RunDescription describe(double until_s) const override {
     return trophic::describe(params_, habitat_, population_.tags(), until_s);
   }
+
+  [[nodiscard]] observe::StateColumns state_columns() const override { return observe::state_columns(states()); }
 
  private:
   using SensorValues = typename Population<Rules>::Sensors::Values;
@@ -146,21 +114,41 @@ class Ecology {
                     params_.ecology.control_hz,
                     params_.ecology.cpg_integration} {}
 
+  void run(double until_s, observe::Audience& audience) override {
+    try {
+      audience.start(describe(until_s), view());
+      if (!started_) {
+        started_ = true;
+        if (audience.wants_frame(times_, 0)) show_frame(audience, KeptFrame::of(backend_, 0), habitat_, times_, time_s());
+        for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
+        starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
+        tick(audience);
+      }
+      while (time_s() < until_s && audience.keep_running() && move(audience)) {
+        tick(audience);
+        audience.between_ticks(*this, false);
+      }
+      audience.between_ticks(*this, true);
+      audience.end(view());
+    } catch (const std::exception& error) {
+      audience.failure(error.what());
+      throw;
+    }
+  }
+
   [[nodiscard]] std::vector<GroundPose> place() const {
     Rng rng{params_.seed, Stream::placement};
     return rules_.placement.place(params_.ecology.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
   }
 
-  template <class Audience>
-  void emit(Audience& audience, observe::EventKind kind, BodyIndex body, std::optional<Cause> cause = {},
+  void emit(observe::Audience& audience, observe::EventKind kind, BodyIndex body, std::optional<Cause> cause = {},
             std::optional<IndividualId> other = {}) {
     audience.event(observe::Event{.kind = kind, .body = body, .individual = population_[body], .cause = cause, .other = other},
                    view());
   }
 
   /// The bodies' part of a tick. Returns false, with everything as before, if an observer gave it up.
-  template <class Audience>
-  [[nodiscard]] bool move(Audience& audience) {
+  [[nodiscard]] bool move(observe::Audience& audience) {
     target_angles_rad_.clear();
     for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
     if (!walk(audience)) return false;
@@ -177,24 +165,21 @@ class Ecology {
     return true;
   }
 
-  template <class Audience>
-  [[nodiscard]] bool walk(Audience& audience) {
-    const auto advance = [&](auto&& gives_up) {
-      return advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s(), gives_up);
+  [[nodiscard]] bool walk(observe::Audience& audience) {
+    struct Before {
+      typename B::State bodies;
+      typename decltype(locomotion_)::State rhythms;
     };
-    if constexpr (JointDriven<B> && Audience::may_give_up) {
-      const auto bodies = backend_.save();
-      const auto rhythms = locomotion_.save();
-      if (advance([&] { return audience.gives_up_tick(); })) return true;
-      backend_.restore(bodies);
-      locomotion_.restore(rhythms);
-      return false;
-    }
-    return advance([] { return false; });
+    std::optional<Before> before;
+    if (JointDriven<B> && audience.may_give_up()) before.emplace(Before{backend_.save(), locomotion_.save()});
+    const auto gives_up = [&] { return before && audience.gives_up_tick(); };
+    if (advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s(), gives_up)) return true;
+    backend_.restore(before->bodies);
+    locomotion_.restore(before->rhythms);
+    return false;
   }
 
-  template <class Audience>
-  void tick(Audience& audience) {
+  void tick(observe::Audience& audience) {
     if (time_s() >= params_.ecology.first_tick_s) {
       activate(audience);
       capture(audience);
@@ -206,8 +191,7 @@ class Ecology {
     audience.tick(view());
   }
 
-  template <class Audience>
-  void activate(Audience& audience) {
+  void activate(observe::Audience& audience) {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       if (population_[body].active) continue;
       if (!death::ask::activates(rules_.activation, states().activation[body], body, view())) continue;
@@ -217,8 +201,7 @@ class Ecology {
     }
   }
 
-  template <class Audience>
-  void capture(Audience& audience) {
+  void capture(observe::Audience& audience) {
     Rng rng{params_.seed, Stream::captures, 0, static_cast<std::uint64_t>(tick_)};
     const IndividualId first_newborn = population_.next_id();
     const auto captors = states().capture.all();
@@ -238,8 +221,7 @@ class Ecology {
     }
   }
 
-  template <class Audience>
-  void age(Audience& audience) {
+  void age(observe::Audience& audience) {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const Individual& individual = population_[body];
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
@@ -249,8 +231,7 @@ class Ecology {
     }
   }
 
-  template <class Audience>
-  void starve(Audience& audience) {
+  void starve(observe::Audience& audience) {
     if (!rules_.starvation_schedule.due(starvation_clock_, view())) return;
     const View now = view();
     const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); };
@@ -268,8 +249,7 @@ class Ecology {
     starvation_clock_ = {.last_tick = tick_, .interval_ticks = rules_.starvation_schedule.interval_ticks(view())};
   }
 
-  template <class Audience>
-  void rescue(Audience& audience) {
+  void rescue(observe::Audience& audience) {
     Rng rng{params_.seed, Stream::sacrifice, 0, static_cast<std::uint64_t>(tick_)};
     const auto given_up = states().rescue.all();
     for (const death::Sacrifice& sacrifice : death::ask::sacrifices(rules_.rescue, given_up, view(), rng)) {
@@ -283,8 +263,8 @@ class Ecology {
 
   /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
   /// want of a parent, the first that the dead one ate.
-  template <class Audience, class ParentRule>
-  void hand_on(Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule,
+  template <class ParentRule>
+  void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule,
                const BodyStates<ParentRule>& parent_states) {
     const auto succession = population_.succession(vacancy, parent_rule, parent_states, view());
     const Species dead = population_[vacancy.body].species;
@@ -300,8 +280,7 @@ class Ecology {
 
   /// Perception, brains, and what they change. Unless the rules say that robots decide in turn, everybody perceives the same
   /// moment: all decisions are made before the first tag changes.
-  template <class Audience>
-  void decide(Audience& audience) {
+  void decide(observe::Audience& audience) {
     const SensorValues common = rules_.sensors.sense_common(view());
     choices_.clear();
     const bool is_told = audience.wants_deliberations();
@@ -342,8 +321,7 @@ class Ecology {
     return choice;
   }
 
-  template <class Audience>
-  void act(Audience& audience, BodyIndex body, const Choice& choice) {
+  void act(observe::Audience& audience, BodyIndex body, const Choice& choice) {
     population_.sight(body, choice.sighting, view());
     if (!choice.decision) return;
     const Individual& self = population_[body];
@@ -361,8 +339,7 @@ class Ecology {
                           view());
   }
 
-  template <class Audience>
-  void show_tag(Audience& audience, BodyIndex body, int tag) {
+  void show_tag(observe::Audience& audience, BodyIndex body, int tag) {
     const bool switched = tag != population_[body].tag;
     population_.show_tag(body, tag);
     if (switched) tree_.mark(body, poses_[body], population_[body]);

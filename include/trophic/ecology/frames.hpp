@@ -7,6 +7,7 @@
 #include <span>
 #include <trophic/backend/contract.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/observe/audience.hpp>
 #include <trophic/observe/frame.hpp>
 #include <vector>
 
@@ -31,9 +32,8 @@ struct KeptFrame {
 };
 
 /// Shows the audience a frame of the tick that begins at `clock_s`.
-template <class Audience>
-void show_frame(Audience& audience, const KeptFrame& kept, const Habitat& habitat, const observe::FrameTimes& times,
-                double clock_s) {
+inline void show_frame(observe::Audience& audience, const KeptFrame& kept, const Habitat& habitat,
+                       const observe::FrameTimes& times, double clock_s) {
   const double part = static_cast<double>(kept.step) / static_cast<double>(times.steps);
   audience.frame(observe::Frame{.time_s = clock_s + part * times.tick_s,
                                 .times = times,
@@ -47,8 +47,8 @@ void show_frame(Audience& audience, const KeptFrame& kept, const Habitat& habita
 /// Moves the bodies through a whole tick, and shows the audience the frames that it asked for once the tick is over. Bodies move
 /// as without an audience: a backend's steps do not depend on where it is asked to pause. Returns false, with no frame shown and
 /// the bodies somewhere in the tick, if `gives_up()` said true between two control steps.
-template <class Audience, class Locomotion, Backend B, class GivesUp>
-[[nodiscard]] bool advance_in_frames(Audience& audience, Locomotion& locomotion, B& backend,
+template <class Locomotion, Backend B, class GivesUp>
+[[nodiscard]] bool advance_in_frames(observe::Audience& audience, Locomotion& locomotion, B& backend,
                                      std::span<const double> target_angles_rad, const Habitat& habitat,
                                      const observe::FrameTimes& times, double clock_s, GivesUp&& gives_up) {
   std::vector<KeptFrame> kept;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <trophic/backend/contract.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
@@ -18,24 +19,25 @@ class Ecology;
 
 /// Takes what an ecology takes and has no definitions: a program never gets as far.
 template <class Rules, Backend B>
-class Ecology<Rules, B, false> {
+class Ecology<Rules, B, false> final : public Simulation {
   static_assert(sizeof(RuleParams<Rules>) > 0);  // says what is wrong with the table
 
  public:
   using Params = Experiment<Rules, B>;
   explicit Ecology(const Params& params = {});
   Ecology(const Params& params, const Habitat& habitat);
-  template <class... Observers>
-  void run_until(double until_s, Observers&&... observers);
-  template <class Archive>
-  void persist(Archive& archive);
-  [[nodiscard]] double time_s() const;
-  [[nodiscard]] std::int64_t tick() const;
+  void persist(Archive& archive) override;
+  [[nodiscard]] double time_s() const override;
+  [[nodiscard]] std::int64_t tick() const override;
   [[nodiscard]] const Params& params() const;
   [[nodiscard]] const Habitat& habitat() const;
   [[nodiscard]] const B& backend() const;
-  [[nodiscard]] View view() const;
-  [[nodiscard]] observe::RunDescription describe(double until_s) const;
+  [[nodiscard]] View view() const override;
+  [[nodiscard]] observe::RunDescription describe(double until_s) const override;
+  [[nodiscard]] observe::StateColumns state_columns() const override;
+
+ private:
+  void run(double until_s, observe::Audience& audience) override;
 };
 
 }  // namespace trophic

@@ -2,15 +2,12 @@
 // What an observer may offer: any subset of these hooks, each checked for its signature.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
 #include <string_view>
 #include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -28,8 +25,13 @@
        std::declval<const View&>())                                                                                              \
   HOOK(wants_deliberations, "bool wants_deliberations()")                                                                        \
   HOOK(on_reprieve, "void on_reprieve(BodyIndex, const View&)", BodyIndex{}, std::declval<const View&>())                        \
+  HOOK(between_ticks, "void between_ticks(Simulation&, bool last)", std::declval<Simulation&>(), true)                           \
   HOOK(on_frame, "void on_frame(const observe::Frame&)", std::declval<const Frame&>())                                           \
   HOOK(frame_hz, "double frame_hz()")
+
+namespace trophic {
+class Simulation;
+}
 
 namespace trophic::observe {
 
@@ -97,117 +99,9 @@ struct CheckObserver {
 ///   void on_deliberation(const Deliberation&, const View&)   what each brain was told and answered, robot by robot,
 ///   bool wants_deliberations()               as long as this says true
 ///   void on_reprieve(BodyIndex, const View&) whom the Reprieve rule spared from starving, once or more often in a procedure
-/// Who saves the run itself also has a template
-///   void between_ticks(Ecology&, bool last)  after on_tick of each tick, and once more, as the last, before on_end
+///   void between_ticks(Simulation&, bool last)  for who saves the run itself: after on_tick of each tick, and once more, as the
+///                                            last, before on_end
 template <class O>
 concept Observer = detail::CheckObserver<O>::ok;
-
-/// Several observers told of everything in order. Refers to them; lives no longer than they do.
-template <class... Observers>
-class Audience {
- public:
-  static_assert((Observer<Observers> && ...));
-  explicit Audience(Observers&... observers) : observers_{observers...} {}
-
-  void start(const RunDescription& run, const View& view) {
-    each([&](auto& o) {
-      if constexpr (requires { o.on_start(run, view); }) o.on_start(run, view);
-    });
-  }
-  void event(const Event& event, const View& view) {
-    each([&](auto& o) {
-      if constexpr (requires { o.on_event(event, view); }) o.on_event(event, view);
-    });
-  }
-  void tick(const View& view) {
-    each([&](auto& o) {
-      if constexpr (requires { o.on_tick(view); }) o.on_tick(view);
-    });
-  }
-  void end(const View& view) {
-    each([&](auto& o) {
-      if constexpr (requires { o.on_end(view); }) o.on_end(view);
-    });
-  }
-  void failure(std::string_view what) {
-    each([&](auto& o) {
-      if constexpr (requires { o.on_failure(what); }) o.on_failure(what);
-    });
-  }
-  /// Whether somebody wants to know what brains are told and answer.
-  [[nodiscard]] bool wants_deliberations() {
-    bool any = false;
-    each([&](auto& o) {
-      if constexpr (requires { o.wants_deliberations(); }) any = o.wants_deliberations() || any;
-    });
-    return any;
-  }
-  void deliberation(const Deliberation& deliberation, const View& view) {
-    each([&](auto& o) {
-      if constexpr (requires { o.wants_deliberations(); }) {
-        if (o.wants_deliberations()) o.on_deliberation(deliberation, view);
-      }
-    });
-  }
-  void reprieve(BodyIndex hunter, const View& view) {
-    each([&](auto& o) {
-      if constexpr (requires { o.on_reprieve(hunter, view); }) o.on_reprieve(hunter, view);
-    });
-  }
-  template <class Ecology>
-  void between_ticks(Ecology& ecology, bool last) {
-    each([&](auto& o) {
-      if constexpr (requires { o.between_ticks(ecology, last); }) o.between_ticks(ecology, last);
-    });
-  }
-  /// The first control step of a tick after `step` after which an observer wants a frame; the tick's last at the latest.
-  [[nodiscard]] std::int64_t next_frame(const FrameTimes& times, std::int64_t step) {
-    std::int64_t next = times.steps;
-    each_frame_hz([&](auto&, double hz) { next = std::min(next, times.next(step, hz)); });
-    return next;
-  }
-  [[nodiscard]] bool wants_frame(const FrameTimes& times, std::int64_t step) {
-    bool any = false;
-    each_frame_hz([&](auto&, double hz) { any = any || times.due(step, hz); });
-    return any;
-  }
-  /// Shows the frame after `step` to those that want it.
-  void frame(const Frame& frame, std::int64_t step) {
-    each_frame_hz([&](auto& o, double hz) {
-      if (frame.times.due(step, hz)) o.on_frame(frame);
-    });
-  }
-  [[nodiscard]] bool keep_running() {
-    bool all = true;
-    each([&](auto& o) {
-      if constexpr (requires { o.keep_running(); }) all = o.keep_running() && all;
-    });
-    return all;
-  }
-  /// Whether somebody may give up a tick, so that the state before it must be kept.
-  static constexpr bool may_give_up = (detail::Takes_gives_up_tick<Observers> || ...);
-  [[nodiscard]] bool gives_up_tick() {
-    bool any = false;
-    each([&](auto& o) {
-      if constexpr (requires { o.gives_up_tick(); }) any = o.gives_up_tick() || any;
-    });
-    return any;
-  }
-
- private:
-  template <class Call>
-  void each(Call&& call) {
-    std::apply([&](auto&... o) { (call(o), ...); }, observers_);
-  }
-
-  template <class Call>
-  void each_frame_hz(Call&& call) {
-    each([&](auto& o) {
-      if constexpr (requires { o.frame_hz(); }) call(o, o.frame_hz());
-    });
-  }
-
-  std::tuple<Observers&...> observers_;
-};
 
 }  // namespace trophic::observe

@@ -43,7 +43,7 @@ class RunFolder {
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
 
   /// Makes the folder at once: see make_new_folder. The manifest says where agents.csv has not every tick, and with senses.csv
-  /// names the brain's inputs. `states`: what rules keep, for states.csv (state_columns.hpp).
+  /// names the brain's inputs. `states`: `ecology.state_columns()`, for states.csv.
   /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, to the extent to
   /// which it began; throws std::runtime_error if a file is missing or another program works in it.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const Extent& extent = {},

@@ -20,7 +20,7 @@ struct StateColumns {
   std::function<void(BodyIndex body, std::string& row)> append = nullptr;  ///< a comma and a cell for each name
 };
 
-/// One row per robot and tick, after that tick's rules: `StateLog log{path, state_columns(ecology.states())};`.
+/// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.state_columns()};`.
 /// Columns: time_s, tick, body, id, then SLOT.MEMBER for each member of each State of the table: numbers exact, an Ancestor by
 /// its id, a vector's numbers with spaces between, nothing as an empty cell. No more than four where no rule has a State.
 class StateLog {

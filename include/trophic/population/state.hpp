@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <trophic/params/archive.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/sighting.hpp>
@@ -109,6 +110,10 @@ template <class State>
   return true;
 }
 
+/// A policy with a State that can be saved.
+template <class P>
+concept SavableState = Stateful<P> && only_state_members<typename P::State>();
+
 // A name is ambiguous in a class that inherits it twice: so `&Probe::on_walk` is ill-formed exactly if the policy has an on_walk
 // of any kind.
 #define TROPHIC_PROBE_HOOK(hook, Happened, signature)                                                                            \
@@ -192,9 +197,9 @@ class BodyStates<P> {
   [[nodiscard]] std::span<const State> all() const { return states_; }
   void push_back(State state) { states_.push_back(std::move(state)); }
 
-  template <class Archive>
+  /// Nothing of a State that cannot be saved: that has been reported above.
   void persist(Archive& archive) {
-    archive(states_);
+    if constexpr (detail::SavableState<P>) archive(states_);
   }
 
  private:

@@ -41,12 +41,12 @@ struct RuleStates {
 #undef TROPHIC_STATES
 };
 
-/// Calls `visit(slot_name, states)` for each slot whose policy has a State.
+/// Calls `visit(slot_name, states)` for each slot whose policy has a State that can be saved. Others have been reported above.
 template <class Rules, class Visitor>
 void for_each_state(const RuleStates<Rules>& states, [[maybe_unused]] Visitor&& visit) {
-#define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                \
-  if constexpr (Stateful<typename detail::slot_##member<Rules>::type>) { \
-    visit(std::string_view{#member}, states.member);                     \
+#define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                            \
+  if constexpr (detail::SavableState<typename detail::slot_##member<Rules>::type>) { \
+    visit(std::string_view{#member}, states.member);                                 \
   }
   TROPHIC_RULE_SLOTS(TROPHIC_VISIT_STATE)
 #undef TROPHIC_VISIT_STATE

@@ -222,6 +222,6 @@ TEST_CASE("files that lost what they had at the checkpoint are refused") {
   const auto standing = checkpoint::standing_in(run, ecology.describe(600.0));
   observe::RunFolder files{run, {}, {}, standing.opening()};
   CHECK(message_of<std::runtime_error>([&] {
-          checkpoint::restore(*standing.from, ecology, files);
+          checkpoint::restore(*standing.from, ecology, checkpoint::parts_of(files));
         }).find("agents.csv: it has 1000 bytes: must be >= ") != std::string::npos);
 }

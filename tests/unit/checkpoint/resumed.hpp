@@ -18,7 +18,6 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
-#include <trophic/observe/state_columns.hpp>
 #include <vector>
 
 namespace trophic::test {
@@ -63,7 +62,7 @@ void run_part(const Experiment<Rules, B>& experiment, const std::filesystem::pat
   const double until_s = experiment.ecology.duration_s;
   const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
   Crash crash{.at_tick = crash_tick};
-  observe::RunFolder files{folder, {}, extent, standing.opening(), observe::state_columns(ecology.states())};
+  observe::RunFolder files{folder, {}, extent, standing.opening(), ecology.state_columns()};
   const checkpoint::Schedule schedule{.every_s = every_s, .most_share = std::numeric_limits<double>::infinity()};
   try {
     checkpoint::run_kept(ecology, until_s, folder, schedule, standing.from, files, crash);

@@ -5,7 +5,6 @@
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/state_columns.hpp>
 #include <trophic/rules/paper.hpp>
 #include <unit/observe/scene.hpp>
 
@@ -16,7 +15,7 @@ TEST_CASE("states: a column for each member of each State, a row a robot and tic
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "states.csv";
   Ecology<Rules, backend::Kinematic> ecology;
-  observe::StateLog log{path, observe::state_columns(ecology.states())};
+  observe::StateLog log{path, ecology.state_columns()};
   ecology.run_until(4.0, log);
   const std::string text = test::content(path);
   CHECK(text.starts_with("time_s,tick,body,id,senescence.energy_J\n0,0,0,0,100\n"));

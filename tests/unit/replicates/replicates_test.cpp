@@ -13,7 +13,10 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/checkpoint/go_on.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/replicates/folder.hpp>
+#include <trophic/replicates/parallel.hpp>
 #include <trophic/replicates/run.hpp>
 #include <trophic/rules/paper.hpp>
 
@@ -50,7 +53,7 @@ std::string results(const fs::path& run) {
 template <class... Observers>
 replicates::Outcome run(const replicates::Plan& plan, std::ostream& out, const PaperRun& experiment = brief(),
                         Observers&... observers) {
-  return replicates::run<rules::Paper, backend::Kinematic>(experiment, plan, {}, out, observers...);
+  return replicates::run(experiment, plan, {}, out, observers...);
 }
 
 /// Throws at a time in the run of one seed.
@@ -109,7 +112,7 @@ TEST_CASE("one that fails loses nothing of the others, and --resume runs it and 
   CHECK(failed.complete == 3);
   REQUIRE(failed.unfinished.size() == 1);
   CHECK(failed.unfinished[0] == "replicate-01: sabotage");
-  CHECK(replicates::status_of(plan.out / "replicate-01") == "failed");
+  CHECK(checkpoint::status_of(plan.out / "replicate-01") == "failed");
   CHECK_FALSE(content(plan.out / "replicate-01/agents.csv").empty());
 
   const auto untouched = fs::last_write_time(plan.out / "replicate-02/agents.csv");
@@ -120,7 +123,7 @@ TEST_CASE("one that fails loses nothing of the others, and --resume runs it and 
   CHECK(resumed.kept == 3);
   CHECK(resumed.complete == 1);
   CHECK(fs::last_write_time(plan.out / "replicate-02/agents.csv") == untouched);
-  CHECK(replicates::status_of(plan.out / "replicate-01.incomplete-1") == "failed");
+  CHECK(checkpoint::status_of(plan.out / "replicate-01.incomplete-1") == "failed");
   CHECK(
       out.str().find(
           "replicate-01 was incomplete (status \"failed\"; it has no checkpoint): kept as replicate-01.incomplete-1, run anew") !=

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// An experiment of one rule table on one backend, for those who read its numbers and run it without knowing either.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/habitat/ecology_params.hpp>
+#include <trophic/params/named_params.hpp>
+#include <trophic/params/toml.hpp>
+
+namespace trophic::command {
+
+/// Begins at the numbers of its rule table.
+class AnyExperiment {
+ public:
+  AnyExperiment() = default;
+  AnyExperiment(const AnyExperiment&) = delete;
+  AnyExperiment& operator=(const AnyExperiment&) = delete;
+  virtual ~AnyExperiment() = default;
+
+  /// Sets what a table names, as read_numbers.
+  virtual void read(const toml::table& numbers) = 0;
+  /// Throws std::invalid_argument for a number out of its bounds.
+  virtual void check() const = 0;
+  [[nodiscard]] virtual NamedParams named_params() const = 0;
+  [[nodiscard]] virtual std::uint64_t& seed() = 0;
+  [[nodiscard]] virtual EcologyParams& ecology() = 0;
+  /// Of the engine; null where it has none.
+  [[nodiscard]] virtual std::size_t* threads() = 0;
+  /// Steps of the engine in a simulated second.
+  [[nodiscard]] virtual double steps_a_second() const = 0;
+  /// The rules with their numbers and sources. `format`: "markdown" or "latex".
+  [[nodiscard]] virtual std::string table_text(std::string_view format) const = 0;
+  /// Makes its ecologies as the numbers are now, or those of its neutral shadow.
+  [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
+  /// Writes the engine's model of an ecology that `simulations` made. False where the engine has no such file.
+  virtual bool save_mjcf(const Simulation& ecology, const std::string& path) const = 0;
+};
+
+}  // namespace trophic::command

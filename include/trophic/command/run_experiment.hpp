@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What a command line makes of the experiment that it names: one run, replicates, a run that another one begins from, a run of a
+// sweep.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <trophic/command/config.hpp>
+#include <trophic/command/pairing.hpp>
+#include <trophic/command/watching.hpp>
+#include <trophic/observe/joint_progress.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/replicates/keeping.hpp>
+#include <trophic/support/linkage.hpp>
+
+namespace trophic::command {
+
+/// Reads the manifest of the run that --from names. Throws std::invalid_argument for a folder that is none, or without a moment.
+[[nodiscard]] OriginRun read_origin(const ExperimentOptions& options);
+
+/// That run as this program makes it of its numbers.
+[[nodiscard]] observe::RunDescription describe(const Pairing& pairing, const OriginRun& origin);
+
+/// Makes in a folder what that run was at its moment, the same bytes. False if a signal came first.
+[[nodiscard]] bool replay(const Pairing& pairing, const OriginRun& origin, const std::filesystem::path& folder);
+
+/// Does what the options say with a table on a backend and returns the exit code.
+[[nodiscard]] int run_experiment(const Pairing& pairing, const ExperimentOptions& options, const Config& config,
+                                 const std::optional<OriginRun>& origin, OpenWindow open_window);
+
+/// What a plan says of a run: what it is, and how much.
+struct PlannedFacts {
+  observe::RunDescription description;
+  double work = 0.0;  ///< robots times steps of the engine
+};
+
+/// Of the numbers of a configuration file, or of the table's neutral shadow with them.
+[[nodiscard]] PlannedFacts facts(const Pairing& pairing, const Config& config, bool shadow);
+
+/// Runs that, or goes on with it, in a folder.
+void run_planned(const Pairing& pairing, const Config& config, bool shadow, std::uint64_t seed,
+                 const std::filesystem::path& folder, const replicates::Keeping& keeping, observe::JointProgress::Part progress,
+                 const observe::StopOnSignal& stop);
+
+}  // namespace trophic::command
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/command/run_experiment.ipp>
+#endif

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+// Definitions of run_experiment.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <trophic/checkpoint/rewind.hpp>
+#include <trophic/command/config.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/command/run_command.hpp>
+#include <trophic/command/run_experiment.hpp>
+#include <trophic/command/toml_of_json.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/state_log.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/replicates/run_in_folder.hpp>
+#include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/support/whole_file.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail {
+
+/// The numbers of a manifest as those of a configuration file. Throws nlohmann::json::exception for what is no number, text or
+/// switch.
+[[nodiscard]] inline toml::table toml_of(const nlohmann::json& json) {
+  toml::table table;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      table.insert(key, toml_of(value));
+    } else {
+      insert_value(table, key, value);
+    }
+  }
+  return table;
+}
+
+/// What --replay-hz, --agents-every, --senses and --states say.
+[[nodiscard]] inline observe::Extent extent_of(const ExperimentOptions& options) {
+  return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz,
+          .agents_every_ticks = static_cast<std::int64_t>(options.agents_every),
+          .senses = options.senses,
+          .states = options.states};
+}
+
+/// What --replicates, --jobs and --resume say, with the master seed.
+[[nodiscard]] inline replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed) {
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return {.out = options.out,
+          .master_seed = master_seed,
+          .count = *options.replicates,
+          .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
+          .resume = options.resume,
+          .checkpoints = {.every_s = options.checkpoint_s},
+          .extent = extent_of(options)};
+}
+
+/// What --seed, --duration, --robots and --robot say.
+inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
+  if (options.seed) experiment.seed() = *options.seed;
+  if (options.duration_s) experiment.ecology().duration_s = *options.duration_s;
+  if (options.robots) experiment.ecology().robots = *options.robots;
+  if (options.robot) experiment.ecology().robot = *options.robot;
+}
+
+/// The experiment with the numbers that configuration and options say.
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Pairing& pairing, const ExperimentOptions& options,
+                                                                  const Config& config) {
+  auto experiment = pairing.experiment();
+  std::size_t* threads = experiment->threads();
+  if (threads != nullptr) *threads = std::max(1U, std::thread::hardware_concurrency());
+  read_config_by([&](const toml::table& table) { experiment->read(table); }, experiment->named_params(), config);
+  apply(options, *experiment);
+  if (threads != nullptr && options.replicates) *threads = 1;
+  if (threads != nullptr && options.threads) *threads = *options.threads;
+  experiment->check();
+  return experiment;
+}
+
+/// The experiment that a run was made of.
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Pairing& pairing, const OriginRun& origin) {
+  auto experiment = pairing.experiment();
+  experiment->read(origin.params);
+  return experiment;
+}
+
+/// The experiment of a cell of a sweep, whose runs have one thread each.
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> planned_experiment(const Pairing& pairing, const Config& config) {
+  ExperimentOptions one_thread;
+  one_thread.threads = 1;
+  return experiment_of(pairing, one_thread, config);
+}
+
+/// Where a run that begins from another one stands: at its own last checkpoint or, with `begins`, at the moment of the other, for
+/// which its folder was made.
+struct Beginning : checkpoint::Standing {
+  bool begins = false;
+};
+[[nodiscard]] inline Beginning standing_after(const OriginRun& origin, const std::filesystem::path& folder,
+                                              const observe::RunDescription& run) {
+  checkpoint::Checkpoint last = checkpoint::read_last(folder);
+  const bool is_moment = last.time_s >= origin.at_s && last.time_s < origin.at_s + run.tick_s;
+  if (!is_moment || last.fingerprint != origin.fingerprint || last.seed != origin.seed) {
+    return {checkpoint::standing_in(folder, run)};
+  }
+  return {{.complete = false, .from = std::move(last), .remark = {}}, true};
+}
+
+/// What a manifest says of a run that another one begins from.
+[[nodiscard]] inline observe::Provenance text_of(const OriginRun& origin, double at_s) {
+  return {{"run", origin.folder.string()},
+          {"at_s", number_text(at_s)},
+          {"seed", std::to_string(origin.seed)},
+          {"fingerprint", origin.fingerprint}};
+}
+
+/// The numbers of a table on a backend as a configuration file.
+[[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
+  TomlWriter writer;
+  writer.put("rule_table", table);
+  writer.put("engine", backend);
+  writer.put_all(named_params);
+  return print_text(writer.text());
+}
+
+/// Tells of replicates that are not complete, a sentence each, and returns the exit code.
+[[nodiscard]] inline int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
+  flush_output();
+  if (unfinished.empty()) return 0;
+  for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
+  std::cerr << "the same command with --resume goes on with these and no others\n";
+  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+}
+
+/// Tells how a run ended that left its files in a folder, and returns the exit code.
+[[nodiscard]] inline int report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view,
+                                    double until_s) {
+  folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
+  const bool is_stopped = view.time_s < until_s;
+  if (is_stopped) {
+    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << " at " << number_text(view.time_s) << " of "
+              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " goes on\n";
+  }
+  progress.summary(std::cout, view);
+  std::cout << "files   " << folder.path().string() << "/{";
+  for (const std::string& name : folder.files()) {
+    const bool is_table = name.ends_with(".csv");
+    std::cout << (name == "events.csv"      ? ""
+                  : is_table                ? ","
+                  : name == "manifest.json" ? "}.csv, "
+                                            : ", ")
+              << (is_table ? name.substr(0, name.size() - 4) : name);
+  }
+  std::cout << ", checkpoint.bin\n";
+  flush_output();
+  return is_stopped ? stopped : 0;
+}
+
+/// Where the run that the options name is to begin; what is left to do there. None where a signal came before its past was made.
+[[nodiscard]] inline std::optional<Beginning> beginning_of(const ExperimentOptions& options, const Simulation& ecology,
+                                                           double until_s, const std::optional<OriginRun>& origin) {
+  if (!origin) {
+    if (!options.resume) return Beginning{};
+    return Beginning{{checkpoint::standing_in(options.out, ecology.describe(until_s))}};
+  }
+  checkpoint::check_may_follow(origin->description, ecology.describe(until_s));
+  if (!(origin->at_s <= until_s)) {
+    throw std::invalid_argument{"--at " + number_text(origin->at_s) + ": must be <= " + number_text(until_s) +
+                                ", the duration of the run that begins there"};
+  }
+  if (!origin->make()) return std::nullopt;
+  return standing_after(*origin, options.out, ecology.describe(until_s));
+}
+
+/// Runs an ecology into the folder that the options name and returns the exit code. `window`: null for a run that nobody watches.
+[[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
+                                         Beginning standing, const std::optional<OriginRun>& origin, Window* window) {
+  observe::StopOnSignal stop;
+  observe::RunFolder folder{options.out, options.provenance, extent_of(options), standing.opening(), ecology.state_columns()};
+  observe::Progress progress;
+  try {
+    if (standing.begins) {
+      checkpoint::restore_any(*standing.from, ecology, checkpoint::parts_of(folder, progress, stop));
+      folder.manifest().begin_from(text_of(*origin, standing.from->time_s));
+      standing.from.reset();
+    }
+    const checkpoint::Schedule schedule{.every_s = options.checkpoint_s};
+    if (window != nullptr) {
+      window->run_kept(ecology, until_s, options.out, schedule, standing.from, folder, progress, stop);
+    } else {
+      checkpoint::run_kept(ecology, until_s, options.out, schedule, standing.from, folder, progress, stop);
+    }
+  } catch (const std::exception& error) {
+    std::cerr << options.program << ": " << what_of(error) << "\nwhat was written before is in " << folder.path().string()
+              << "\n";
+    return run_error;
+  }
+  return report_run(folder, progress, ecology.view(), until_s);
+}
+
+[[nodiscard]] inline int run_once(const ExperimentOptions& options, AnyExperiment& experiment,
+                                  const std::optional<OriginRun>& origin, OpenWindow open_window) {
+  std::unique_ptr<Window> window;
+  if (options.watch && open_window == nullptr) {
+    throw std::invalid_argument{
+        "--watch: this program was built without a window; apt-get install libglfw3-dev libmujoco-dev and build again"};
+  }
+  if (options.watch) window = open_window(options.program);
+  const std::unique_ptr<Simulation> ecology = experiment.simulations(false)(experiment.seed());
+  if (!options.save_mjcf.empty()) {
+    if (!experiment.save_mjcf(*ecology, options.save_mjcf)) throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
+    if (options.out.empty()) return 0;
+  }
+  const double until_s = experiment.ecology().duration_s;
+  std::optional<Beginning> standing = beginning_of(options, *ecology, until_s, origin);
+  if (!standing) return stopped;
+  if (!standing->remark.empty()) std::cout << options.out << " " << standing->remark << std::endl;
+  if (standing->complete) return 0;
+  const auto simulate = [&] { return run_into_folder(options, *ecology, until_s, std::move(*standing), origin, window.get()); };
+  return window ? window->show(simulate) : simulate();
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
+  OriginRun origin;
+  origin.folder = options.from;
+  const std::filesystem::path path = origin.folder / "manifest.json";
+  try {
+    const auto json = nlohmann::json::parse(read_whole_file(path));
+    origin.rule_table = json.at("rule_table").get<std::string>();
+    origin.engine = json.at("backend").get<std::string>();
+    origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
+    origin.fingerprint = json.at("fingerprint").get<std::string>();
+    origin.seed = json.at("seed").get<std::uint64_t>();
+    origin.extent.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
+    origin.extent.senses = json.contains("senses");
+    origin.extent.states = std::filesystem::exists(origin.folder / observe::StateLog::file_name);
+    origin.params = detail::toml_of(json.at("params"));
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument{path.string() + ": " + error.what()};
+  }
+  const auto last_s = checkpoint::last_moment_s(origin.folder);
+  if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no checkpoint"};
+  origin.at_s = options.at_s.value_or(last_s.value_or(0.0));
+  if (!(origin.at_s >= 0.0) || std::isinf(origin.at_s)) {
+    throw std::invalid_argument{"--at " + number_text(origin.at_s) + ": must be >= 0 and finite"};
+  }
+  return origin;
+}
+
+TROPHIC_INLINE observe::RunDescription describe(const Pairing& pairing, const OriginRun& origin) {
+  return detail::experiment_of(pairing, origin)->simulations(false)(origin.seed)->describe(0.0);
+}
+
+TROPHIC_INLINE bool replay(const Pairing& pairing, const OriginRun& origin, const std::filesystem::path& folder) {
+  const std::unique_ptr<Simulation> ecology = detail::experiment_of(pairing, origin)->simulations(false)(origin.seed);
+  if (!std::filesystem::exists(folder)) checkpoint::copy_until(origin.folder, origin.at_s, folder);
+  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.at_s));
+  if (standing.complete) return true;
+  observe::StopOnSignal stop;
+  observe::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns()};
+  observe::Progress progress;
+  checkpoint::run_kept(*ecology, origin.at_s, folder, {}, standing.from, files, progress, stop);
+  return ecology->time_s() >= origin.at_s;
+}
+
+TROPHIC_INLINE int run_experiment(const Pairing& pairing, const ExperimentOptions& options, const Config& config,
+                                  const std::optional<OriginRun>& origin, OpenWindow open_window) {
+  const auto experiment = detail::experiment_of(pairing, options, config);
+  if (options.print_config) return detail::print_config(pairing.table, pairing.backend, experiment->named_params());
+  if (!options.print_table.empty()) return print_text(experiment->table_text(options.print_table));
+  if (!options.replicates) return detail::run_once(options, *experiment, origin, open_window);
+  return detail::report_unfinished(
+      options,
+      replicates::run_with_shadow(experiment->simulations(false), options.shadow ? experiment->simulations(true) : nullptr,
+                                  experiment->ecology().duration_s, detail::plan_of(options, experiment->seed()),
+                                  options.provenance, std::cout));
+}
+
+TROPHIC_INLINE PlannedFacts facts(const Pairing& pairing, const Config& config, bool shadow) {
+  const auto experiment = detail::planned_experiment(pairing, config);
+  const EcologyParams& ecology = experiment->ecology();
+  return {
+      experiment->simulations(shadow)(experiment->seed())->describe(ecology.duration_s),
+      static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * experiment->steps_a_second())};
+}
+
+TROPHIC_INLINE void run_planned(const Pairing& pairing, const Config& config, bool shadow, std::uint64_t seed,
+                                const std::filesystem::path& folder, const replicates::Keeping& keeping,
+                                observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
+  const auto experiment = detail::planned_experiment(pairing, config);
+  const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow)(seed);
+  replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, keeping, std::move(progress), stop);
+}
+
+}  // namespace trophic::command

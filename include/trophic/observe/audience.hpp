@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Everybody who watches a run, as an ecology tells them of it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <trophic/observe/deliberation.hpp>
+#include <trophic/observe/event.hpp>
+#include <trophic/observe/frame.hpp>
+#include <trophic/observe/hooks.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/population/view.hpp>
+#include <tuple>
+
+namespace trophic::observe {
+
+/// Observers whatever they are made of: ecologies are compiled once, not for every set of observers. See
+/// trophic/observe/hooks.hpp for what each function tells or asks.
+class Audience {
+ public:
+  Audience() = default;
+  Audience(const Audience&) = delete;
+  Audience& operator=(const Audience&) = delete;
+  virtual ~Audience() = default;
+
+  virtual void start(const RunDescription& run, const View& view) = 0;
+  virtual void event(const Event& event, const View& view) = 0;
+  virtual void tick(const View& view) = 0;
+  virtual void between_ticks(Simulation& simulation, bool last) = 0;
+  virtual void end(const View& view) = 0;
+  virtual void failure(std::string_view what) = 0;
+  [[nodiscard]] virtual bool keep_running() = 0;
+
+  /// Whether somebody may give up a tick, so that the state before it must be kept.
+  [[nodiscard]] virtual bool may_give_up() const = 0;
+  [[nodiscard]] virtual bool gives_up_tick() = 0;
+
+  /// Whether somebody wants to know what brains are told and answer.
+  [[nodiscard]] virtual bool wants_deliberations() = 0;
+  virtual void deliberation(const Deliberation& deliberation, const View& view) = 0;
+  virtual void reprieve(BodyIndex hunter, const View& view) = 0;
+
+  /// The first control step of a tick after `step` after which an observer wants a frame; the tick's last at the latest.
+  [[nodiscard]] virtual std::int64_t next_frame(const FrameTimes& times, std::int64_t step) = 0;
+  [[nodiscard]] virtual bool wants_frame(const FrameTimes& times, std::int64_t step) = 0;
+  /// Shows the frame after `step` to those that want it.
+  virtual void frame(const Frame& frame, std::int64_t step) = 0;
+};
+
+/// These observers, told of everything in order. Refers to them; lives no longer than they do.
+template <class... Observers>
+class AudienceOf final : public Audience {
+ public:
+  static_assert((Observer<Observers> && ...));
+  explicit AudienceOf(Observers&... observers) : observers_{observers...} {}
+
+  void start(const RunDescription& run, const View& view) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_start(run, view); }) o.on_start(run, view);
+    });
+  }
+  void event(const Event& event, const View& view) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_event(event, view); }) o.on_event(event, view);
+    });
+  }
+  void tick(const View& view) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_tick(view); }) o.on_tick(view);
+    });
+  }
+  void between_ticks(Simulation& simulation, bool last) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.between_ticks(simulation, last); }) o.between_ticks(simulation, last);
+    });
+  }
+  void end(const View& view) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_end(view); }) o.on_end(view);
+    });
+  }
+  void failure(std::string_view what) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_failure(what); }) o.on_failure(what);
+    });
+  }
+  [[nodiscard]] bool keep_running() override {
+    bool all = true;
+    each([&](auto& o) {
+      if constexpr (requires { o.keep_running(); }) all = o.keep_running() && all;
+    });
+    return all;
+  }
+  [[nodiscard]] bool may_give_up() const override { return (detail::Takes_gives_up_tick<Observers> || ...); }
+  [[nodiscard]] bool gives_up_tick() override {
+    bool any = false;
+    each([&](auto& o) {
+      if constexpr (requires { o.gives_up_tick(); }) any = o.gives_up_tick() || any;
+    });
+    return any;
+  }
+  [[nodiscard]] bool wants_deliberations() override {
+    bool any = false;
+    each([&](auto& o) {
+      if constexpr (requires { o.wants_deliberations(); }) any = o.wants_deliberations() || any;
+    });
+    return any;
+  }
+  void deliberation(const Deliberation& deliberation, const View& view) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.wants_deliberations(); }) {
+        if (o.wants_deliberations()) o.on_deliberation(deliberation, view);
+      }
+    });
+  }
+  void reprieve(BodyIndex hunter, const View& view) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_reprieve(hunter, view); }) o.on_reprieve(hunter, view);
+    });
+  }
+  [[nodiscard]] std::int64_t next_frame(const FrameTimes& times, std::int64_t step) override {
+    std::int64_t next = times.steps;
+    each_frame_hz([&](auto&, double hz) { next = std::min(next, times.next(step, hz)); });
+    return next;
+  }
+  [[nodiscard]] bool wants_frame(const FrameTimes& times, std::int64_t step) override {
+    bool any = false;
+    each_frame_hz([&](auto&, double hz) { any = any || times.due(step, hz); });
+    return any;
+  }
+  void frame(const Frame& frame, std::int64_t step) override {
+    each_frame_hz([&](auto& o, double hz) {
+      if (frame.times.due(step, hz)) o.on_frame(frame);
+    });
+  }
+
+ private:
+  template <class Call>
+  void each(Call&& call) {
+    std::apply([&](auto&... o) { (call(o), ...); }, observers_);
+  }
+
+  template <class Call>
+  void each_frame_hz(Call&& call) {
+    each([&](auto& o) {
+      if constexpr (requires { o.frame_hz(); }) call(o, o.frame_hz());
+    });
+  }
+
+  std::tuple<Observers&...> observers_;
+};
+
+}  // namespace trophic::observe

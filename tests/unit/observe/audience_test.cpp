@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/observe/audience.hpp>
+#include <trophic/observe/state_log.hpp>
+#include <unit/observe/scene.hpp>
+
+using namespace trophic;
+
+namespace {
+
+struct Everything {
+  std::string& told;
+  bool go_on = true;
+  void on_start(const observe::RunDescription& run, const View&) { told += "start " + run.rules + "\n"; }
+  void on_event(const observe::Event& event, const View&) { told += "event " + std::to_string(event.body) + "\n"; }
+  void on_tick(const View& view) { told += "tick " + std::to_string(view.tick) + "\n"; }
+  void on_end(const View&) { told += "end\n"; }
+  void on_failure(std::string_view what) { told += "failure " + std::string{what} + "\n"; }
+  bool keep_running() { return go_on; }
+};
+
+struct TicksOnly {
+  int ticks = 0;
+  void on_tick(const View&) { ++ticks; }
+};
+
+/// Tells its audience of one moment between two ticks, and of the last.
+class TwoMoments final : public Simulation {
+ public:
+  void persist(Archive& archive) override { archive(tick_); }
+  double time_s() const override { return static_cast<double>(tick_); }
+  std::int64_t tick() const override { return tick_; }
+  View view() const override { return robots_.view(); }
+  observe::RunDescription describe(double) const override { return test::short_run(); }
+  observe::StateColumns state_columns() const override { return {}; }
+
+ private:
+  void run(double, observe::Audience& audience) override {
+    for (const bool last : {false, true}) {
+      ++tick_;
+      audience.between_ticks(*this, last);
+    }
+  }
+
+  test::HandPopulation robots_ = test::three_robots();
+  std::int64_t tick_ = 0;
+};
+
+struct Stops {
+  int asked = 0;
+  bool keep_running() { return ++asked < 2; }
+};
+
+}  // namespace
+
+TEST_CASE("audience: each observer is told by the hooks that it has, in order") {
+  const test::HandPopulation robots = test::three_robots();
+  const View view = robots.view();
+  std::string told;
+  Everything first{told};
+  TicksOnly second;
+  Everything third{told};
+  observe::AudienceOf audience{first, second, third};
+  audience.start(test::short_run(), view);
+  audience.event({.kind = observe::EventKind::birth, .body = 1, .individual = view.robots[1], .cause = {}, .other = {}}, view);
+  audience.tick(view);
+  CHECK(audience.keep_running());
+  third.go_on = false;
+  CHECK_FALSE(audience.keep_running());  // any of them may say stop
+  audience.failure("broken");
+  audience.end(view);
+  CHECK(told ==
+        "start hand_written\nstart hand_written\nevent 1\nevent 1\ntick 3\ntick 3\nfailure broken\nfailure broken\nend\nend\n");
+  CHECK(second.ticks == 1);
+}
+
+TEST_CASE("audience: everybody is asked whether to go on, whatever another said") {
+  std::string told;
+  Everything refuses{told, false};
+  Stops counts;
+  observe::AudienceOf audience{refuses, counts};
+  CHECK_FALSE(audience.keep_running());
+  CHECK(counts.asked == 1);
+}
+
+TEST_CASE("audience: brains are told of to whom wants to know, as long as it does") {
+  struct Listens {
+    bool wants = true;
+    std::string told = {};
+    bool wants_deliberations() const { return wants; }
+    void on_deliberation(const observe::Deliberation& one, const View&) { told += std::to_string(one.body); }
+    void on_reprieve(BodyIndex hunter, const View&) { told += "r" + std::to_string(hunter); }
+  };
+  const test::HandPopulation robots = test::three_robots();
+  const View view = robots.view();
+  Listens first;
+  Listens second{.wants = false};
+  TicksOnly third;
+  observe::AudienceOf audience{first, second, third};
+  CHECK(audience.wants_deliberations());
+  audience.deliberation({.body = 2, .inputs = {}, .outputs = {}}, view);
+  audience.reprieve(1, view);
+  CHECK(first.told == "2r1");
+  CHECK(second.told == "r1");
+  first.wants = false;
+  CHECK_FALSE(audience.wants_deliberations());
+}
+
+TEST_CASE("audience: who saves the run is given it between two ticks") {
+  struct Saves {
+    std::string told = {};
+    void between_ticks(Simulation& simulation, bool last) { told += std::to_string(simulation.tick()) + (last ? " last" : ", "); }
+  };
+  Saves saves;
+  TicksOnly other;
+  TwoMoments{}.run_until(10.0, other, saves);
+  CHECK(saves.told == "1, 2 last");
+}
+
+TEST_CASE("audience: a tick can be given up if somebody has that hook, and is if anybody says so") {
+  struct Impatient {
+    bool gives_up = false;
+    bool gives_up_tick() const { return gives_up; }
+  };
+  TicksOnly patient;
+  observe::AudienceOf nobody{patient};
+  CHECK_FALSE(nobody.may_give_up());
+  CHECK_FALSE(nobody.gives_up_tick());
+  Impatient first;
+  Impatient second;
+  observe::AudienceOf somebody{first, patient, second};
+  CHECK(somebody.may_give_up());
+  CHECK_FALSE(somebody.gives_up_tick());
+  second.gives_up = true;
+  CHECK(somebody.gives_up_tick());
+}
