@@ -107,6 +107,39 @@ class Faults(InFolder):
             self.try_fault("new", at, "once")
         print(f"{len(chosen)} of {allocations} allocations failed", file=sys.stderr)
 
+    def test_full_disk(self):
+        """A file system that is full after so many KB, given more room afterwards."""
+        in_namespace = ["unshare", "--map-root-user", "--mount", "sh", "-ec"]
+        if subprocess.run([*in_namespace, "mount -t tmpfs none /mnt"], capture_output=True).returncode != 0:
+            print("full disk: not tried, as nothing may be mounted here", file=sys.stderr)
+            return
+        full = 0
+        for kilobytes in range(4, 200, 4 if ALL else 12):
+            with self.subTest(kilobytes=kilobytes):
+                (self.folder / "disk").mkdir()
+                script = f"""
+                    mount -t tmpfs -o size={kilobytes}k none disk
+                    "$0" "$@" --out disk/run || echo $? > code
+                    ls -R disk > left
+                    mount -o remount,size=64m disk
+                    "$0" "$@" --out disk/run --resume 2> again
+                    cp -r disk/run run"""
+                done = subprocess.run([*in_namespace, script, PROGRAM, *RUN], cwd=self.folder, capture_output=True, text=True, timeout=60)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                if (self.folder / "code").exists():
+                    full += 1
+                    self.assertEqual((self.folder / "code").read_text(), "1\n")
+                    said = [line for line in done.stderr.splitlines() if not line.startswith("what was written before is in")]
+                    self.assertEqual(len(said), 1, done.stderr)
+                    self.assertIn("No space left", said[0])
+                self.assertEqual(self.status("run"), "complete")
+                self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
+            for path in ("disk", "run"):
+                shutil.rmtree(self.folder / path, ignore_errors=True)
+            (self.folder / "code").unlink(missing_ok=True)
+        print(f"{full} full disks", file=sys.stderr)
+        self.assertGreater(full, 2)
+
 
 if __name__ == "__main__":
     unittest.main()

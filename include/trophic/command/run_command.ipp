@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -160,9 +161,26 @@ TROPHIC_INLINE void use_installed_models() {
   if (!error && std::filesystem::is_directory(models, error)) ::setenv("TROPHIC_MODELS", models.c_str(), 0);
 }
 
+inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate did before
+
+/// Where memory ran out in a place that cannot throw, as in a destructor of a library that needs some: one line and `run_error`,
+/// with everything as a killed program leaves it.
+[[noreturn]] TROPHIC_INLINE void give_up() noexcept {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc& error) {
+    static_cast<void>(report_failure(program_invocation_name, error));
+    std::_Exit(run_error);
+  } catch (...) {  // a bug: dies as without this
+  }
+  die_otherwise();
+  std::abort();
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command& command) {
+  if (detail::die_otherwise == nullptr) detail::die_otherwise = std::set_terminate(&detail::give_up);
   detail::use_installed_models();
   std::string name = program_name(argv[0]);
   const auto report = [&](const std::string& what, int code) {
