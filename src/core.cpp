@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// trophic::compiled: bodies, gaits and random numbers.
+// trophic::compiled: bodies, gaits, the kinematic backend and random numbers.
+#include <trophic/backend/kinematic.ipp>
 #include <trophic/control/locomotion/cpg.ipp>
 #include <trophic/control/locomotion/steerable.ipp>
+#include <trophic/ecology/checks.ipp>
 #include <trophic/habitat/body/build.ipp>
 #include <trophic/habitat/body/module.ipp>
 #include <trophic/habitat/gait.ipp>
@@ -12,5 +14,7 @@
 #include <trophic/params/named_params.ipp>
 #include <trophic/params/params.ipp>
 #include <trophic/params/policy.ipp>
+#include <trophic/population/search_tree.ipp>
+#include <trophic/population/spatial_grid.ipp>
 #include <trophic/support/rng.ipp>
 #include <trophic/support/rule_error.ipp>

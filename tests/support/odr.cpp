@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
-// Second translation unit of every test program: two definitions of anything that is not inline do not link.
+// Every public header in a second translation unit of a program: two definitions of anything that is not inline do not link.
 #include <trophic/trophic.hpp>

@@ -2,44 +2,21 @@
 // What rules must not return: catches of nobody's prey, parents of another species than their offspring.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
-#include <trophic/support/rule_error.hpp>
+#include <trophic/support/linkage.hpp>
 
 namespace trophic::detail {
 
 /// Throws RuleError unless the hunter's species eats the victim's.
-inline void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex victim, Species eaten) {
-  if (web.eats(eater, eaten)) return;
-  throw RuleError{"capture", "hunter " + std::to_string(hunter) + " and victim " + std::to_string(victim) + ": species " +
-                                 web.name(eater) + " does not eat " + web.name(eaten)};
-}
-
-/// The slot whose rule chooses the parent after a death of this cause.
-[[nodiscard]] constexpr std::string_view parent_slot(Cause cause) {
-  switch (cause) {
-    case Cause::caught:
-      return "capture_parent";
-    case Cause::starved:
-      return "starvation_parent";
-    case Cause::sacrificed:
-      return "rescue_parent";
-    case Cause::senescence:
-      break;
-  }
-  return "senescence_parent";
-}
+void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex victim, Species eaten);
 
 /// A body goes to the species that the rules fix; throws RuleError for a parent of another one.
-inline void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent) {
-  check_index(parent_slot(vacancy.cause), "a parent of species", parent.species, web.size());
-  if (!vacancy.heir || parent.species == *vacancy.heir) return;
-  throw RuleError{parent_slot(vacancy.cause), "individual " + std::to_string(parent.id) + ", a " + web.name(parent.species) +
-                                                  ", as the parent of a " + web.name(*vacancy.heir) +
-                                                  ": must be of its offspring's species"};
-}
+void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent);
 
 }  // namespace trophic::detail
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/ecology/checks.ipp>
+#endif

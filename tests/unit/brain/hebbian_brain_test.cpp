@@ -79,6 +79,22 @@ TEST_CASE("hebbian brain: one step of Oja's rule, computed by hand") {
   CHECK(own.learnt[13] == doctest::Approx(0.1 * out1 * (h1 - out1 * 0.2)));
 }
 
+TEST_CASE("hebbian brain: it decides by the genome's weights and what was learnt together") {
+  const HebbianBrain brain{{.rate = 0.1}};
+  HebbianBrain::State own;
+  static_cast<void>(brain.decide(inputs, weights, own));
+  std::vector<double> sum = weights;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own.learnt[i];
+  CHECK(brain.outputs(inputs, weights, own) == HebbianBrain::Network::neurons(inputs, sum).out);
+  CHECK(brain.outputs(inputs, weights, own) != HebbianBrain::Network::neurons(inputs, weights).out);
+}
+
+TEST_CASE("hebbian brain: an output of exactly 0 is none above 0: to the left, tag -1") {
+  HebbianBrain::State own;
+  const control::Decision decision = HebbianBrain{}.decide(inputs, std::vector<double>(15, 0.0), own);
+  CHECK((decision == control::Decision{.target_angle_rad = -0.7, .tag = -1}));
+}
+
 TEST_CASE("hebbian brain: weights stay bounded however long it learns") {
   const HebbianBrain brain{{.rate = 0.1}};
   HebbianBrain::State own;

@@ -57,6 +57,18 @@ TEST_CASE("catch closest: nobody hunts before 20 s, exactly at them one does") {
   CHECK(caught_at(60) == 1);
 }
 
+TEST_CASE("catch closest: a hunter that is caught itself takes nobody's turn") {
+  // body 0 catches 1, a hunter of its own kind of prey; 2 catches 3 whoever comes first
+  const HandPopulation robots{
+      {{.species = hunter}, {.species = grazer, .x_m = 0.3}, {.species = grazer, .x_m = 5.0}, {.species = plant, .x_m = 5.3}},
+      chain_web()};
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Captures captures = captures_of(robots, seed);
+    std::ranges::sort(captures, {}, &Capture::hunter);
+    CHECK(captures == Captures{{0, 1}, {2, 3}});
+  }
+}
+
 TEST_CASE("catch closest: empty cases") {
   CHECK(captures_of(HandPopulation{{}}).empty());
   CHECK(captures_of(HandPopulation{{{.species = prey}, {.species = prey}}}).empty());

@@ -90,3 +90,11 @@ TEST_CASE("scattered: a thousand stand where a look at everybody placed before p
     }
   }
 }
+
+TEST_CASE("scattered: a robot as large as the arena stands in its middle, a larger one nowhere") {
+  Rng rng{1, Stream::placement};
+  const GroundPose only = Scattered{}.place(1, arena(0.5), 0.5, rng).at(0);
+  CHECK(only.x_m == 0.0);
+  CHECK(only.y_m == 0.0);
+  CHECK_THROWS_AS(Scattered{}.place(1, arena(0.5), 0.500001, rng), std::invalid_argument);
+}

@@ -90,6 +90,7 @@ std::vector<double> values(const Any& list, const test::HandPopulation& robots, 
 
 TEST_CASE("list: the sizes of the sensors add up, and their values follow each other") {
   static_assert(Sensors::size == 4 && Sensors::count == 3);
+  static_assert(Sensors::is_sensor_list && !List<Place, int>::is_sensor_list);
   static_assert(List<>::size == 0);
   const test::HandPopulation robots{{{.x_m = 3.0, .y_m = -2.0, .tag = 1}, {.tag = 1}, {.tag = 1}, {.tag = -1}}};
   CHECK(values(Sensors{}, robots, Sighting{.distance_m = 5.0}) == std::vector<double>{3.0, -2.0, 0.25, 0.25});

@@ -40,3 +40,15 @@ TEST_CASE("side away from hunter: a middle species turns away from what eats it 
   CHECK(input(0) == 1.0);
   CHECK(input(2) == -1.0);
 }
+
+TEST_CASE("side away from hunter: straight ahead counts as the right") {
+  const perception::sensors::SideAwayFromHunter rule;
+  const HandPopulation robots{{{.species = prey}, {.species = predator}}};
+  const auto input = [&](double bearing_rad) {
+    Rng rng{1, Stream::sensors};
+    return rule.sense(1, Sighting{.self = 1, .adversary = 0, .distance_m = 1.0, .bearing_rad = bearing_rad}, robots.view(),
+                      rng)[0];
+  };
+  CHECK(input(0.0) == input(0.5));
+  CHECK(input(0.0) != input(-0.5));
+}

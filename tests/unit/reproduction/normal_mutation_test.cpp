@@ -48,3 +48,13 @@ TEST_CASE("normal mutation: weights are not clipped, sd 0 changes nothing, no we
   NormalMutation{}.mutate({}, Individual{}, rng);
   CHECK(rng.bits() == untouched.bits());
 }
+
+TEST_CASE("normal mutation: each weight's own draw is added to it, in order") {
+  std::vector<double> weights{0.5, -2.0, 0.0};
+  Rng rng{3, Stream::mutation};
+  Rng draws = rng;
+  NormalMutation{{.sd = 0.2}}.mutate(weights, Individual{}, rng);
+  std::vector<double> expected{0.5, -2.0, 0.0};
+  for (double& weight : expected) weight += draws.normal(0.0, 0.2);
+  CHECK(weights == expected);
+}

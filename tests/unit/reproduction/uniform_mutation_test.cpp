@@ -52,3 +52,13 @@ TEST_CASE("uniform mutation: no step is longer than half width and no weight lea
     }
   }));
 }
+
+TEST_CASE("uniform mutation: each weight's own draw is added to it, in order") {
+  std::vector<double> weights{0.5, -0.5, 0.0};
+  Rng rng{3, Stream::mutation};
+  Rng draws = rng;
+  UniformMutation{{.half_width = 0.2}}.mutate(weights, Individual{}, rng);
+  std::vector<double> expected{0.5, -0.5, 0.0};
+  for (double& weight : expected) weight += draws.uniform(-0.2, 0.2);
+  CHECK(weights == expected);
+}

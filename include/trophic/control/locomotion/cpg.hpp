@@ -36,7 +36,6 @@ class Cpg {
   explicit Cpg(const Gait& gait) : Cpg{gait, Params{}} {}
   Cpg(const Gait& gait, const Params& params);
 
-  [[nodiscard]] std::size_t hinges() const { return static_cast<std::size_t>(weights_.rows()) / 2; }
   [[nodiscard]] const Eigen::MatrixXd& weights() const { return weights_; }        ///< W, 2n x 2n
   [[nodiscard]] const Eigen::MatrixXd& propagator() const { return propagator_; }  ///< one step of the state, 2n x 2n
 
