@@ -31,8 +31,9 @@ class TomlError : public std::invalid_argument {
 };
 
 /// The table that a text says. Throws TomlError for a text that is malformed or that TOML allows but nobody writes: more than 16
-/// MiB, a line of more than 1 MiB, a key of more than 32 parts, values more than 64 deep, and, outside of texts and comments, a
-/// character that is not ASCII.
+/// MiB, a line of more than 1 MiB, a key of more than 32 parts, values more than 64 deep, a quote in a word that begins with a
+/// digit or a sign, two numbers with a blank between them (a date and a time may have T there), and a character that is not ASCII
+/// outside of texts and comments or behind a backslash and blanks.
 [[nodiscard]] toml::table parse_toml(std::string_view text);
 
 /// The same of a file. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, where it cannot be read, std::runtime_error

@@ -40,6 +40,10 @@ class TomlFence {
   }
 
  private:
+  static constexpr std::string_view blanks = " \t\n\v\f\r";
+  static bool is_one_of(std::string_view characters, char c) { return characters.find(c) != std::string_view::npos; }
+  static bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
   [[noreturn]] void fail(const std::string& what) const { throw TomlError{line_, at_ - line_start_ + 1, what}; }
 
   void step() {
@@ -57,22 +61,51 @@ class TomlFence {
   }
 
   void skip_quoted(char quote) {
+    if (in_number_) fail("a quote stands in a word that begins with a digit or a sign");
     const std::string three(3, quote);
     const bool is_long = text_.substr(at_).starts_with(three);
     for (int i = 0; i < (is_long ? 3 : 1); ++i) step();
     while (at_ < text_.size()) {
-      if (quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size()) {
-        step();
-      } else if (is_long ? text_.substr(at_).starts_with(three) : text_[at_] == quote || text_[at_] == '\n') {
+      if (quote == '"' && text_[at_] == '\\') {
+        skip_escape();
+        continue;
+      }
+      if (is_long ? text_.substr(at_).starts_with(three) : text_[at_] == quote || text_[at_] == '\n') {
         for (int i = 0; i < (is_long ? 3 : 1); ++i) step();
+        for (int i = 0; is_long && i < 2 && text_.substr(at_).starts_with(quote); ++i) step();  // """"" ends in two of the text
         return;
       }
       step();
     }
   }
 
+  /// A backslash and what it escapes, or all blanks and line ends behind it: the parser looks for them with the function that
+  /// breaks on a character that is not ASCII.
+  void skip_escape() {
+    step();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && is_one_of(blanks, text_[at_])) step();
+    if (at_ < text_.size() && !is_ascii(text_[at_])) fail("a character that is not ASCII stands behind a backslash");
+    if (at_ < text_.size() && at_ == begin) step();
+  }
+
+  /// The parser reads all that is joined to a number as part of it, quotes too, and behind a date and a blank even a line's end.
+  void check_number(char c) {
+    constexpr std::string_view digits_and_signs = "0123456789+-";
+    const bool begins = at_ == 0 || is_one_of(blanks, text_[at_ - 1]) || is_one_of("=,[{", text_[at_ - 1]);
+    if (c == ' ' && in_number_ && at_ + 1 < text_.size() && is_one_of(digits_and_signs, text_[at_ + 1])) {
+      fail("two numbers stand with nothing but a blank between them");
+    }
+    if (is_one_of(blanks, c) || is_one_of(",]}", c)) {
+      in_number_ = false;
+    } else if (begins && is_one_of(digits_and_signs, c)) {
+      in_number_ = true;
+    }
+  }
+
   void plain(char c) {
-    if (static_cast<unsigned char>(c) >= 0x80) fail("a character that is not ASCII stands outside of quotes");
+    if (!is_ascii(c)) fail("a character that is not ASCII stands outside of quotes");
+    check_number(c);
     if (c == '[' || c == '{') {
       if (++depth_ > most_toml_depth) fail("more than 64 brackets within each other");
     } else if (c == ']' || c == '}') {
@@ -91,6 +124,7 @@ class TomlFence {
   std::size_t line_start_ = 0;
   std::size_t depth_ = 0;
   std::size_t dots_ = 0;
+  bool in_number_ = false;
 };
 
 }  // namespace detail

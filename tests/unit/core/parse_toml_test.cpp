@@ -55,6 +55,20 @@ TEST_CASE("what ends a debug build of toml++ 3.3.0, or leads it astray, is refus
   CHECK_FALSE(refusal("[[# a]]").empty());
   CHECK(refusal("\n\xCD\x8B = 1") == "2:1: a character that is not ASCII stands outside of quotes");
   CHECK(refusal("a = \xCD\x8B") == "1:5: a character that is not ASCII stands outside of quotes");
+  CHECK(refusal("a = \"\"\"x\"\"\"\" \xCD\x8B") == "1:14: a character that is not ASCII stands outside of quotes");
+  CHECK(refusal("a = [\n+1=\"\xCD\x8B\"]") == "2:4: a quote stands in a word that begins with a digit or a sign");
+  CHECK(refusal("a = 1979-05-27 0#\xCD\x8B") == "1:15: two numbers stand with nothing but a blank between them");
+  CHECK(refusal("a = \"\"\"\\ \n \xCD\x8B\"\"\"") == "2:2: a character that is not ASCII stands behind a backslash");
+  CHECK(refusal("a = \"\\\xCD\x8B\"") == "1:7: a character that is not ASCII stands behind a backslash");
+}
+
+TEST_CASE("what is near to that is read") {
+  const auto table = parse_toml(
+      "1 = \"\xCD\x8B\"\na.2.'\xCD\x8B' = [+1, 'b']\nc = \"\"\"\\\n d\xCD\x8B\\\\\xCD\x8B\"\"\"\"\"\ne = '''\xCD\x8B''''\n");
+  CHECK(table["1"].value<std::string>() == "\xCD\x8B");
+  CHECK(table["a"]["2"]["\xCD\x8B"][1].value<std::string>() == "b");
+  CHECK(table["c"].value<std::string>() == "d\xCD\x8B\\\xCD\x8B\"\"");
+  CHECK(table["e"].value<std::string>() == "\xCD\x8B'");
 }
 
 TEST_CASE("what is absurdly long is refused") {
