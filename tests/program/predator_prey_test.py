@@ -269,6 +269,7 @@ class Refusals(PredatorPrey):
             (["--set", "ecology.nothing_like_it=1"], ["ecology.nothing_like_it: unknown key; known here: robots"]),
             (["--set", "rules.mutation.sd=-1"], ["rules.mutation.sd = -1", ">= 0"]),
             (["--set", "rules.mutation.sd=wide"], ["rules.mutation.sd", "a number"]),
+            (["--set", "rules.mutation.sd=9007199254740993"], ["rules.mutation.sd = 9007199254740993", "2^53"]),
             (["--set", "physics.timestep_s=0"], ["physics.timestep_s = 0", "> 0"]),
             (["--set", "physics.integrator=euler"], ["physics.integrator", "semi_implicit_euler or rk4"]),
             (["--set", "ecology.tick_s=0.001"], ["ecology.tick_s", "whole number"]),

@@ -46,7 +46,9 @@ void read_value(T& target, const toml::node& node, const std::string& path) {
     target = static_cast<T>(*value);
   } else if constexpr (std::floating_point<T>) {
     if (!node.is_number()) reject(path, node, "a number");
-    target = *node.value<double>();
+    const auto value = node.value<double>();
+    if (!value) reject(path, node, "from -2^53 to 2^53, or have a decimal point");
+    target = *value;
   } else if constexpr (NamedEnum<T>) {
     const auto name = node.value_exact<std::string>();
     std::string choices;

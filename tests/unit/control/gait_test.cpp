@@ -101,6 +101,8 @@ TEST_CASE("bad gait files name key and value") {
         ": hinges: \"a\" appears twice");
   CHECK(complaint("name = \"g\"\nrobot = \"r\"\nhinges = [\"a\", 1]\ninternal = [1, 2]\n") == ": hinges = 1: must be a text");
   CHECK(complaint("name = \"g\"\nrobot = \"r\"\nhinges = [\"a\"]\ninternal = [\"x\"]\n") == ": internal = 'x': must be a number");
+  CHECK(complaint("name = \"g\"\nrobot = \"r\"\nhinges = [\"a\"]\ninternal = [9007199254740993]\n") ==
+        ": internal = 9007199254740993: must be from -2^53 to 2^53, or have a decimal point");
   CHECK(complaint("name = \"g\"\nrobot = \"r\"\nhinges = [\"a\"]\ninternal = [1, 2]\n") ==
         "gait g: internal has 2 weights: must have one per hinge, 1");
   CHECK(complaint("name = \"g\"\nrobot = \"r\"\nhinges = [\"a\"]\ninternal = [nan]\n") == "gait g: weights must be finite");

@@ -164,7 +164,9 @@ class TomlTable {
 
   [[nodiscard]] double plain_number(std::string_view key, const toml::node& value) const {
     if (!value.is_number()) fail(key, " = " + written(value) + ": must be a number");
-    return value.value<double>().value();
+    const auto number = value.value<double>();
+    if (!number) fail(key, " = " + written(value) + ": must be from -2^53 to 2^53, or have a decimal point");
+    return *number;
   }
 
   void check(std::string_view key, double value, const Bound& bound) const {
