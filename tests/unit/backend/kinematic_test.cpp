@@ -7,6 +7,7 @@
 #include <numbers>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <vector>
