@@ -2,6 +2,7 @@
 // The ecology: who lives in which body, in what order the rules act, and when.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -63,6 +64,10 @@ class Ecology final : public Simulation {
     archive(tick_, started_, poses_, starvation_clock_, population_, rhythms, bodies);
     if (!archive.reads()) return;
     Archive::require(poses_.size() == population_.individuals().size(), "another number of robots");
+    for (const GroundPose& pose : poses_) {
+      const bool is_somewhere = std::abs(pose.x_m) < 1e9 && std::abs(pose.y_m) < 1e9 && std::isfinite(pose.heading_rad);
+      Archive::require(is_somewhere, "a robot that stands nowhere");
+    }
     locomotion_.restore(rhythms);
     backend_.restore(bodies);
     tree_ = SearchTree{poses_, population_.individuals()};
