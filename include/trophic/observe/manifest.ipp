@@ -41,6 +41,20 @@ TROPHIC_INLINE std::string compiler() {
 
 struct Manifest::Content {
   nlohmann::ordered_json json;
+
+  /// Calls `change(json)`; what it does is kept if it throws nothing. Where memory runs out within, the library's values may hold
+  /// null pointers that their destructors follow: such a copy is left behind.
+  template <class Change>
+  void change(Change&& change) {
+    auto changed = std::make_unique<nlohmann::ordered_json>(json);
+    try {
+      change(*changed);
+    } catch (...) {
+      static_cast<void>(changed.release());
+      throw;
+    }
+    json = std::move(*changed);
+  }
 };
 
 TROPHIC_INLINE Manifest::Manifest(std::filesystem::path path, Provenance provenance)
@@ -62,67 +76,73 @@ TROPHIC_INLINE void Manifest::begin_from(Provenance origin) {
 }
 
 TROPHIC_INLINE void Manifest::set_inputs(const std::vector<std::string>& inputs) {
-  content_->json["senses"]["inputs"] = inputs;
+  content_->change([&](nlohmann::ordered_json& json) { json["senses"]["inputs"] = inputs; });
 }
 
 TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string, TableSum>>& tables) {
-  for (const auto& [file, sum] : tables) {
-    content_->json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
-  }
+  content_->change([&](nlohmann::ordered_json& json) {
+    for (const auto& [file, sum] : tables) json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
+  });
 }
 
 TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& view) {
   until_s_ = run.until_s;
-  content_->json["trophic"] = version;
-  content_->json["status"] = "running";
-  content_->json["fingerprint"] = run.fingerprint;
-  content_->json["seed"] = run.seed;
-  content_->json["rule_table"] = run.rules;
-  content_->json["backend"] = run.backend;
-  content_->json["remarks"] = run.remarks;
-  content_->json["compiler"] = compiler();
-  for (const auto& [name, text] : provenance_) content_->json[name] = text;
-  for (const auto& [name, text] : origin_) content_->json["origin"][name] = text;
-  for (const Continuation& one : continued_) {
-    nlohmann::ordered_json json{{"from_s", one.from_s}};
-    for (const auto& [name, text] : one.provenance) json[name] = text;
-    content_->json["continued"].push_back(std::move(json));
-  }
-  content_->json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
-  if (agents_every_ticks_ != 1) content_->json["agents_every_ticks"] = agents_every_ticks_;
-  for (Species species = 0; species < view.web.size(); ++species) content_->json["species"].push_back(view.web.name(species));
-  content_->json["food_web"] = nlohmann::ordered_json::array();
-  for (const Feeding& link : view.web.links()) {
-    content_->json["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
-  }
-  content_->json["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
-  content_->json["tags"] = run.tags;
-  for (const auto& [slot, policy] : run.slots) content_->json["rules"][slot] = policy;
-  for (const NamedParam& param : run.named_params) {
-    std::visit([&](const auto& value) { content_->json["params"][detail::json_place(param.path)] = value; }, param.value);
-  }
+  content_->change([&](nlohmann::ordered_json& json) {
+    json["trophic"] = version;
+    json["status"] = "running";
+    json["fingerprint"] = run.fingerprint;
+    json["seed"] = run.seed;
+    json["rule_table"] = run.rules;
+    json["backend"] = run.backend;
+    json["remarks"] = run.remarks;
+    json["compiler"] = compiler();
+    for (const auto& [name, text] : provenance_) json[name] = text;
+    for (const auto& [name, text] : origin_) json["origin"][name] = text;
+    for (const Continuation& one : continued_) {
+      nlohmann::ordered_json program{{"from_s", one.from_s}};
+      for (const auto& [name, text] : one.provenance) program[name] = text;
+      json["continued"].push_back(std::move(program));
+    }
+    json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
+    if (agents_every_ticks_ != 1) json["agents_every_ticks"] = agents_every_ticks_;
+    for (Species species = 0; species < view.web.size(); ++species) json["species"].push_back(view.web.name(species));
+    json["food_web"] = nlohmann::ordered_json::array();
+    for (const Feeding& link : view.web.links()) {
+      json["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
+    }
+    json["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
+    json["tags"] = run.tags;
+    for (const auto& [slot, policy] : run.slots) json["rules"][slot] = policy;
+    for (const NamedParam& param : run.named_params) {
+      std::visit([&](const auto& value) { json["params"][detail::json_place(param.path)] = value; }, param.value);
+    }
+  });
   write();
 }
 
 TROPHIC_INLINE void Manifest::on_failure(std::string_view what) {
-  content_->json["error"] = what;
+  content_->change([&](nlohmann::ordered_json& json) { json["error"] = what; });
   finish("failed");
 }
 
 TROPHIC_INLINE void Manifest::add(const Provenance& provenance) {
-  for (const auto& [name, text] : provenance) content_->json[name] = text;
+  content_->change([&](nlohmann::ordered_json& json) {
+    for (const auto& [name, text] : provenance) json[name] = text;
+  });
   write();
 }
 
 TROPHIC_INLINE void Manifest::finish(std::string_view status) {
-  content_->json["status"] = status;
-  auto& result = content_->json["result"];
-  result["reached_s"] = reached_s_;
-  result["births"] = tally_.births();
-  result["deaths"] = tally_.deaths();
-  for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
-    result[std::string{enum_name(static_cast<Cause>(cause))}] = tally_.deaths(static_cast<Cause>(cause));
-  }
+  content_->change([&](nlohmann::ordered_json& json) {
+    json["status"] = status;
+    auto& result = json["result"];
+    result["reached_s"] = reached_s_;
+    result["births"] = tally_.births();
+    result["deaths"] = tally_.deaths();
+    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+      result[std::string{enum_name(static_cast<Cause>(cause))}] = tally_.deaths(static_cast<Cause>(cause));
+    }
+  });
   write();
 }
 
