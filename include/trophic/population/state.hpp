@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <trophic/params/archive.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/sighting.hpp>
@@ -198,6 +197,7 @@ class BodyStates<P> {
   void push_back(State state) { states_.push_back(std::move(state)); }
 
   /// Nothing of a State that cannot be saved: that has been reported above.
+  template <class Archive>
   void persist(Archive& archive) {
     if constexpr (detail::SavableState<P>) archive(states_);
   }
