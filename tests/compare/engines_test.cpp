@@ -124,7 +124,9 @@ Collision collide(double timestep_s) {
   const RobotModel robot = load_robot("spider");
   const std::vector<Pose> starts{{.position_m = {0.0, 0.0, 2.0}}, {.position_m = {0.25, 0.05, 2.08}}};
   B backend{robot, load_arena("walled_square"), starts, with_step(timestep_s, 0.0), {}};
-  const auto common_m = [&] { return 0.5 * (centre_of_mass_m(backend, robot, 0) + centre_of_mass_m(backend, robot, 1)); };
+  const auto common_m = [&]() -> Eigen::Vector3d {
+    return 0.5 * (centre_of_mass_m(backend, robot, 0) + centre_of_mass_m(backend, robot, 1));
+  };
   const Eigen::Vector3d start_m = common_m();
   const Eigen::Vector3d own_start_m = centre_of_mass_m(backend, robot, 0);
   for (int i = 0; i < 60; ++i) {

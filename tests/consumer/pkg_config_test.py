@@ -12,7 +12,6 @@ import tempfile
 
 PREFIX, LIBDIR, COMPILER, PROGRAM = sys.argv[1:]
 SKIPPED = 77
-LENGTH, MOMENT = "run_until(6000.0", "run_until(600.0"  # a program that is not optimised takes its time
 
 
 def main() -> int:
@@ -20,17 +19,13 @@ def main() -> int:
         print("pkg-config is not installed")
         return SKIPPED
     environment = {**os.environ, "PKG_CONFIG_PATH": f"{PREFIX}/{LIBDIR}/pkgconfig"}
-    text = pathlib.Path(PROGRAM).read_text()
-    assert LENGTH in text, PROGRAM
     with tempfile.TemporaryDirectory() as folder:
-        source = pathlib.Path(folder) / "program.cpp"
-        source.write_text(text.replace(LENGTH, MOMENT))
         for package in ("trophic", "trophic-compiled"):
             program = pathlib.Path(folder) / package
-            command = f"{COMPILER} -std=c++20 {source} $(pkg-config --cflags --libs {package}) -o {program}"
+            command = f"{COMPILER} -std=c++20 {PROGRAM} $(pkg-config --cflags --libs {package}) -o {program}"
             subprocess.run(["sh", "-c", command], env=environment, check=True)
             done = subprocess.run([program], cwd=folder, capture_output=True, text=True, check=True)
-            assert "\ndeaths  " in done.stdout and "\nalive  " in done.stdout, done.stdout
+            assert f'spider in walled_square, from "{PREFIX}/share/' in done.stdout, done.stdout
     return 0
 
 

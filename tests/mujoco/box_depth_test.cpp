@@ -15,6 +15,10 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/mujoco/box_test.hpp>
+#include <trophic/backend/mujoco/compile.hpp>
+#include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/mjcf.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>

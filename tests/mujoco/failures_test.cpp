@@ -5,6 +5,7 @@
 #include <limits>
 #include <mujoco/touching.hpp>
 #include <string>
+#include <trophic/backend/mujoco/compiled_model.hpp>
 
 using namespace trophic;
 using backend::Mujoco;

@@ -6,6 +6,7 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/gait_evolution/measure_walk.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>

@@ -8,6 +8,11 @@
 #include <iterator>
 #include <mujoco/worlds.hpp>
 #include <support/temporary_folder.hpp>
+#include <trophic/backend/mujoco/compiled_model.hpp>
+#include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/group_step.hpp>
+#include <trophic/backend/mujoco/mjcf.hpp>
+#include <trophic/backend/mujoco/robot_states.hpp>
 
 using namespace trophic;
 using backend::Mujoco;

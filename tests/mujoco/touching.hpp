@@ -8,6 +8,10 @@
 #include <mujoco/worlds.hpp>
 #include <set>
 #include <string_view>
+#include <trophic/backend/mujoco/compiled_model.hpp>
+#include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/mjcf.hpp>
+#include <trophic/backend/mujoco/robot_states.hpp>
 #include <utility>
 
 namespace trophic::test {

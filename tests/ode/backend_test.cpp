@@ -11,6 +11,9 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/ode.hpp>
+#include <trophic/backend/ode/engine.hpp>
+#include <trophic/backend/ode/ground.hpp>
+#include <trophic/backend/ode/robot.hpp>
 #include <vector>
 
 using trophic::backend::Ode;

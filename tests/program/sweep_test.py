@@ -55,7 +55,7 @@ KILLED = """
 engine = "kinematic"
 replicates = 2
 [set]
-ecology.duration_s = 20000.0
+ecology.duration_s = 8000.0
 [grid]
 rules.capture.reach_m = [0.5, 1.0]
 """
@@ -277,7 +277,7 @@ class Killed(Sweeps):
         return sorted(found)
 
     def test_program_that_is_killed_and_started_again(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "2", "--checkpoint-s", "100"]
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "2", "--checkpoint-s", "50"]
         for _ in range(2):
             program = self.start(*words)
             self.wait_for_work()
@@ -287,7 +287,7 @@ class Killed(Sweeps):
         self.assert_same()
 
     def test_one_of_two_is_killed(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1", "--checkpoint-s", "100"]
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1", "--checkpoint-s", "50"]
         lives, dies = self.start(*words), self.start(*words)
         self.wait_for_work()
         dies.kill()
@@ -308,7 +308,7 @@ class Killed(Sweeps):
 
     @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
     def test_worker_of_mpi_is_killed(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "100"]
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "50"]
         job = subprocess.Popen([*self.mpirun(4, "--enable-recovery"), *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.wait_for_work()
         ranks = self.ranks_of("out")
@@ -342,7 +342,7 @@ class Killed(Sweeps):
 
     @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
     def test_first_rank_is_killed_and_the_job_started_again(self):
-        words = [*self.mpirun(3), OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "100"]
+        words = [*self.mpirun(3), OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "50"]
         job = self.start(*words)
         self.wait_for_work()
         os.kill(self.ranks_of("out")[0], signal.SIGKILL)

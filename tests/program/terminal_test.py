@@ -23,7 +23,7 @@ class ProgressLine(InFolder):
         """The lines that a run draws on a terminal of this width."""
         here, there = pty.openpty()
         fcntl.ioctl(there, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-        command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "30000", *arguments]
+        command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "10000", *arguments]
         with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=there) as process:
             os.close(there)
             read = b""

@@ -18,17 +18,17 @@ using control::brain::CognitiveBrainZeroRight;
 namespace {
 
 /// A genome of zeros but for these weights.
-std::vector<double> genome(std::initializer_list<std::pair<std::size_t, double>> weights) {
+std::vector<double> biased_genome(std::initializer_list<std::pair<std::size_t, double>> weights) {
   std::vector<double> result(CognitiveBrainWithBiases{}.genome_size(3, 2), 0.0);
   for (const auto& [index, weight] : weights) result.at(index) = weight;
   return result;
 }
 
 constexpr std::size_t hidden_bias = 9;
-constexpr std::size_t output_weight = 12;
+constexpr std::size_t weight_after_biases = 12;
 constexpr std::size_t output_bias = 18;
 
-constexpr std::array nothing{0.0, 0.0, 0.0};
+constexpr std::array no_inputs{0.0, 0.0, 0.0};
 
 }  // namespace
 
@@ -41,32 +41,33 @@ TEST_CASE("cognitive brain with biases: each weight where the genome's layout pu
   const std::array inputs{-1.0, 0.25, 0.5};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
-      const auto out =
-          brain.outputs(inputs, genome({{3 * row + column, 0.8}, {output_weight + row, 1.0}, {output_weight + 3 + row, -2.0}}));
+      const auto out = brain.outputs(
+          inputs,
+          biased_genome({{3 * row + column, 0.8}, {weight_after_biases + row, 1.0}, {weight_after_biases + 3 + row, -2.0}}));
       const double hidden = std::tanh(0.8 * inputs[column]);
       CHECK(out[0] == doctest::Approx(std::tanh(hidden)).epsilon(1e-15));
       CHECK(out[1] == doctest::Approx(std::tanh(-2.0 * hidden)).epsilon(1e-15));
     }
-    const auto out = brain.outputs(inputs, genome({{hidden_bias + row, 0.3}, {output_weight + row, 1.0}}));
+    const auto out = brain.outputs(inputs, biased_genome({{hidden_bias + row, 0.3}, {weight_after_biases + row, 1.0}}));
     CHECK(out[0] == doctest::Approx(std::tanh(std::tanh(0.3))).epsilon(1e-15));
     CHECK(out[1] == 0.0);
   }
-  const auto out = brain.outputs(inputs, genome({{output_bias, 0.4}, {output_bias + 1, -0.6}}));
+  const auto out = brain.outputs(inputs, biased_genome({{output_bias, 0.4}, {output_bias + 1, -0.6}}));
   CHECK(out[0] == doctest::Approx(std::tanh(0.4)).epsilon(1e-15));
   CHECK(out[1] == doctest::Approx(std::tanh(-0.6)).epsilon(1e-15));
 }
 
 TEST_CASE("cognitive brain with biases: a whole network, computed by hand") {
   // hidden = tanh(1 * 1 + 0.5 * 0.2 + 0.1, 0, -1 * 0.2) = tanh(1.2, 0, -0.2); out = tanh(0.5 h0 - h2 - 0.1, h0 + 2 h2 + 0)
-  const auto weights = genome({{0, 1.0},
-                               {1, 0.5},
-                               {hidden_bias, 0.1},
-                               {7, -1.0},
-                               {output_weight, 0.5},
-                               {output_weight + 2, -1.0},
-                               {output_bias, -0.1},
-                               {output_weight + 3, 1.0},
-                               {output_weight + 5, 2.0}});
+  const auto weights = biased_genome({{0, 1.0},
+                                      {1, 0.5},
+                                      {hidden_bias, 0.1},
+                                      {7, -1.0},
+                                      {weight_after_biases, 0.5},
+                                      {weight_after_biases + 2, -1.0},
+                                      {output_bias, -0.1},
+                                      {weight_after_biases + 3, 1.0},
+                                      {weight_after_biases + 5, 2.0}});
   const auto out = CognitiveBrainWithBiases{}.outputs(std::array{1.0, 0.2, -0.5}, weights);
   CHECK(out[0] == doctest::Approx(0.4732132060).epsilon(1e-9));
   CHECK(out[1] == doctest::Approx(0.4127355303).epsilon(1e-9));
@@ -75,7 +76,7 @@ TEST_CASE("cognitive brain with biases: a whole network, computed by hand") {
 TEST_CASE("cognitive brain with biases: the signs of the outputs decide") {
   const CognitiveBrainWithBiases brain;
   const auto decide = [&](double angle_output, double tag_output) {
-    return brain.decide(nothing, genome({{output_bias, angle_output}, {output_bias + 1, tag_output}}));
+    return brain.decide(no_inputs, biased_genome({{output_bias, angle_output}, {output_bias + 1, tag_output}}));
   };
   CHECK(decide(0.1, 0.1).target_angle_rad == 0.7);
   CHECK(decide(0.1, 0.1).tag == 1);
@@ -88,17 +89,20 @@ TEST_CASE("cognitive brain with biases: the signs of the outputs decide") {
 TEST_CASE(
     "cognitive brain with biases: an angle output of 0 turns left, or right where it counts as positive, a tag output of 0 shows "
     "-1") {
-  CHECK(CognitiveBrainWithBiases{}.decide(nothing, genome({})).target_angle_rad == -0.7);
-  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, genome({})).target_angle_rad == 0.7);
-  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, genome({{output_bias, -1e-9}})).target_angle_rad == -0.7);
-  CHECK(CognitiveBrainWithBiases{}.decide(nothing, genome({})).tag == -1);
-  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, genome({})).tag == -1);
+  CHECK(CognitiveBrainWithBiases{}.decide(no_inputs, biased_genome({})).target_angle_rad == -0.7);
+  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(no_inputs, biased_genome({})).target_angle_rad == 0.7);
+  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(no_inputs, biased_genome({{output_bias, -1e-9}})).target_angle_rad == -0.7);
+  CHECK(CognitiveBrainWithBiases{}.decide(no_inputs, biased_genome({})).tag == -1);
+  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(no_inputs, biased_genome({})).tag == -1);
 }
 
 TEST_CASE("cognitive brain with biases: another size of the turn") {
-  CHECK(CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide(nothing, genome({{output_bias, 1.0}})).target_angle_rad == 0.2);
-  CHECK(CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide(nothing, genome({{output_bias, -1.0}})).target_angle_rad ==
-        -0.2);
+  CHECK(
+      CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide(no_inputs, biased_genome({{output_bias, 1.0}})).target_angle_rad ==
+      0.2);
+  CHECK(CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}
+            .decide(no_inputs, biased_genome({{output_bias, -1.0}}))
+            .target_angle_rad == -0.2);
 }
 
 TEST_CASE("cognitive brain with biases: outputs lie within +-1 and are odd in everything but the biases' sign") {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Second translation unit with the same headers: two definitions of anything that is not inline do not link.
+// Everything public, in a second translation unit: what is included is there, and nothing that is not inline is defined twice.
 #include <trophic/trophic.hpp>
 #ifdef CONSUMER_HAS_mujoco
 #include <trophic/backend/mujoco.hpp>
+#endif
+#ifdef CONSUMER_HAS_ode
+#include <trophic/backend/ode.hpp>
 #endif
 
 double first_draw_of_other_unit();
