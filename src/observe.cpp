@@ -21,5 +21,6 @@
 #include <trophic/replicates/sweep/plan_file.ipp>
 #include <trophic/replicates/sweep/sweep_file.ipp>
 #include <trophic/replicates/sweep/work_through.ipp>
+#include <trophic/support/checksum.ipp>
 #include <trophic/support/replace_file.ipp>
 #include <trophic/support/whole_file.ipp>

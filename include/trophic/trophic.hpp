@@ -280,6 +280,7 @@
 #include <trophic/rules/with.hpp>
 #include <trophic/rules/with_rules_of.hpp>
 #include <trophic/rules/with_sensor.hpp>
+#include <trophic/support/checksum.hpp>
 #include <trophic/support/colour.hpp>
 #include <trophic/support/faster_way.hpp>
 #include <trophic/support/folder_lock.hpp>

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check_case.py COMPILE_COMMANDS.json PRELUDE_FOLDER CASE.cpp: with -DVALID the case compiles; without, the build's compiler and,
-where it is installed, the other of g++ and clang++ give exactly one error, and say what the case expects. With
---compile-prelude HEADER the header is compiled for each compiler into the folder instead, with the flags of the case; every case
-then starts from it."""
+"""check_case.py COMPILE_COMMANDS.json PRELUDE_FOLDER CASE.cpp: the build's compiler and, where it is installed, the other of g++ and
+clang++ give exactly one error, and say what the case expects. With --compile-prelude HEADER the header is compiled for each compiler into
+the folder instead, with the flags of the case; every case then starts from it. With --valid CASE.cpp... these cases compile with -DVALID,
+all in one go, so that the mistake is what stops them."""
 
 import argparse
 import os
@@ -38,10 +38,25 @@ def with_prelude(kind: str, folder: pathlib.Path) -> list[str]:
 def compile_prelude(header: str, folder: pathlib.Path, command: list[str], directory: str) -> int:
     folder.mkdir(exist_ok=True)
     flags = [flag for flag in command[1:] if flag != "-fsyntax-only"]
+    running = []
     for kind, compiler in compilers(command[0]).items():
         compiled = folder / ("clang++.pch" if kind == "clang++" else "g++.hpp.gch")
-        subprocess.run([compiler, *flags, "-x", "c++-header", header, "-o", str(compiled)], cwd=directory, check=True)
-    return 0
+        running.append(subprocess.Popen([compiler, *flags, "-x", "c++-header", header, "-o", str(compiled)], cwd=directory))
+    return max([one.wait() for one in running])
+
+
+def compile_valid(cases: list[pathlib.Path], folder: pathlib.Path, command: list[str], directory: str) -> int:
+    """Each case in a namespace of its own: what it includes stands before all of them."""
+    includes = sorted({line for case in cases for line in case.read_text().splitlines() if line.startswith("#include")})
+    # A main in a namespace returns nothing by itself.
+    lines = [*includes, "#define VALID", '#pragma GCC diagnostic ignored "-Wreturn-type"']
+    for case in cases:
+        lines += [f"namespace {case.stem} {{", f'#include "{case}"', "}"]
+    together = [command[0], *command[1:], *with_prelude(family(command[0]), folder), "-x", "c++", "-"]
+    done = subprocess.run(together, cwd=directory, input="\n".join(lines) + "\n", text=True)
+    if done.returncode != 0:
+        print("a case that does not compile with -DVALID is stopped by something else than its mistake")
+    return done.returncode
 
 
 def main() -> int:
@@ -50,18 +65,21 @@ def main() -> int:
     parser.add_argument("prelude_folder", type=pathlib.Path)
     parser.add_argument("case")
     parser.add_argument("--compile-prelude", metavar="HEADER")
+    parser.add_argument("--valid", metavar="CASE", nargs="+", type=pathlib.Path)
     options = parser.parse_args()
     command, directory = compile_command(options.database, options.case)
     if options.compile_prelude:
         return compile_prelude(options.compile_prelude, options.prelude_folder, command, directory)
+    if options.valid:
+        return compile_valid(options.valid, options.prelude_folder, command, directory)
     lines = pathlib.Path(options.case).read_text().splitlines()
     expected = [line.split("// expect: ", 1)[1].strip() for line in lines if line.startswith("// expect: ")]
     if not expected:
         sys.exit(f"{options.case} has no line '// expect: SENTENCE'")
 
-    def compiled(kind: str, compiler: str, *flags: str) -> subprocess.CompletedProcess:
+    def compiled(kind: str, compiler: str) -> subprocess.CompletedProcess:
         return subprocess.run(
-            [compiler, *command[1:], *with_prelude(kind, options.prelude_folder), *flags, options.case],
+            [compiler, *command[1:], *with_prelude(kind, options.prelude_folder), options.case],
             cwd=directory,
             env=os.environ | {"LC_ALL": "C"},
             text=True,
@@ -69,10 +87,6 @@ def main() -> int:
             stderr=subprocess.STDOUT,
         )
 
-    valid = compiled(family(command[0]), command[0], "-DVALID")
-    if valid.returncode != 0:
-        print("does not compile with -DVALID, so the mistake is not what stops it:", valid.stdout, sep="\n")
-        return 1
     for kind, compiler in compilers(command[0]).items():
         invalid = compiled(kind, compiler)
         if invalid.returncode == 0:

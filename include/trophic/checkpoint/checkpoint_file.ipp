@@ -2,7 +2,6 @@
 // Definitions of checkpoint_file.hpp.
 #pragma once
 
-#include <boost/crc.hpp>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -14,6 +13,7 @@
 #include <system_error>
 #include <trophic/checkpoint/checkpoint_file.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/support/checksum.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <vector>
@@ -26,12 +26,6 @@ namespace detail {
 inline constexpr std::uint64_t largest_file = std::uint64_t{64} << 30U;
 
 inline constexpr std::string_view first_line = "trophic checkpoint\n";
-
-[[nodiscard]] inline std::uint32_t crc_of(std::string_view bytes) {
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
-}
 
 }  // namespace detail
 
@@ -50,7 +44,7 @@ TROPHIC_INLINE std::string to_bytes(const Checkpoint& checkpoint) {
   archive(version, content);
   std::string bytes = std::string{detail::first_line} + archive.bytes();
   Archive sum;
-  std::uint32_t crc = detail::crc_of(bytes);
+  std::uint32_t crc = checksum(bytes);
   sum(crc);
   return bytes + sum.bytes();
 }
@@ -70,7 +64,7 @@ TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& 
   require(version == format_version,
           "has format " + std::to_string(version) + ": must be " + std::to_string(format_version) + ", as this program writes");
   Archive{bytes.substr(bytes.size() - sizeof(crc))}(crc);
-  require(crc == detail::crc_of(all.substr(0, all.size() - sizeof(crc))), "is cut short or damaged: its checksum is another");
+  require(crc == checksum(all.substr(0, all.size() - sizeof(crc))), "is cut short or damaged: its checksum is another");
   bytes.remove_suffix(sizeof(crc));
   Checkpoint checkpoint;
   try {

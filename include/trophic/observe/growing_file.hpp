@@ -2,7 +2,6 @@
 // A file that grows at its end and can be cut back to a length that it had.
 #pragma once
 
-#include <boost/crc.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
@@ -35,7 +34,7 @@ class GrowingFile {
   [[nodiscard]] std::uint64_t length() const { return length_; }
 
   /// CRC-32 of all its bytes; of a file that a run goes on with, once `persist` has cut it.
-  [[nodiscard]] std::uint32_t checksum() const { return crc_.checksum(); }
+  [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
 
   /// Writing: puts all bytes on the disk, so that not even a power failure takes them, and notes the length. Reading: cuts the
   /// file to the length that was noted, which nobody checks the content of. Throws std::runtime_error if it is shorter than that.
@@ -48,7 +47,7 @@ class GrowingFile {
   std::filesystem::path path_;
   int file_ = -1;
   std::uint64_t length_ = 0;
-  boost::crc_32_type crc_;
+  std::uint32_t checksum_ = 0;
 };
 
 }  // namespace trophic

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/observe/growing_file.hpp>
+#include <trophic/support/checksum.hpp>
 #include <utility>
 
 namespace trophic {
@@ -34,13 +35,13 @@ TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Openi
 }
 
 TROPHIC_INLINE GrowingFile::GrowingFile(GrowingFile&& other) noexcept
-    : path_{std::move(other.path_)}, file_{std::exchange(other.file_, -1)}, length_{other.length_}, crc_{other.crc_} {}
+    : path_{std::move(other.path_)}, file_{std::exchange(other.file_, -1)}, length_{other.length_}, checksum_{other.checksum_} {}
 
 TROPHIC_INLINE GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(file_, other.file_);
   std::swap(length_, other.length_);
-  std::swap(crc_, other.crc_);
+  std::swap(checksum_, other.checksum_);
   return *this;
 }
 
@@ -55,7 +56,7 @@ TROPHIC_INLINE void GrowingFile::append(std::string_view bytes) {
       if (errno == EINTR) continue;
       fail("write");
     }
-    crc_.process_bytes(bytes.data(), static_cast<std::size_t>(written));
+    checksum_ = trophic::checksum(bytes.substr(0, static_cast<std::size_t>(written)), checksum_);
     bytes.remove_prefix(static_cast<std::size_t>(written));
     length_ += static_cast<std::uint64_t>(written);
   }
@@ -64,11 +65,11 @@ TROPHIC_INLINE void GrowingFile::append(std::string_view bytes) {
 TROPHIC_INLINE void GrowingFile::persist(Archive& archive) {
   if (!archive.reads() && ::fsync(file_) != 0) fail("write");
   std::uint64_t length = length_;
-  std::uint32_t remainder = crc_.get_interim_remainder();
-  archive(length, remainder);
+  std::uint32_t sum = checksum_;
+  archive(length, sum);
   if (!archive.reads()) return;
   cut(length);
-  crc_.reset(remainder);
+  checksum_ = sum;
 }
 
 TROPHIC_INLINE void GrowingFile::cut(std::uint64_t length) {

@@ -2,8 +2,6 @@
 // Definitions of read_recording.hpp.
 #pragma once
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -15,6 +13,7 @@
 #include <trophic/observe/read_recording.hpp>
 #include <trophic/observe/recording_planes.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
 #include <utility>
 
 namespace trophic::observe {
@@ -150,12 +149,11 @@ TROPHIC_INLINE void RecordingReader::scan() {
       return;
     }
     const std::string_view kind{front.data() + 4, 4};
-    uLong crc = crc32(0, reinterpret_cast<const Bytef*>(kind.data()), 4);
-    crc = crc32(crc, reinterpret_cast<const Bytef*>(data.data()), static_cast<uInt>(size));
+    const std::uint32_t sum = checksum(std::string_view{data}.substr(0, size), checksum(kind));
     const auto damaged = [&](const std::string& what) {
       return std::runtime_error{name + ": damaged, " + what + " at byte " + std::to_string(at)};
     };
-    if (crc != recording::u32_at(data, size)) throw damaged("a wrong checksum of the block");
+    if (sum != recording::u32_at(data, size)) throw damaged("a wrong checksum of the block");
     data.resize(size);
     if (head_.robots == 0) {
       if (kind != recording::head_kind) throw damaged("no head");

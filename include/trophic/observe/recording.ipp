@@ -2,8 +2,6 @@
 // Definitions of recording.hpp.
 #pragma once
 
-#include <zlib.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/recording_planes.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
 #include <utility>
 
 namespace trophic::observe {
@@ -207,8 +206,7 @@ TROPHIC_INLINE void Recording::write_block(std::string_view kind, std::string_vi
   std::string bytes;
   recording::append_u32(bytes, static_cast<std::uint32_t>(data.size()));
   bytes.append(kind).append(data);
-  const uLong crc = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()) + 4, static_cast<uInt>(bytes.size() - 4));
-  recording::append_u32(bytes, static_cast<std::uint32_t>(crc));
+  recording::append_u32(bytes, checksum(std::string_view{bytes}.substr(4)));
   file_->file.append(bytes);
 }
 

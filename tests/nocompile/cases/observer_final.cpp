@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether a final class has a hook of a wrong signature could not be told.
 // expect: an observer must not be final
-#include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
-#include <trophic/rules/paper.hpp>
+#include <trophic/ecology/simulation.hpp>
 
 #ifdef VALID
 struct Watcher {
@@ -14,7 +11,6 @@ struct Watcher final {
   void on_tick(const trophic::View&) {}
 };
 
-int main() {
-  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology;
+void run(trophic::Simulation& ecology) {
   ecology.run_until(10.0, Watcher{});
 }

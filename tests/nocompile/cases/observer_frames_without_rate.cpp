@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An observer of frames that does not say how often would see none.
 // expect: an observer with on_frame needs double frame_hz(), how often
-#include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
-#include <trophic/rules/paper.hpp>
+#include <trophic/ecology/simulation.hpp>
 
 struct Watcher {
   void on_frame(const trophic::observe::Frame&) {}
@@ -15,7 +12,6 @@ struct Watcher {
 #endif
 };
 
-int main() {
-  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology;
+void run(trophic::Simulation& ecology) {
   ecology.run_until(10.0, Watcher{});
 }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An observer whose only hook is misspelt would see nothing.
 // expect: an observer needs at least one hook
-#include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
-#include <trophic/rules/paper.hpp>
+#include <trophic/ecology/simulation.hpp>
 
 struct Watcher {
 #ifdef VALID
@@ -14,7 +11,6 @@ struct Watcher {
 #endif
 };
 
-int main() {
-  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology;
+void run(trophic::Simulation& ecology) {
   ecology.run_until(10.0, Watcher{});
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/crc.hpp>
 #include <charconv>
 #include <concepts>
 #include <cstddef>
@@ -16,6 +15,7 @@
 #include <string_view>
 #include <trophic/observe/csv.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <type_traits>
 #include <vector>
@@ -59,10 +59,8 @@ class CsvReader {
 
   /// Rows and checksum of the whole file, whatever has been read.
   [[nodiscard]] observe::TableSum sum() const {
-    boost::crc_32_type crc;
-    crc.process_bytes(text_.data(), text_.size());
     const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
-    return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = crc.checksum()};
+    return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = checksum(text_)};
   }
 
   [[nodiscard]] std::size_t line() const { return line_; }
