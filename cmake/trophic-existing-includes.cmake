@@ -9,3 +9,11 @@ function(trophic_existing_includes target)
   endforeach()
   set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${folders}")
 endfunction()
+
+# trophic_find_mujoco(): mujoco::mujoco for the folder that asks, and mujoco_FOUND.
+macro(trophic_find_mujoco)
+  find_package(mujoco 2.2 QUIET)
+  if(mujoco_FOUND)
+    trophic_existing_includes(mujoco::mujoco)
+  endif()
+endmacro()

@@ -42,7 +42,7 @@ def compile_prelude(header: str, folder: pathlib.Path, command: list[str], direc
     for kind, compiler in compilers(command[0]).items():
         compiled = folder / ("clang++.pch" if kind == "clang++" else "g++.hpp.gch")
         running.append(subprocess.Popen([compiler, *flags, "-x", "c++-header", header, "-o", str(compiled)], cwd=directory))
-    return max([one.wait() for one in running])
+    return int(any([one.wait() != 0 for one in running]))
 
 
 def compile_valid(cases: list[pathlib.Path], folder: pathlib.Path, command: list[str], directory: str) -> int:
@@ -52,7 +52,7 @@ def compile_valid(cases: list[pathlib.Path], folder: pathlib.Path, command: list
     lines = [*includes, "#define VALID", '#pragma GCC diagnostic ignored "-Wreturn-type"']
     for case in cases:
         lines += [f"namespace {case.stem} {{", f'#include "{case}"', "}"]
-    together = [command[0], *command[1:], *with_prelude(family(command[0]), folder), "-x", "c++", "-"]
+    together = [*command, *with_prelude(family(command[0]), folder), "-x", "c++", "-"]
     done = subprocess.run(together, cwd=directory, input="\n".join(lines) + "\n", text=True)
     if done.returncode != 0:
         print("a case that does not compile with -DVALID is stopped by something else than its mistake")
