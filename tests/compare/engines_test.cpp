@@ -10,6 +10,7 @@
 #include <compare/scenes.hpp>
 #include <cstddef>
 #include <numbers>
+#include <soak/resting.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
@@ -43,6 +44,9 @@ constexpr double mujoco_drift_m_per_s_step = 60.0;
 constexpr double sliding_share = 0.05;
 /// A loaded contact that does not slide creeps: both engines' friction is a damper below the limit.
 constexpr double creep_m_s = 0.005;
+/// ODE's robots tremble at rest, their roots by hundredths of a millimetre, and creep: a spider by 0.3 mm in a second.
+constexpr double ode_trembling_J = 1e-3;
+constexpr double ode_creep_m_s = 0.0006;
 /// Soft stops, as stiff as the arm is inert in MuJoCo, of the spider's stiffness in ODE.
 constexpr double limit_rad = 0.01;
 
@@ -68,6 +72,21 @@ double resting_m() {
   B backend{robot, load_arena("walled_square"), one_at(robot.rest_height_m), Physics{}, {}};
   backend.advance_to(2.0);
   return backend.pose(0).position_m.z();
+}
+
+/// What spiders that only stand there have gained and moved in a minute, after one to come to rest.
+template <class B>
+test::Resting after_a_minute_at_rest(test::Resting resting) {
+  const RobotModel robot = load_robot("spider");
+  std::vector<Pose> poses(3, {.position_m = {0.0, 0.0, robot.rest_height_m}});
+  for (std::size_t body = 0; body < poses.size(); ++body) poses[body].position_m.x() = 1.5 * static_cast<double>(body);
+  B backend{robot, load_arena("walled_square"), poses, Physics{}, {}};
+  for (double time_s = 1.0; time_s <= 2.0 * test::Resting::settles_s; time_s += 1.0) {
+    backend.advance_to(time_s);
+    for (std::size_t body = 0; body < poses.size(); ++body) poses[body] = backend.pose(body);
+    resting.see(time_s, poses, robot);
+  }
+  return resting;
 }
 
 /// Time between every second passage of the lowest point.
@@ -182,6 +201,15 @@ TEST_CASE("free fall") {
 
 TEST_CASE("resting height") {
   CHECK(std::abs(resting_m<Mujoco>() - resting_m<Ode>()) < resting_height_m);
+}
+
+TEST_CASE("robots at rest gain no energy") {
+  const auto in_mujoco = after_a_minute_at_rest<Mujoco>(test::Resting{});
+  CHECK(in_mujoco.gain_J() < 1e-9);
+  CHECK(in_mujoco.drift_m() < 1e-9);
+  const auto in_ode = after_a_minute_at_rest<Ode>(test::Resting{ode_trembling_J, 60.0 * ode_creep_m_s});
+  CHECK(in_ode.gain_J() > 0.0);
+  CHECK(in_ode.drift_m() > 0.0);
 }
 
 TEST_CASE("contact forces carry the weight: MuJoCo's from its solver") {

@@ -79,7 +79,9 @@ class Sweeps(InFolderWithSets):
     def make(cls, text):
         (cls.sets / "sweep.toml").write_text(text)
         words = [OPTIONS.program, "--sweep", "sweep.toml", "--out", "one", "--jobs", "1"]
+        began = time.monotonic()
         subprocess.run(words, cwd=cls.sets, check=True, capture_output=True, timeout=3600)
+        cls.whole_s = time.monotonic() - began
 
     def setUp(self):
         super().setUp()
@@ -251,17 +253,19 @@ class Slurm:
 
 
 class Killed(Sweeps):
+    at_work = 0.1  # of the whole: the sweep cannot be done yet
+
     @classmethod
     def make_sets(cls):
         cls.make(KILLED)
 
-    def wait_for_work(self, out="out"):
-        """Until runs have been claimed, and a moment of any length more."""
+    def wait_for_work(self, share=0.5):
+        """Until runs have been claimed, and at most this share of what one program took for all of them."""
         for _ in range(3000):
-            if list((self.folder / out).glob("claims/*.*")):
+            if list((self.folder / "out").glob("claims/[0-9]*")):
                 break
             time.sleep(0.01)
-        time.sleep(random.uniform(0.0, 0.5))
+        time.sleep(random.uniform(0.0, share * self.whole_s))
 
     def ranks_of(self, out, file="killed.toml"):
         """Processes of the program that work on a folder, oldest first."""
@@ -298,7 +302,7 @@ class Killed(Sweeps):
     def test_stopped_program_says_how_to_go_on(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1"]
         program = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.wait_for_work()
+        self.wait_for_work(self.at_work)
         program.send_signal(signal.SIGTERM)
         said = program.communicate(timeout=600)
         self.assertEqual(program.returncode, 3, said)
@@ -310,7 +314,7 @@ class Killed(Sweeps):
     def test_worker_of_mpi_is_killed(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "50"]
         job = subprocess.Popen([*self.mpirun(4, "--enable-recovery"), *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.wait_for_work()
+        self.wait_for_work(self.at_work)
         ranks = self.ranks_of("out")
         self.assertEqual(len(ranks), 4)
         os.kill(random.choice(ranks[1:]), signal.SIGKILL)
@@ -321,12 +325,12 @@ class Killed(Sweeps):
 
     @unittest.skipUnless(HAS_MPI and shutil.which("mpirun"), "needs MPI")
     def test_worker_of_mpi_that_has_nothing_to_do_is_killed(self):
-        self.write("few.toml", KILLED.replace("replicates = 2", "replicates = 1"))
+        self.write("few.toml", KILLED.replace("replicates = 2", "replicates = 1").replace("8000", "20000"))
         job = subprocess.Popen([*self.mpirun(4, "--enable-recovery"), OPTIONS.program, "--sweep", "few.toml", "--out", "few"],
                                cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         claims = []
         for _ in range(3000):
-            claims = [path.read_text() for path in (self.folder / "few").glob("claims/*/*")]
+            claims = [path.read_text() for path in (self.folder / "few").glob("claims/[0-9]*/*")]
             if len(claims) == 2 and all(claims):
                 break
             time.sleep(0.01)
@@ -344,7 +348,7 @@ class Killed(Sweeps):
     def test_first_rank_is_killed_and_the_job_started_again(self):
         words = [*self.mpirun(3), OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "50"]
         job = self.start(*words)
-        self.wait_for_work()
+        self.wait_for_work(self.at_work)
         os.kill(self.ranks_of("out")[0], signal.SIGKILL)
         time.sleep(1.0)
         job.terminate()

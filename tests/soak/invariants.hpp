@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/population/view.hpp>
 #include <unordered_set>
 #include <vector>
@@ -25,7 +27,7 @@ class Invariants {
   /// `floor`: of the table's rule; 0 where it has none.
   explicit Invariants(std::size_t floor) : floor_{floor} {}
 
-  void on_start(const observe::RunDescription&, const View& view) { had_floor_.assign(view.web.size(), false); }
+  void on_start(const observe::RunDescription&, const View& view) { had_floor_.resize(view.web.size(), 0); }
 
   void on_event(const observe::Event& event, const View&) {
     if (event.kind == observe::EventKind::birth) {
@@ -56,8 +58,8 @@ class Invariants {
     for (Species species = 0; species < view.web.size(); ++species) {
       if (!view.web.is_hunted(species)) continue;
       const bool has_floor = view.count(species) >= floor_;
-      require(has_floor || !had_floor_[species], "species " + std::to_string(species) + " fell below its floor");
-      had_floor_[species] = has_floor;
+      require(has_floor || had_floor_[species] == 0, "species " + std::to_string(species) + " fell below its floor");
+      had_floor_[species] = has_floor ? 1 : 0;
     }
   }
 
@@ -69,6 +71,13 @@ class Invariants {
       require(root.position_m.z() > -frame.robot.bounding_radius_m, "a body fell through the ground");
       require(root.position_m.z() < highest_m(frame.arena) + 1.0, "a body flies");
     }
+  }
+
+  static constexpr std::string_view section = "invariants";  ///< of a checkpoint
+  void persist(Archive& archive) {
+    std::vector<IndividualId> alive{alive_.begin(), alive_.end()};
+    archive(alive, next_id_, last_tick_, deaths_, had_floor_);
+    alive_ = {alive.begin(), alive.end()};
   }
 
   [[nodiscard]] std::int64_t ticks() const { return last_tick_ + 1; }
@@ -88,7 +97,7 @@ class Invariants {
   IndividualId next_id_ = 0;
   std::int64_t last_tick_ = -1;
   std::uint64_t deaths_ = 0;
-  std::vector<bool> had_floor_;
+  std::vector<std::uint8_t> had_floor_;
 };
 
 }  // namespace trophic::test

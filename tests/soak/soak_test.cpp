@@ -5,14 +5,19 @@
 #include <cstdint>
 #include <limits>
 #include <soak/invariants.hpp>
+#include <soak/resting.hpp>
 #include <stdexcept>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/habitat/load/robot.hpp>
+#include <trophic/habitat/pose.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
+#include <utility>
+#include <vector>
 
 using namespace trophic;
 using test::message_of;
@@ -73,4 +78,21 @@ TEST_CASE("soak: a population that breaks an invariant is found") {
   Born nowhere;
   nowhere.robots.poses[1].x_m = std::numeric_limits<double>::quiet_NaN();
   CHECK(message_of<std::logic_error>([&] { nowhere.invariants.on_tick(nowhere.robots.view()); }) == "a body is nowhere");
+}
+
+TEST_CASE("soak: a robot at rest that rises, moves or is moved at once is found") {
+  const RobotModel robot = load_robot("spider");
+  const auto after = [&](Eigen::Vector3d moved_m, double since_s) {
+    const std::vector<Pose> rest(2);
+    std::vector<Pose> later = rest;
+    later[1].position_m = std::move(moved_m);
+    test::Resting resting;
+    resting.see(0.0, later, robot);  // not at rest yet
+    resting.see(test::Resting::settles_s, rest, robot);
+    return message_of<std::logic_error>([&] { resting.see(test::Resting::settles_s + since_s, later, robot); });
+  };
+  CHECK(after({0.0, 0.0, 1e-3}, 1.0).starts_with("a robot at rest has gained"));
+  CHECK(after({0.0, 0.0, 1e-9}, 1e-9).starts_with("a robot at rest has gained"));
+  CHECK(after({1e-3, 0.0, 0.0}, 1e6).starts_with("a robot at rest has moved"));
+  CHECK(after({0.0, 0.0, -1e-9}, 1.0).empty());
 }

@@ -346,9 +346,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector
   const sweep::Tally tally = team != nullptr ? team->share_out(plan, options.out, options.lease_s, attempt, go_on)
                                              : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, go_on);
   if (!leads) return 0;
-  // Goes when nobody is left who works here.
-  std::error_code ignored;
-  std::filesystem::remove(std::filesystem::path{options.out} / sweep::claims_name, ignored);
+  sweep::remove_claims(options.out, plan);
   return detail::sweeps::report(options, tally);
 }
 

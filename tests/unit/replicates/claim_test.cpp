@@ -182,6 +182,55 @@ TEST_CASE("A run's folder appears when it is complete, and older attempts go") {
   CHECK(again.ended == Ended::was_complete);
 }
 
+TEST_CASE("What a program leaves that is killed at the very end of a run goes with the next look at it") {
+  const TemporaryFolder folder;
+  const auto plan = plan_with({1.0, 2.0});
+  const auto look = [&] {
+    return sweep::attempt(folder.path(), plan[0], long_lease_s, [](const fs::path&) { FAIL("done twice"); }).ended;
+  };
+  const fs::path run = folder.path() / plan[0].folder;
+  leave_manifest(run, "complete");
+  leave_manifest(run.string() + ".attempt-3", "running");
+  CHECK(look() == Ended::was_complete);
+  CHECK_FALSE(fs::exists(run.string() + ".attempt-3"));
+
+  const fs::path claims = folder.path() / sweep::claims_name;
+  fs::create_directories(claims / "0.0");
+  sweep::remove_claims(folder.path(), plan);
+  CHECK(fs::exists(claims / "0.0"));  // somebody may be at work on the other run
+  fs::remove(claims / "0.0");
+  sweep::remove_claims(folder.path(), plan);
+  CHECK_FALSE(fs::exists(claims));
+  fs::create_directories(claims / "0.0");
+  leave_manifest(folder.path() / plan[1].folder, "complete");
+  sweep::remove_claims(folder.path(), plan);
+  CHECK_FALSE(fs::exists(claims));
+}
+
+TEST_CASE("A claim says whose it is from its first moment on") {
+  const TemporaryFolder folder;
+  constexpr std::size_t runs = 200;
+  std::atomic<bool> done = false;
+  std::atomic<std::size_t> nobodys = 0;
+  std::jthread watcher{[&] {
+    while (!done) {
+      for (std::size_t run = 0; run < runs; ++run) {
+        const fs::path claim = folder.path() / (std::to_string(run) + ".0");
+        if (fs::exists(claim) && !fs::exists(claim / "owner.json")) ++nobodys;
+      }
+    }
+  }};
+  std::vector<Claim> claims;
+  for (std::size_t run = 0; run < runs; ++run) {
+    auto claim = Claim::take(folder.path(), run, long_lease_s);
+    if (claim) claims.push_back(std::move(*claim));
+  }
+  done = true;
+  watcher.join();
+  CHECK(claims.size() == runs);
+  CHECK(nobodys == 0);
+}
+
 TEST_CASE("What is claimed is elsewhere, what throws has failed, what a signal ends is stopped") {
   const TemporaryFolder folder;
   const auto plan = plan_with({1.0});

@@ -8,6 +8,7 @@
 #include <string>
 #include <trophic/replicates/sweep/plan_file.hpp>
 #include <trophic/support/linkage.hpp>
+#include <vector>
 
 namespace trophic::sweep {
 
@@ -37,6 +38,10 @@ inline constexpr const char* claims_name = "claims";
 /// and no exception of this function.
 [[nodiscard]] Result attempt(const std::filesystem::path& sweep, const PlannedRun& run, double lease_s,
                              const std::function<void(const std::filesystem::path& folder)>& work);
+
+/// Takes the claims away where all runs of a plan are complete, those too of programs that were killed; else their folder if it
+/// is empty, as nobody works there.
+void remove_claims(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan);
 
 }  // namespace trophic::sweep
 

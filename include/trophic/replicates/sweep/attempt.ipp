@@ -2,6 +2,7 @@
 // Definitions of attempt.hpp.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <exception>
 #include <limits>
@@ -63,6 +64,12 @@ inline void publish(const std::filesystem::path& attempt, const std::filesystem:
   }
 }
 
+/// Takes away what attempts at a complete run have left; a program may have been killed before it did.
+inline void remove_attempts(const std::filesystem::path& run) {
+  std::error_code error;
+  for (const auto& [number, folder] : attempts_at(run)) std::filesystem::remove_all(folder, error);
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run) {
@@ -72,26 +79,38 @@ TROPHIC_INLINE bool is_complete(const std::filesystem::path& sweep, const Planne
 
 TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedRun& run, double lease_s,
                               const std::function<void(const std::filesystem::path& folder)>& work) {
-  if (is_complete(sweep, run)) return {Ended::was_complete};
   const std::filesystem::path folder = sweep / run.folder;
+  const auto was_complete = [&] {
+    const bool is = is_complete(sweep, run);
+    if (is) detail::remove_attempts(folder);
+    return is;
+  };
+  if (was_complete()) return {Ended::was_complete};
   try {
     const auto claim = Claim::take(sweep / claims_name, run.index, lease_s);
     if (!claim) return {Ended::elsewhere, claimant_of(sweep / claims_name, run.index, lease_s)};
     // Between the first look and the claim somebody may have come to the end.
-    if (is_complete(sweep, run)) return {Ended::was_complete};
-    const auto older = detail::attempts_at(folder);
-    const std::filesystem::path own = detail::next_attempt(folder, older);
+    if (was_complete()) return {Ended::was_complete};
+    const std::filesystem::path own = detail::next_attempt(folder, detail::attempts_at(folder));
     work(own);
     const std::string status = checkpoint::status_of(own);
     if (status != "complete") return {status == "stopped" ? Ended::stopped : Ended::failed, "status \"" + status + "\""};
     detail::publish(own, folder);
-    std::error_code error;
-    for (const auto& [number, each] : detail::attempts_at(folder)) std::filesystem::remove_all(each, error);
+    detail::remove_attempts(folder);
     return {Ended::complete};
   } catch (const std::exception& error) {
     // One that was faster takes the folders of the others away.
     if (is_complete(sweep, run)) return {Ended::complete};
     return {Ended::failed, error.what()};
+  }
+}
+
+TROPHIC_INLINE void remove_claims(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan) {
+  std::error_code error;
+  if (std::ranges::all_of(plan, [&](const PlannedRun& run) { return is_complete(sweep, run); })) {
+    std::filesystem::remove_all(sweep / claims_name, error);
+  } else {
+    std::filesystem::remove(sweep / claims_name, error);
   }
 }
 

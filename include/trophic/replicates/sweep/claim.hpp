@@ -17,10 +17,10 @@ inline constexpr double default_lease_s = 120.0;
 /// A run that this program works on. As long as the claim lives a thread renews it, four times in its lease, so that others leave
 /// the run alone; it is given back when the claim is destroyed. A program that dies cannot: its claim goes stale.
 ///
-/// A claim on run 17 is the folder "17.0": of all that try, one makes it (mkdir, which is atomic on network file systems where
-/// locks are not). Its age is the time since its file was last touched, by the clock of the file system, as clocks of machines
-/// differ. Who finds it stale makes "17.1", and so on. The program that had it before may only have been slow: a claim saves work
-/// that would be done twice, and nothing relies on it.
+/// A claim on run 17 is the folder "17.0": of all that give this name to a folder of theirs, which says who they are, one can
+/// (rename, which is atomic on network file systems where locks are not). Its age is the time since its file was last touched, by
+/// the clock of the file system, as clocks of machines differ. Who finds it stale makes "17.1", and so on. The program that had
+/// it before may only have been slow: a claim saves work that would be done twice, and nothing relies on it.
 class Claim {
  public:
   /// Claims a run in the folder `claims`, or says that another program has it. A claim of a program that ran on this machine and

@@ -32,6 +32,18 @@ inline constexpr const char* owner_file = "owner.json";
   return claims / (std::to_string(run) + "." + std::to_string(generation));
 }
 
+/// Makes a folder that nobody else has.
+[[nodiscard]] inline std::filesystem::path new_folder(const std::filesystem::path& claims) {
+  const std::string beginning = "new." + host_name() + "." + std::to_string(::gettid()) + ".";
+  for (std::size_t number = 0;; ++number) {
+    std::filesystem::path folder = claims / (beginning + std::to_string(number));
+    if (::mkdir(folder.c_str(), 0777) == 0) return folder;
+    if (errno != EEXIST) {
+      throw std::runtime_error{"cannot make " + folder.string() + ": " + std::generic_category().message(errno)};
+    }
+  }
+}
+
 /// What tells apart two processes of one number: the machine since it was started, and the container.
 [[nodiscard]] inline std::string process_space() {
   std::string boot;
@@ -147,13 +159,18 @@ TROPHIC_INLINE std::optional<Claim> Claim::take(const std::filesystem::path& cla
   const auto last = detail::last_generation(claims, run);
   if (last && !detail::is_stale(detail::claim_folder(claims, run, *last), lease_s)) return std::nullopt;
   const std::size_t generation = last ? *last + 1 : 0;
-  const std::filesystem::path folder = detail::claim_folder(claims, run, generation);
-  if (::mkdir(folder.c_str(), 0777) != 0) {
-    if (errno == EEXIST) return std::nullopt;
-    throw std::runtime_error{"cannot make " + folder.string() + ": " + std::generic_category().message(errno)};
-  }
+  const std::filesystem::path own = detail::new_folder(claims);
   const nlohmann::json owner{{"host", host_name()}, {"process", ::getpid()}, {"space", detail::process_space()}};
-  replace_file(folder / detail::owner_file, owner.dump() + "\n");
+  replace_file(own / detail::owner_file, owner.dump() + "\n");
+  const std::filesystem::path folder = detail::claim_folder(claims, run, generation);
+  std::filesystem::rename(own, folder, error);
+  if (error) {
+    const std::string why = error.message();
+    const bool is_taken = error == std::errc::directory_not_empty || error == std::errc::file_exists;
+    std::filesystem::remove_all(own, error);
+    if (is_taken) return std::nullopt;
+    throw std::runtime_error{"cannot make " + folder.string() + ": " + why};
+  }
   return Claim{claims, run, generation, lease_s};
 }
 
