@@ -86,6 +86,33 @@ struct FirstBodyIsParent {
   }
 };
 
+/// Catches whoever lives in the first body that can be caught.
+struct CatchesTheFirstBody {
+  static constexpr std::string_view name = "catches_the_first_body";
+  [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng&) const {
+    for (BodyIndex victim = 0; victim < view.robots.size(); ++victim) {
+      for (BodyIndex hunter = 0; hunter < view.robots.size(); ++hunter) {
+        const bool eats = view.web.eats(view.robots[hunter].species, view.robots[victim].species);
+        if (eats && view.robots[victim].active) return {{hunter, victim}};
+      }
+    }
+    return {};
+  }
+};
+
+/// Draws whom it gives up, but never from the second half of the bodies.
+struct GivesUpTheFirstHalf {
+  static constexpr std::string_view name = "gives_up_the_first_half";
+  [[nodiscard]] std::vector<death::Sacrifice> sacrifices(const View& view, Rng& rng) const {
+    if (view.robots.empty()) return {};
+    const BodyIndex victim = rng.index((view.robots.size() + 1) / 2);
+    for (Species heir = 0; heir < view.web.size(); ++heir) {
+      if (view.web.eats(heir, view.robots[victim].species)) return {{victim, heir}};
+    }
+    return {};
+  }
+};
+
 /// Every other time it says otherwise.
 struct DecidesNowAndThen {
   static constexpr std::string_view name = "decides_now_and_then";
@@ -99,6 +126,8 @@ struct DecidesNowAndThen {
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, ForgetsItsNumber, CountsSecretly, DrawsElsewhere, FavoursOddIds);
 TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, FearsTheEast, FavoursOddBodies);
+TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, CatchesTheFirstBody);
+TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, GivesUpTheFirstHalf);
 TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, LikesOneHand);
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, SensesTheWorld);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, FirstBodyIsParent);

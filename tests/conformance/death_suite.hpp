@@ -56,6 +56,15 @@ TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
       return pairs;
     };
     conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((pairs_in(same) == pairs_in(robots))); });
+    if constexpr (!requires { Policy::hangs_on_order_of_bodies; }) {
+      conformance::check_whom(robots, seed, [&](const test::HandPopulation& any, Rng& rng) {
+        const auto kept_by_any = conformance::own_states(policy, any, seed);
+        const std::span<const StateOf<Policy>> states_of_any{kept_by_any};
+        std::vector<BodyIndex> caught;
+        for (const auto& capture : death::ask::captures(policy, states_of_any, any.view(), rng)) caught.push_back(capture.victim);
+        return caught;
+      });
+    }
     std::set<BodyIndex> victims;
     const auto kept = conformance::own_states(policy, robots, seed);
     const std::span<const StateOf<Policy>> states{kept};
@@ -193,6 +202,14 @@ TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
     };
     conformance::on_same_worlds(robots,
                                 [&](const test::HandPopulation& same) { CHECK((victims_in(same) == victims_in(robots))); });
+    conformance::check_whom(robots, seed, [&](const test::HandPopulation& any, Rng& rng) {
+      const auto kept_by_any = conformance::own_states(policy, any, seed);
+      const std::span<const StateOf<Policy>> states_of_any{kept_by_any};
+      std::vector<BodyIndex> given_up;
+      for (const auto& sacrifice : death::ask::sacrifices(policy, states_of_any, any.view(), rng))
+        given_up.push_back(sacrifice.victim);
+      return given_up;
+    });
     std::set<BodyIndex> victims;
     const auto kept = conformance::own_states(policy, robots, seed);
     const std::span<const StateOf<Policy>> states{kept};

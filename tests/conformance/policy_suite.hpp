@@ -96,6 +96,33 @@ void check_all_robots(const test::HandPopulation& robots, std::uint64_t seed, As
   on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK(ask(same) == answer); });
 }
 
+/// Which bodies `choose(population, rng)` names hangs on who lives there, not on which body it is: a rule that draws nothing
+/// names the same individuals when they have changed places, one that draws names each as often, within 5.5 standard errors.
+template <class Choose>
+void check_whom(const test::HandPopulation& robots, std::uint64_t seed, Choose&& choose) {
+  const std::size_t size = robots.individuals.size();
+  const auto order = test::random_order(seed, size);
+  const test::HandPopulation moved = robots.reordered(order);
+  Rng used{seed, Stream::user};
+  static_cast<void>(choose(robots, used));
+  const bool draws = used.bits() != Rng{seed, Stream::user}.bits();
+  const std::uint64_t times = draws ? 400 : 1;
+  std::vector<double> before(size);
+  std::vector<double> after(size);
+  for (std::uint64_t time = 0; time < times; ++time) {
+    Rng first{seed, Stream::user, 0, time};
+    Rng second{seed, Stream::user, 1, time};
+    for (const BodyIndex body : choose(robots, first)) ++before[body];
+    for (const BodyIndex body : choose(moved, second)) ++after[order[body]];
+  }
+  for (BodyIndex body = 0; body < size; ++body) {
+    CAPTURE(body);
+    const double sum = before[body] + after[body];
+    const double variance = sum * (1.0 - sum / (2.0 * static_cast<double>(times)));
+    CHECK(std::abs(before[body] - after[body]) <= 5.5 * std::sqrt(draws ? variance : 0.0));
+  }
+}
+
 /// `ask(rng)` gives the same from equal streams and again: nothing else counts, no other source of randomness.
 template <class Ask>
 auto asked_twice(std::uint64_t seed, Ask&& ask) {

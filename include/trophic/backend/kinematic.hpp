@@ -99,6 +99,8 @@ class Kinematic {
 };
 static_assert(SteeringDriven<Kinematic>);
 
+#define TROPHIC_HAS_KINEMATIC
+
 }  // namespace trophic::backend
 
 #if TROPHIC_HEADER_ONLY

@@ -33,6 +33,7 @@
 #include <trophic/population/view.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/linkage.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <utility>
@@ -374,3 +375,8 @@ class Ecology final : public Simulation {
 };
 
 }  // namespace trophic
+
+// The libraries hold the ecologies of the shipped tables, which say so behind their definitions.
+#if !TROPHIC_HEADER_ONLY && !defined(TROPHIC_OWN_ECOLOGIES)
+#define TROPHIC_COMPILED_ECOLOGIES
+#endif

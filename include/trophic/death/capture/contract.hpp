@@ -23,7 +23,8 @@ struct Capture {
   friend bool operator==(const Capture&, const Capture&) = default;
 };
 
-/// `captures(view, rng)`: everybody caught at this tick, in order; each victim once.
+/// `captures(view, rng)`: everybody caught at this tick, in order; each victim once. A rule under which somebody's chance to be
+/// caught hangs on which body anyone lives in says so: `static constexpr bool hangs_on_order_of_bodies = true;`.
 template <class P>
 concept CaptureRule = requires(const P policy, const std::span<const StateOf<P>> states, const View& view, Rng& rng) {
   { ask::captures(policy, states, view, rng) } -> std::same_as<std::vector<Capture>>;

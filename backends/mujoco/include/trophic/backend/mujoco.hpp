@@ -99,6 +99,8 @@ class Mujoco {
 
 static_assert(JointDriven<Mujoco>);
 
+#define TROPHIC_HAS_MUJOCO
+
 }  // namespace trophic::backend
 
 #if TROPHIC_HEADER_ONLY

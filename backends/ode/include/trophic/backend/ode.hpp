@@ -65,6 +65,8 @@ class Ode {
 };
 static_assert(JointDriven<Ode>);
 
+#define TROPHIC_HAS_ODE
+
 }  // namespace trophic::backend
 
 #if TROPHIC_HEADER_ONLY
