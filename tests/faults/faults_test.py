@@ -107,6 +107,26 @@ class Faults(InFolder):
             self.try_fault("new", at, "once")
         print(f"{len(chosen)} of {allocations} allocations failed", file=sys.stderr)
 
+    def test_allocations_for_the_list_of_replicates(self):
+        """Those before replicates.json is written; its value has a type before it has a content."""
+        replicates = ("--replicates", "2", "--jobs", "1")
+
+        def listed(at):
+            shutil.rmtree(self.folder / "run", ignore_errors=True)
+            done = self.call("run", *replicates, fault="new", at=at)
+            self.assertEqual(done.returncode, 1, (at, done.stderr))
+            return (self.folder / "run" / "replicates.json").exists()
+
+        shutil.rmtree(self.folder / "counted", ignore_errors=True)
+        self.assertEqual(self.call("counted", *replicates, fault="new", count="count.txt").returncode, 0)
+        before, written = 1, int((self.folder / "count.txt").read_text())
+        while written - before > 1:
+            middle = (before + written) // 2
+            before, written = (before, middle) if listed(middle) else (middle, written)
+        for at in range(written - 100, written):
+            with self.subTest(at=at):
+                listed(at)
+
     def test_full_disk(self):
         """A file system that is full after so many KB, given more room afterwards."""
         in_namespace = ["unshare", "--map-root-user", "--mount", "sh", "-ec"]

@@ -29,16 +29,14 @@ inline constexpr const char* list_name = "replicates.json";
 /// What it says: which runs there are to be, and what they have in common.
 [[nodiscard]] inline std::string list_text(const Plan& plan, const observe::RunDescription& run,
                                            const observe::Provenance& provenance) {
-  nlohmann::ordered_json content;
-  content["rule_table"] = run.rules;
-  content["backend"] = run.backend;
-  content["fingerprint"] = run.fingerprint;
-  content["until_s"] = run.until_s;
-  content["master_seed"] = plan.master_seed;
-  content["count"] = plan.count;
+  auto replicates = nlohmann::ordered_json::array();
   for (const Replicate& replicate : plan.all()) {
-    content["replicates"].push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
+    replicates.push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
   }
+  // Made whole: a value that becomes an object while memory runs out cannot be destroyed.
+  nlohmann::ordered_json content{
+      {"rule_table", run.rules},         {"backend", run.backend}, {"fingerprint", run.fingerprint},     {"until_s", run.until_s},
+      {"master_seed", plan.master_seed}, {"count", plan.count},    {"replicates", std::move(replicates)}};
   for (const auto& [name, text] : provenance) content[name] = text;
   return content.dump(2) + '\n';
 }
