@@ -2,7 +2,6 @@
 // The ecologies of the shipped tables on one backend: TROPHIC_ECOLOGIES_ON is its class, TROPHIC_ECOLOGIES_BACKEND its header.
 #include TROPHIC_ECOLOGIES_BACKEND
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 

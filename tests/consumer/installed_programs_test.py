@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""installed_programs_test.py FOLDER: the programs in PREFIX/bin, under names that begin with trophic, with the models of PREFIX/share."""
+"""installed_programs_test.py FOLDER: the programs in PREFIX/bin, under names that begin with trophic, with the models of PREFIX/share, and the
+libraries beside them."""
 
 import pathlib
 import shutil
@@ -10,6 +11,7 @@ import tempfile
 import unittest
 
 BIN = pathlib.Path(sys.argv.pop(1))
+MODELS_OF_SOURCES = pathlib.Path(__file__).resolve().parents[2] / "models"
 PROGRAMS = ["trophic", "trophic-ablations", "trophic-predator-prey"]
 
 
@@ -20,6 +22,13 @@ class InstalledPrograms(unittest.TestCase):
             shown = subprocess.run([BIN / program, "--version"], capture_output=True, text=True)
             self.assertEqual((shown.returncode, shown.stderr), (0, ""))
             self.assertIn("backends  kinematic", shown.stdout)
+
+    def test_libraries_name_no_models(self):
+        """A program that links them looks where they were installed, which only its own translation unit knows."""
+        libraries = list(BIN.parent.rglob("libtrophic_*.a"))
+        self.assertGreater(len(libraries), 0)
+        for library in libraries:
+            self.assertNotIn(bytes(MODELS_OF_SOURCES), library.read_bytes(), library)
 
     def test_a_run_takes_the_models_that_were_installed(self):
         with tempfile.TemporaryDirectory() as folder:

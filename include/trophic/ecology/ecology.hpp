@@ -53,7 +53,9 @@ class Ecology final : public Simulation {
   using Params = Experiment<Rules, B>;
 
   /// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws std::invalid_argument naming
-  /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
+  /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file. A template,
+  /// as the models are those of the program that calls it, not of the library that holds the rest (installed_models.hpp).
+  template <class = void>
   explicit Ecology(Params params = {}) : Ecology{load_checked<Rules, B>(std::move(params))} {}
 
   /// In a habitat made by the program; the names in `params.ecology` are then only labels.
