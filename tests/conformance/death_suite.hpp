@@ -46,29 +46,25 @@ TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     const View view = robots.view();
-    const auto pairs_in = [&](const test::HandPopulation& any) {
-      Rng rng{seed, Stream::user};
+    const auto captures_in = [&](const test::HandPopulation& any, Rng& rng) {
       const auto kept = conformance::own_states(policy, any, seed);
       const std::span<const StateOf<Policy>> states{kept};
-      std::vector<std::pair<BodyIndex, BodyIndex>> pairs;
-      for (const auto& capture : death::ask::captures(policy, states, any.view(), rng))
-        pairs.emplace_back(capture.hunter, capture.victim);
-      return pairs;
+      return death::ask::captures(policy, states, any.view(), rng);
     };
-    conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((pairs_in(same) == pairs_in(robots))); });
+    const auto from_seed = [&](const test::HandPopulation& any) {
+      Rng rng{seed, Stream::user};
+      return captures_in(any, rng);
+    };
+    conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((from_seed(same) == from_seed(robots))); });
     if constexpr (!requires { Policy::hangs_on_order_of_bodies; }) {
       conformance::check_whom(robots, seed, [&](const test::HandPopulation& any, Rng& rng) {
-        const auto kept_by_any = conformance::own_states(policy, any, seed);
-        const std::span<const StateOf<Policy>> states_of_any{kept_by_any};
         std::vector<BodyIndex> caught;
-        for (const auto& capture : death::ask::captures(policy, states_of_any, any.view(), rng)) caught.push_back(capture.victim);
+        for (const auto& capture : captures_in(any, rng)) caught.push_back(capture.victim);
         return caught;
       });
     }
     std::set<BodyIndex> victims;
-    const auto kept = conformance::own_states(policy, robots, seed);
-    const std::span<const StateOf<Policy>> states{kept};
-    const auto ask = [&](Rng& rng) { return death::ask::captures(policy, states, view, rng); };
+    const auto ask = [&](Rng& rng) { return captures_in(robots, rng); };
     for (const auto& capture : conformance::asked_twice(seed, ask)) {
       REQUIRE(capture.hunter < view.robots.size());
       REQUIRE(capture.victim < view.robots.size());
@@ -191,29 +187,23 @@ TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     const View view = robots.view();
-    const auto victims_in = [&](const test::HandPopulation& any) {
-      Rng rng{seed, Stream::user};
+    const auto sacrifices_in = [&](const test::HandPopulation& any, Rng& rng) {
       const auto kept = conformance::own_states(policy, any, seed);
       const std::span<const StateOf<Policy>> states{kept};
-      std::vector<std::pair<BodyIndex, Species>> found;
-      for (const auto& sacrifice : death::ask::sacrifices(policy, states, any.view(), rng))
-        found.emplace_back(sacrifice.victim, sacrifice.heir);
-      return found;
+      return death::ask::sacrifices(policy, states, any.view(), rng);
     };
-    conformance::on_same_worlds(robots,
-                                [&](const test::HandPopulation& same) { CHECK((victims_in(same) == victims_in(robots))); });
+    const auto from_seed = [&](const test::HandPopulation& any) {
+      Rng rng{seed, Stream::user};
+      return sacrifices_in(any, rng);
+    };
+    conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((from_seed(same) == from_seed(robots))); });
     conformance::check_whom(robots, seed, [&](const test::HandPopulation& any, Rng& rng) {
-      const auto kept_by_any = conformance::own_states(policy, any, seed);
-      const std::span<const StateOf<Policy>> states_of_any{kept_by_any};
       std::vector<BodyIndex> given_up;
-      for (const auto& sacrifice : death::ask::sacrifices(policy, states_of_any, any.view(), rng))
-        given_up.push_back(sacrifice.victim);
+      for (const auto& sacrifice : sacrifices_in(any, rng)) given_up.push_back(sacrifice.victim);
       return given_up;
     });
     std::set<BodyIndex> victims;
-    const auto kept = conformance::own_states(policy, robots, seed);
-    const std::span<const StateOf<Policy>> states{kept};
-    const auto ask = [&](Rng& rng) { return death::ask::sacrifices(policy, states, view, rng); };
+    const auto ask = [&](Rng& rng) { return sacrifices_in(robots, rng); };
     for (const auto& sacrifice : conformance::asked_twice(seed, ask)) {
       REQUIRE(sacrifice.victim < view.robots.size());
       REQUIRE(sacrifice.heir < view.web.size());

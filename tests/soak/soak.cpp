@@ -73,6 +73,10 @@ struct Wanted {
 
 template <class Backend>
 bool soak(const Wanted& wanted) {
+  if (wanted.at_rest && wanted.duration_s <= test::Resting::settles_s) {
+    throw std::invalid_argument{"DURATION_S: must be > " + std::to_string(test::Resting::settles_s) +
+                                ", until robots are at rest"};
+  }
   Experiment<rules::Paper, Backend> numbers;
   numbers.ecology.robots = wanted.robots;
   numbers.rules.community.predators = wanted.robots * 14 / 30;
