@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <mujoco/worlds.hpp>
+#include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/backend/mujoco/robot_states.hpp>
+#include <vector>
+
+using namespace trophic;
+using test::spider;
+using test::square;
+namespace engine = backend::mujoco;
+
+namespace {
+
+constexpr std::size_t robots = 6;
+
+/// Robots in a row, as far from each other as this.
+engine::RobotStates in_a_row(engine::Islands& islands, double distance_m) {
+  engine::RobotStates states{islands.layout(), robots};
+  for (std::size_t i = 0; i < robots; ++i)
+    states.set_root(i, test::standing(spider, distance_m * static_cast<double>(i) - 5.0, 0.0, 0.0));
+  return states;
+}
+
+}  // namespace
+
+TEST_CASE("the model of a crowd that nobody forms any more is dropped, and made again to the same bytes") {
+  const std::vector<double> targets_rad(robots * spider.hinges.size(), 0.4);
+  for (const bool fast : {true, false}) {
+    CAPTURE(fast);
+    engine::Islands islands{spider, square, {}, 1, fast, engine::BoxDepth::engine};
+    const engine::RobotStates crowd = in_a_row(islands, 1.2 * spider.bounding_radius_m);
+    const engine::RobotStates apart = in_a_row(islands, 2.0);
+
+    engine::RobotStates first = crowd;
+    engine::RobotStates next = apart;
+    REQUIRE(islands.advance(apart, targets_rad, 1, next).end == engine::GroupResult::End::done);
+    const std::size_t without_crowd = islands.models();
+    REQUIRE(islands.advance(crowd, targets_rad, 10, first).end == engine::GroupResult::End::done);
+    const std::size_t with_crowd = islands.models();
+    REQUIRE(with_crowd > without_crowd);
+
+    for (std::uint64_t i = 0; i < engine::Islands::keeps_idle_models_for; ++i) {
+      static_cast<void>(islands.advance(apart, targets_rad, 1, next));
+    }
+    CHECK(islands.models() == with_crowd);
+    static_cast<void>(islands.advance(apart, targets_rad, 1, next));
+    CHECK(islands.models() == without_crowd);
+
+    engine::RobotStates again = crowd;
+    REQUIRE(islands.advance(crowd, targets_rad, 10, again).end == engine::GroupResult::End::done);
+    CHECK(islands.models() == with_crowd);
+    CHECK(again.values() == first.values());
+  }
+}
