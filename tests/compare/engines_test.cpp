@@ -13,6 +13,7 @@
 #include <soak/resting.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/mujoco/engine.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/load/arena.hpp>
@@ -244,7 +245,10 @@ TEST_CASE("contact forces carry the weight: ODE's from how far its springs are p
   double force_N = 0.0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     for (const Box& box : robot.links[i].boxes) {
-      for (const Eigen::Vector3d& corner_m : body::detail::corners(box)) {
+      for (unsigned corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d sign{(corner & 1U) != 0 ? 1.0 : -1.0, (corner & 2U) != 0 ? 1.0 : -1.0,
+                                   (corner & 4U) != 0 ? 1.0 : -1.0};
+        const Eigen::Vector3d corner_m = box.centre_m + box.orientation * sign.cwiseProduct(box.half_extents_m);
         force_N -= params.contact_stiffness_N_m * std::min(0.0, (frames[i].position_m + frames[i].orientation * corner_m).z());
       }
     }

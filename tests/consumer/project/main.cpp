@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A user's program: it links, finds the models and steps a robot.
+#ifdef CONSUMER_EVERYTHING
+#include "everything.hpp"
+#endif
 #include <iostream>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -11,14 +14,15 @@
 #endif
 #include <vector>
 
-double first_draw_of_other_unit();
-
 int main() {
 #ifdef CONSUMER_EVERYTHING
   if (trophic::Rng{42, trophic::Stream::user}.uniform() != first_draw_of_other_unit()) {
     std::cerr << "two translation units draw different numbers\n";
     return 1;
   }
+  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.seed = 42});
+  ecology.run_until(20.0);
+  std::cout << ecology.view().robots.size() << " robots lived " << ecology.time_s() << " s\n";
 #endif
   const trophic::Habitat habitat = trophic::load_habitat({});
   std::cout << habitat.robot.name << " in " << habitat.arena.name << ", from "
