@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything public, for two translation units: what is included is there, and two definitions of anything that is not inline do
-// not link.
+// Every public header but the command line's, for two translation units: what is not inline does not
+// link.
 #pragma once
 
 #include <trophic/trophic.hpp>
