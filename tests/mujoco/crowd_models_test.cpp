@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <mujoco/worlds.hpp>
+#include <stdexcept>
+#include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <vector>
@@ -55,4 +57,16 @@ TEST_CASE("the model of a crowd that nobody forms any more is dropped, and made 
     CHECK(islands.models() == with_crowd);
     CHECK(again.values() == first.values());
   }
+}
+
+TEST_CASE("threads that step one model at the same time have a working memory each, one after the other the same") {
+  engine::CompiledModel model{spider, square, {}, {}, 1, 2};
+  {
+    const engine::CompiledModel::Turn first{model};
+    const engine::CompiledModel::Turn second{model};
+    CHECK(first.slot() == 0);
+    CHECK(second.slot() == 1);
+    CHECK_THROWS_WITH_AS(engine::CompiledModel::Turn{model}, "more threads than working memories", std::logic_error);
+  }
+  for (int i = 0; i < 3; ++i) CHECK(engine::CompiledModel::Turn{model}.slot() == 0);
 }

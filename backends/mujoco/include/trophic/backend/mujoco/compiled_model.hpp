@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,7 +32,7 @@ class CompiledModel {
  public:
   CompiledModel(const RobotModel& robot, const Arena& arena, const Physics& physics, const Scene& scene, std::size_t robots,
                 std::size_t threads)
-      : robots_{robots}, data_(threads) {
+      : robots_{robots}, data_(threads), taken_(threads, false) {
     const std::string height_file = "ground.hfield";
     // MuJoCo steps what it compiles once: far enough apart and above the ground nothing touches.
     std::vector<Pose> apart(robots);
@@ -53,15 +54,41 @@ class CompiledModel {
   [[nodiscard]] const mjModel& model() const { return *model_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
-  /// The working memory of one thread, made at its first use. Different threads may ask at the same time.
-  [[nodiscard]] mjData& data(std::size_t thread) {
-    if (!data_[thread]) {
+  /// One of the working memories, of which there may be as many as threads, made at its first use. Nobody else may use it
+  /// meanwhile.
+  [[nodiscard]] mjData& data(std::size_t slot) {
+    if (!data_[slot]) {
       const EngineGuard guard;
-      data_[thread].reset(mj_makeData(model_.get()));
-      if (!data_[thread]) throw std::runtime_error{"MuJoCo: model of " + std::to_string(robots_) + " robots is too large"};
+      data_[slot].reset(mj_makeData(model_.get()));
+      if (!data_[slot]) throw std::runtime_error{"MuJoCo: model of " + std::to_string(robots_) + " robots is too large"};
     }
-    return *data_[thread];
+    return *data_[slot];
   }
+
+  /// For a thread that steps some group next: the first working memory that no other thread holds a turn of. A model of which one
+  /// group is stepped at a time has one, whichever threads do it.
+  class Turn {
+   public:
+    explicit Turn(CompiledModel& model) : model_{model} {
+      const std::lock_guard lock{model_.taking_};
+      const auto free = std::ranges::find(model_.taken_, false);
+      if (free == model_.taken_.end()) throw std::logic_error{"more threads than working memories"};
+      *free = true;
+      slot_ = static_cast<std::size_t>(free - model_.taken_.begin());
+    }
+    ~Turn() {
+      const std::lock_guard lock{model_.taking_};
+      model_.taken_[slot_] = false;
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+    [[nodiscard]] std::size_t slot() const { return slot_; }
+
+   private:
+    CompiledModel& model_;
+    std::size_t slot_ = 0;
+  };
 
   /// Doubles the room for contacts. False where MuJoCo's 31-bit buffer size is reached.
   bool grow() {
@@ -115,6 +142,8 @@ class CompiledModel {
   ModelPtr model_;
   Layout layout_;
   std::vector<DataPtr> data_;
+  std::vector<bool> taken_;
+  std::mutex taking_;
 };
 
 }  // namespace trophic::backend::mujoco

@@ -35,7 +35,7 @@ class Islands {
   [[nodiscard]] const Layout& layout() { return model_for({1, false}).layout(); }
 
   /// For so many calls of `advance` the model of a crowd is kept in which no group was stepped. MuJoCo's room for a crowd's
-  /// contacts is quadratic in its robots: 24 MB a thread for ten, 160 MB for thirty.
+  /// contacts is quadratic in its robots: 24 MB for ten, 160 MB for thirty.
   static constexpr std::uint64_t keeps_idle_models_for = 1000;
 
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< kept now
@@ -111,9 +111,12 @@ class Islands {
 
     results_.assign(large.size() + lane_sets_.size(), {});
     pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {
-      results_[i] = i < large.size()
-                        ? step_group(*models_of_large_[i], thread, large[i], targets_rad, slack_m_, steps, states, next)
-                        : lanes_->advance(lane_sets_[i - large.size()], thread, targets_rad, slack_m_, steps, states, next);
+      if (i >= large.size()) {
+        results_[i] = lanes_->advance(lane_sets_[i - large.size()], thread, targets_rad, slack_m_, steps, states, next);
+        return;
+      }
+      const CompiledModel::Turn turn{*models_of_large_[i]};
+      results_[i] = step_group(*models_of_large_[i], turn.slot(), large[i], targets_rad, slack_m_, steps, states, next);
     });
     return repair();
   }
