@@ -99,8 +99,8 @@ TEST_CASE("pairs and MuJoCo's own sweep, combined and separate servos give the s
   const std::vector<std::size_t> both{0, 1};
   engine::RobotStates a = start;
   engine::RobotStates b = start;
-  REQUIRE(engine::step_group(one, 0, both, targets_rad, {}, 500, start, a).end == engine::GroupResult::End::done);
-  REQUIRE(engine::step_group(other, 0, both, targets_rad, {}, 500, start, b).end == engine::GroupResult::End::done);
+  REQUIRE(engine::step_group(one, both, targets_rad, {}, 500, start, a).end == engine::GroupResult::End::done);
+  REQUIRE(engine::step_group(other, both, targets_rad, {}, 500, start, b).end == engine::GroupResult::End::done);
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t k = 0; k < 11; ++k) CHECK(std::abs(a.positions(i)[k] - b.positions(i)[k]) < 1e-10);
   }

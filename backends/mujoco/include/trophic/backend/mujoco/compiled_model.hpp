@@ -84,6 +84,7 @@ class CompiledModel {
     Turn& operator=(const Turn&) = delete;
 
     [[nodiscard]] std::size_t slot() const { return slot_; }
+    [[nodiscard]] mjData& data() const { return model_.data(slot_); }
 
    private:
     CompiledModel& model_;

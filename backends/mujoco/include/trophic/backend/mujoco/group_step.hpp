@@ -57,13 +57,14 @@ struct GroupResult {
 }
 
 /// Takes `steps` steps of the robots listed, from the states in `from` to those in `to`, under the servo targets `targets_rad`
-/// (one row of hinges per robot), in the model's working memory `slot`. `slack_m`: how far each may move horizontally from where
+/// (one row of hinges per robot). `slack_m`: how far each may move horizontally from where
 /// it stands at first; empty: anywhere.
-[[nodiscard]] inline GroupResult step_group(CompiledModel& compiled, std::size_t slot, std::span<const std::size_t> robots,
+[[nodiscard]] inline GroupResult step_group(CompiledModel& compiled, std::span<const std::size_t> robots,
                                             std::span<const double> targets_rad, std::span<const double> slack_m,
                                             std::size_t steps, const RobotStates& from, RobotStates& to) {
   const Layout& layout = compiled.layout();
-  mjData& data = compiled.data(slot);
+  const CompiledModel::Turn turn{compiled};
+  mjData& data = turn.data();
   for (std::size_t share = 0; share < robots.size(); ++share) {
     from.load(robots[share], share, data);
     std::copy_n(targets_rad.begin() + static_cast<std::ptrdiff_t>(robots[share] * layout.hinges), layout.hinges,

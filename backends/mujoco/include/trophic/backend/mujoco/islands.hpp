@@ -111,12 +111,9 @@ class Islands {
 
     results_.assign(large.size() + lane_sets_.size(), {});
     pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {
-      if (i >= large.size()) {
-        results_[i] = lanes_->advance(lane_sets_[i - large.size()], thread, targets_rad, slack_m_, steps, states, next);
-        return;
-      }
-      const CompiledModel::Turn turn{*models_of_large_[i]};
-      results_[i] = step_group(*models_of_large_[i], turn.slot(), large[i], targets_rad, slack_m_, steps, states, next);
+      results_[i] = i < large.size()
+                        ? step_group(*models_of_large_[i], large[i], targets_rad, slack_m_, steps, states, next)
+                        : lanes_->advance(lane_sets_[i - large.size()], thread, targets_rad, slack_m_, steps, states, next);
     });
     return repair();
   }

@@ -98,7 +98,7 @@ class LaneStepper {
       for (std::size_t g = 0; left != 0 && g < set.groups().size(); ++g) {
         const LaneSet::Group& group = set.groups()[g];
         if ((left & (1u << group.first_lane)) == 0) continue;
-        GroupResult result = step_by_mujoco(group, set.robots(group), thread, lanes, to);
+        GroupResult result = step_by_mujoco(group, set.robots(group), lanes, to);
         result.steps = step;
         if (result.end != GroupResult::End::done) return result;
       }
@@ -129,10 +129,11 @@ class LaneStepper {
 
   /// One mj_step of the robots of a group; `to` holds their numbers on the way.
   [[nodiscard]] static GroupResult step_by_mujoco(const LaneSet::Group& group, std::span<const std::size_t> robots,
-                                                  std::size_t thread, kernel::LaneState& lanes, RobotStates& to) {
+                                                  kernel::LaneState& lanes, RobotStates& to) {
     const EngineGuard guard;
     CompiledModel& compiled = *group.model;
-    mjData& data = compiled.data(thread);
+    const CompiledModel::Turn turn{compiled};
+    mjData& data = turn.data();
     for (std::size_t share = 0; share < robots.size(); ++share) {
       const std::size_t lane = group.first_lane + share;
       lanes.store(lane, to.numbers(robots[share]));

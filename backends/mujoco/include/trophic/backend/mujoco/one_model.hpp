@@ -24,7 +24,7 @@ class OneModel {
                                     RobotStates& to) {
     GroupResult result;
     do {
-      result = step_group(compiled_, 0, all_, targets_rad, {}, steps, from, to);
+      result = step_group(compiled_, all_, targets_rad, {}, steps, from, to);
     } while (result.end == GroupResult::End::buffers_full && compiled_.grow());
     return result;
   }
