@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// alone
 // expect: an Ecology made from numbers alone reads model files: #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
