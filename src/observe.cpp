@@ -22,5 +22,6 @@
 #include <trophic/replicates/sweep/sweep_file.ipp>
 #include <trophic/replicates/sweep/work_through.ipp>
 #include <trophic/support/checksum.ipp>
+#include <trophic/support/json.ipp>
 #include <trophic/support/replace_file.ipp>
 #include <trophic/support/whole_file.ipp>

@@ -286,6 +286,7 @@
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/host_name.hpp>
 #include <trophic/support/joined_text.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/linkage.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <support/temporary_folder.hpp>
@@ -14,6 +13,8 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -59,9 +60,9 @@ TEST_CASE("the run's record says which integrator it had") {
   observe::RunFolder files{folder.path() / "run", {}};
   observe::Progress progress{false};
   ecology.run_until(2.0, files, progress);
-  const auto manifest = nlohmann::json::parse(std::ifstream{folder.path() / "run" / "manifest.json"});
+  const auto manifest = parse_json(read_whole_file(folder.path() / "run" / "manifest.json"));
   CHECK(manifest["params"]["physics"]["integrator"] == "rk4");
-  CHECK(manifest["remarks"] == nlohmann::json::array({remark}));
+  CHECK(manifest["remarks"] == Json::array({remark}));
   std::ostringstream summary;
   progress.summary(summary, ecology.view());
   CHECK(summary.str().find(std::string{"\nremark  "} + remark + "\n") != std::string::npos);

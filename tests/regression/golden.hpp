@@ -8,11 +8,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <trophic/params/named_params.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <vector>
 
 namespace trophic::test {
@@ -65,10 +66,9 @@ inline void remove_recording(const std::filesystem::path& folder) {
 /// Takes out of manifest.json what names the version, the compiler and the source rather than the run, and the sums of the
 /// tables, which are compared themselves.
 inline void strip_manifest(const std::filesystem::path& folder) {
-  std::ifstream file{folder / "manifest.json"};
-  auto manifest = nlohmann::ordered_json::parse(file);
+  auto manifest = parse_json(read_whole_file(folder / "manifest.json"));
   for (const char* key : {"trophic", "compiler", "source", "tables"}) manifest.erase(key);
-  std::istringstream text{manifest.dump(1)};
+  std::istringstream text{json_text(manifest, 1)};
   FileLines lines;
   for (std::string line; std::getline(text, line);) lines.push_back(line);
   write_lines(folder / "manifest.json", lines);

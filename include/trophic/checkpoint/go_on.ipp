@@ -4,13 +4,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/folder_lock.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -20,35 +20,34 @@ namespace trophic::checkpoint {
 namespace detail {
 
 /// manifest.json; null if it cannot be read.
-[[nodiscard]] inline nlohmann::json manifest_in(const std::filesystem::path& folder) {
+[[nodiscard]] inline Json manifest_in(const std::filesystem::path& folder) {
   try {
-    auto manifest = nlohmann::json::parse(read_whole_file(folder / "manifest.json"), nullptr, false);
-    return manifest.is_object() ? manifest : nlohmann::json{};
+    auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json"));
+    return manifest.is_object() ? manifest : Json{};
   } catch (const std::invalid_argument&) {  // what cannot be read says nothing
     return {};
   }
 }
 
-[[nodiscard]] inline std::string status_in(const nlohmann::json& manifest) {
+[[nodiscard]] inline std::string status_in(const Json& manifest) {
   const auto status = manifest.find("status");
   return status != manifest.end() && status->is_string() ? status->get<std::string>() : "unreadable";
 }
 
 /// When the run of a complete manifest was to end; 0 where it does not say.
-[[nodiscard]] inline double until_in(const nlohmann::json& manifest) {
+[[nodiscard]] inline double until_in(const Json& manifest) {
   const auto clock = manifest.find("clock");
   if (clock == manifest.end() || !clock->is_object() || !clock->contains("until_s")) return 0.0;
   return (*clock)["until_s"].is_number() ? (*clock)["until_s"].get<double>() : 0.0;
 }
 
 /// Throws std::invalid_argument unless a manifest is of this run.
-inline void check_manifest(const std::filesystem::path& folder, const nlohmann::json& manifest,
-                           const observe::RunDescription& run) {
-  const auto check = [&](const char* key, const nlohmann::json& ours) {
+inline void check_manifest(const std::filesystem::path& folder, const Json& manifest, const observe::RunDescription& run) {
+  const auto check = [&](const char* key, const Json& ours) {
     const auto there = manifest.find(key);
     if (there != manifest.end() && *there == ours) return;
     throw std::invalid_argument{(folder / "manifest.json").string() + ": " + key + " = " +
-                                (there == manifest.end() ? "nothing" : there->dump()) + ": must be " + ours.dump() +
+                                (there == manifest.end() ? "nothing" : json_text(*there)) + ": must be " + json_text(ours) +
                                 ", as of the run that is to go on"};
   };
   check("fingerprint", run.fingerprint);
@@ -88,7 +87,7 @@ TROPHIC_INLINE std::filesystem::path set_aside(const std::filesystem::path& fold
 TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run) {
   if (!std::filesystem::exists(folder)) return {};
   const FolderLock alone{folder};
-  const nlohmann::json manifest = detail::manifest_in(folder);
+  const Json manifest = detail::manifest_in(folder);
   const std::string status = detail::status_in(manifest);
   const double until_s = detail::until_in(manifest);
   if (status == "complete" && until_s >= run.until_s) {

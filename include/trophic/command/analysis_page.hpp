@@ -4,12 +4,12 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/command/replay/page.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -151,7 +151,7 @@ inline void append_replays(std::string& page, const std::vector<AnalysisPage::Re
 /// The pictures that a folder has for a page: every PNG that its captions.json names, in that order. Throws std::invalid_argument
 /// for a folder without them.
 [[nodiscard]] inline std::vector<AnalysisPage::Figure> read_figures(const std::filesystem::path& folder) {
-  const auto captions = nlohmann::ordered_json::parse(read_whole_file(folder / "captions.json"), nullptr, false);
+  const auto captions = parse_json_or_null(read_whole_file(folder / "captions.json"));
   if (!captions.is_object()) throw std::invalid_argument{(folder / "captions.json").string() + ": is not a JSON object"};
   std::vector<AnalysisPage::Figure> figures;
   for (const auto& [name, caption] : captions.items()) {

@@ -105,7 +105,7 @@ inline void write_page(const Options& options, std::span<const analysis::Shadowe
 }
 
 inline void finish(const Options& options, const std::optional<std::filesystem::path>& out,
-                   std::span<const analysis::ShadowedSet> sets, const nlohmann::ordered_json& json, const std::string& table) {
+                   std::span<const analysis::ShadowedSet> sets, const Json& json, const std::string& table) {
   std::cout << table;
   if (out) {
     analysis::write_metrics(*out / "metrics.csv", sets);
@@ -116,8 +116,8 @@ inline void finish(const Options& options, const std::optional<std::filesystem::
   flush_output();
 }
 
-[[nodiscard]] inline nlohmann::ordered_json json_of(std::span<const analysis::ShadowedSet> sets) {
-  nlohmann::ordered_json json;
+[[nodiscard]] inline Json json_of(std::span<const analysis::ShadowedSet> sets) {
+  Json json;
   json["trophic"] = trophic::version;
   for (const analysis::ShadowedSet& set : sets) {
     json["sets"].push_back(analysis::summary_json(set, analysis::summarize(set.ours.runs, set.shadow_runs())));
@@ -158,7 +158,7 @@ inline void compare(const Options& options) {
   const auto differences = analysis::compare_sets(sets[0], sets[1]);
   std::ostringstream table;
   analysis::print_differences(table, sets[0], sets[1], differences);
-  nlohmann::ordered_json json = json_of(sets);
+  Json json = json_of(sets);
   json["differences"] = analysis::differences_json(differences);
   finish(options, out, sets, json, table.str());
 }

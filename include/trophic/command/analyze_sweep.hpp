@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -24,6 +23,7 @@
 #include <trophic/command/output.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>
 #include <vector>
 
@@ -59,9 +59,9 @@ struct SweepOptions {
   }
 };
 
-inline void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
+inline void write_json(const std::filesystem::path& path, const Json& json) {
   std::ofstream file{path};
-  file << json.dump(2) << '\n';
+  file << json_text(json, 2) << '\n';
   file.close();
   if (!file) throw std::runtime_error{"cannot write " + path.string()};
 }
@@ -127,7 +127,7 @@ inline void measure_sweep(const std::filesystem::path& folder, const std::filesy
   analysis::write_sweep_metrics(out / "sweep_metrics.csv", sweep.grid, values);
   analysis::write_sweep_differences(out / "sweep_differences.csv", differences, reference);
   analysis::write_axis_effects(out / "sweep_effects.csv", effects);
-  nlohmann::ordered_json json{{"trophic", trophic::version}};
+  Json json{{"trophic", trophic::version}};
   json["sweep"] = analysis::sweep_json(sweep, differences, reference, answers);
   write_json(out / "summary.json", json);
   std::cout << "files   " << out.string()

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,6 +26,7 @@
 #include <trophic/params/toml.hpp>
 #include <trophic/replicates/run_in_folder.hpp>
 #include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
@@ -35,9 +35,9 @@ namespace trophic::command {
 
 namespace detail {
 
-/// The numbers of a manifest as those of a configuration file. Throws nlohmann::json::exception for what is no number, text or
+/// The numbers of a manifest as those of a configuration file. Throws Json::exception for what is no number, text or
 /// switch.
-[[nodiscard]] inline toml::table toml_of(const nlohmann::json& json) {
+[[nodiscard]] inline toml::table toml_of(const Json& json) {
   toml::table table;
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
@@ -241,7 +241,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
   origin.folder = options.from;
   const std::filesystem::path path = origin.folder / "manifest.json";
   try {
-    const auto json = nlohmann::json::parse(read_whole_file(path));
+    const auto json = parse_json(read_whole_file(path));
     origin.rule_table = json.at("rule_table").get<std::string>();
     origin.engine = json.at("backend").get<std::string>();
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
@@ -251,7 +251,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.extent.senses = json.contains("senses");
     origin.extent.states = std::filesystem::exists(origin.folder / observe::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   }
   const auto last_s = checkpoint::last_moment_s(origin.folder);

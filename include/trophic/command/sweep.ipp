@@ -46,7 +46,7 @@ using sweep::PlannedRun;
 }
 
 /// One value under its path, in nested tables.
-inline void insert(toml::table& table, std::string_view path, const nlohmann::ordered_json& value) {
+inline void insert(toml::table& table, std::string_view path, const Json& value) {
   const std::size_t dot = path.find('.');
   if (dot != std::string_view::npos) {
     toml::node* nested = &table.insert(path.substr(0, dot), toml::table{}).first->second;
@@ -82,7 +82,7 @@ inline void insert(toml::table& table, std::string_view path, const nlohmann::or
 [[nodiscard]] inline std::string take(sweep::Settings& settings, const std::string& key, const std::string& otherwise) {
   const auto found = settings.find(key);
   if (found == settings.end()) return otherwise;
-  if (!found->is_string()) throw std::invalid_argument{key + " = " + found->dump() + ": must be a text"};
+  if (!found->is_string()) throw std::invalid_argument{key + " = " + json_text(*found) + ": must be a text"};
   const std::string choice = found->get<std::string>();
   settings.erase(key);
   return choice;

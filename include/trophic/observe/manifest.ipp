@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/version.hpp>
 #include <utility>
@@ -19,11 +19,11 @@ namespace trophic::observe {
 namespace detail {
 
 /// "rules.tag_switch.cool_down_s" as the place in a nested object.
-[[nodiscard]] inline nlohmann::ordered_json::json_pointer json_place(std::string path) {
+[[nodiscard]] inline Json::json_pointer json_place(std::string path) {
   for (char& c : path) {
     if (c == '.') c = '/';
   }
-  return nlohmann::ordered_json::json_pointer{"/" + path};
+  return Json::json_pointer{"/" + path};
 }
 
 }  // namespace detail
@@ -40,13 +40,13 @@ TROPHIC_INLINE std::string compiler() {
 }
 
 struct Manifest::Content {
-  nlohmann::ordered_json json;
+  Json json;
 
   /// Calls `change(json)`; what it does is kept if it throws nothing. Where memory runs out within, the library's values may hold
   /// null pointers that their destructors follow: such a copy is left behind.
   template <class Change>
   void change(Change&& change) {
-    auto changed = std::make_unique<nlohmann::ordered_json>(json);
+    auto changed = std::make_unique<Json>(json);
     try {
       change(*changed);
     } catch (...) {
@@ -76,18 +76,18 @@ TROPHIC_INLINE void Manifest::begin_from(Provenance origin) {
 }
 
 TROPHIC_INLINE void Manifest::set_inputs(const std::vector<std::string>& inputs) {
-  content_->change([&](nlohmann::ordered_json& json) { json["senses"]["inputs"] = inputs; });
+  content_->change([&](Json& json) { json["senses"]["inputs"] = inputs; });
 }
 
 TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string, TableSum>>& tables) {
-  content_->change([&](nlohmann::ordered_json& json) {
+  content_->change([&](Json& json) {
     for (const auto& [file, sum] : tables) json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
   });
 }
 
 TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& view) {
   until_s_ = run.until_s;
-  content_->change([&](nlohmann::ordered_json& json) {
+  content_->change([&](Json& json) {
     json["trophic"] = version;
     json["status"] = "running";
     json["fingerprint"] = run.fingerprint;
@@ -99,14 +99,14 @@ TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& vi
     for (const auto& [name, text] : provenance_) json[name] = text;
     for (const auto& [name, text] : origin_) json["origin"][name] = text;
     for (const Continuation& one : continued_) {
-      nlohmann::ordered_json program{{"from_s", one.from_s}};
+      Json program{{"from_s", one.from_s}};
       for (const auto& [name, text] : one.provenance) program[name] = text;
       json["continued"].push_back(std::move(program));
     }
     json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
     if (agents_every_ticks_ != 1) json["agents_every_ticks"] = agents_every_ticks_;
     for (Species species = 0; species < view.web.size(); ++species) json["species"].push_back(view.web.name(species));
-    json["food_web"] = nlohmann::ordered_json::array();
+    json["food_web"] = Json::array();
     for (const Feeding& link : view.web.links()) {
       json["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
     }
@@ -121,19 +121,19 @@ TROPHIC_INLINE void Manifest::on_start(const RunDescription& run, const View& vi
 }
 
 TROPHIC_INLINE void Manifest::on_failure(std::string_view what) {
-  content_->change([&](nlohmann::ordered_json& json) { json["error"] = what; });
+  content_->change([&](Json& json) { json["error"] = what; });
   finish("failed");
 }
 
 TROPHIC_INLINE void Manifest::add(const Provenance& provenance) {
-  content_->change([&](nlohmann::ordered_json& json) {
+  content_->change([&](Json& json) {
     for (const auto& [name, text] : provenance) json[name] = text;
   });
   write();
 }
 
 TROPHIC_INLINE void Manifest::finish(std::string_view status) {
-  content_->change([&](nlohmann::ordered_json& json) {
+  content_->change([&](Json& json) {
     json["status"] = status;
     auto& result = json["result"];
     result["reached_s"] = reached_s_;
@@ -147,7 +147,7 @@ TROPHIC_INLINE void Manifest::finish(std::string_view status) {
 }
 
 TROPHIC_INLINE void Manifest::write() const {
-  replace_file(path_, content_->json.dump(2) + '\n');
+  replace_file(path_, json_text(content_->json, 2) + '\n');
 }
 
 }  // namespace trophic::observe

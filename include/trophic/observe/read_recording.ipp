@@ -6,7 +6,6 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include <trophic/observe/recording_planes.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/checksum.hpp>
+#include <trophic/support/json.hpp>
 #include <utility>
 
 namespace trophic::observe {
@@ -26,14 +26,14 @@ namespace recording {
   return value;
 }
 
-[[nodiscard]] TROPHIC_INLINE Eigen::Vector3d vector_of(const nlohmann::json& json) {
+[[nodiscard]] TROPHIC_INLINE Eigen::Vector3d vector_of(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
-[[nodiscard]] TROPHIC_INLINE Eigen::Quaterniond quaternion_of(const nlohmann::json& json) {
+[[nodiscard]] TROPHIC_INLINE Eigen::Quaterniond quaternion_of(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>(), json.at(3).get<double>()};
 }
 
-[[nodiscard]] TROPHIC_INLINE RobotModel robot_of(const nlohmann::json& json) {
+[[nodiscard]] TROPHIC_INLINE RobotModel robot_of(const Json& json) {
   RobotModel robot;
   robot.name = json.at("name").get<std::string>();
   robot.forward_rad = json.at("forward_rad").get<double>();
@@ -66,7 +66,7 @@ namespace recording {
   return robot;
 }
 
-[[nodiscard]] TROPHIC_INLINE Arena arena_of(const nlohmann::json& json) {
+[[nodiscard]] TROPHIC_INLINE Arena arena_of(const Json& json) {
   Arena arena;
   arena.name = json.at("name").get<std::string>();
   arena.half_side_m = json.at("half_side_m").get<double>();
@@ -84,10 +84,10 @@ namespace recording {
   return arena;
 }
 
-[[nodiscard]] TROPHIC_INLINE RecordingHead head_of(const nlohmann::json& json) {
-  if (json.at("format") != "trophic recording") throw std::runtime_error{"its format is " + json.at("format").dump()};
+[[nodiscard]] TROPHIC_INLINE RecordingHead head_of(const Json& json) {
+  if (json.at("format") != "trophic recording") throw std::runtime_error{"its format is " + json_text(json.at("format"))};
   if (json.at("version") != version) {
-    throw std::runtime_error{"version " + json.at("version").dump() + " of the format; this program reads " +
+    throw std::runtime_error{"version " + json_text(json.at("version")) + " of the format; this program reads " +
                              std::to_string(version)};
   }
   RecordingHead head;
@@ -176,7 +176,7 @@ TROPHIC_INLINE void RecordingReader::scan() {
 
 TROPHIC_INLINE void RecordingReader::read_head(const std::string& text) {
   try {
-    head_ = recording::head_of(nlohmann::json::parse(text));
+    head_ = recording::head_of(parse_json(text));
   } catch (const std::exception& error) {
     throw std::runtime_error{path_.string() + ": its head cannot be read: " + error.what()};
   }

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/recording_planes.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/checksum.hpp>
+#include <trophic/support/json.hpp>
 #include <utility>
 
 namespace trophic::observe {
@@ -21,26 +21,26 @@ TROPHIC_INLINE void append_u32(std::string& bytes, std::uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>((value >> shift) & 0xFFU));
 }
 
-[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const Eigen::Vector3d& v) {
+[[nodiscard]] TROPHIC_INLINE Json json_of(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
-[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const Eigen::Quaterniond& q) {
+[[nodiscard]] TROPHIC_INLINE Json json_of(const Eigen::Quaterniond& q) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
 /// What a robot looks like and how its joints move it.
-[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const RobotModel& robot) {
-  nlohmann::ordered_json json{{"name", robot.name},
-                              {"forward_rad", robot.forward_rad},
-                              {"bounding_radius_m", robot.bounding_radius_m},
-                              {"links", nlohmann::ordered_json::array()}};
+[[nodiscard]] TROPHIC_INLINE Json json_of(const RobotModel& robot) {
+  Json json{{"name", robot.name},
+            {"forward_rad", robot.forward_rad},
+            {"bounding_radius_m", robot.bounding_radius_m},
+            {"links", Json::array()}};
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const Link& link = robot.links[i];
-    nlohmann::ordered_json one{{"name", link.name},
-                               {"parent", link.parent},
-                               {"offset_m", json_of(link.offset_m)},
-                               {"rotation", json_of(link.rotation)},
-                               {"boxes", nlohmann::ordered_json::array()}};
+    Json one{{"name", link.name},
+             {"parent", link.parent},
+             {"offset_m", json_of(link.offset_m)},
+             {"rotation", json_of(link.rotation)},
+             {"boxes", Json::array()}};
     if (i > 0) one["hinge"] = {{"name", robot.hinges[i - 1].name}, {"axis", json_of(robot.hinges[i - 1].axis)}};
     for (const Box& box : link.boxes) {
       one["boxes"].push_back({{"part", box.part},
@@ -53,8 +53,8 @@ TROPHIC_INLINE void append_u32(std::string& bytes, std::uint32_t value) {
   return json;
 }
 
-[[nodiscard]] TROPHIC_INLINE nlohmann::ordered_json json_of(const Arena& arena) {
-  nlohmann::ordered_json json{{"name", arena.name}, {"half_side_m", arena.half_side_m}, {"extent_m", arena.extent_m}};
+[[nodiscard]] TROPHIC_INLINE Json json_of(const Arena& arena) {
+  Json json{{"name", arena.name}, {"half_side_m", arena.half_side_m}, {"extent_m", arena.extent_m}};
   if (arena.height_field) {
     json["height_field"] = {{"nodes", arena.height_field->nodes},
                             {"half_extent_m", arena.height_field->half_extent_m},
@@ -67,7 +67,7 @@ TROPHIC_INLINE void append_u32(std::string& bytes, std::uint32_t value) {
 
 struct Recording::File {
   GrowingFile file;
-  nlohmann::ordered_json head = {};
+  Json head = {};
 };
 
 TROPHIC_INLINE Recording::Recording(const std::filesystem::path& path, double hz, Opening opening) : hz_{hz} {
@@ -84,13 +84,8 @@ TROPHIC_INLINE Recording::~Recording() = default;
 TROPHIC_INLINE void Recording::on_start(const RunDescription& run, const View& view) {
   if (!file_) return;
   auto& head = file_->head;
-  head = {{"format", "trophic recording"},
-          {"version", recording::version},
-          {"fingerprint", run.fingerprint},
-          {"seed", run.seed},
-          {"rule_table", run.rules},
-          {"backend", run.backend},
-          {"species", nlohmann::ordered_json::array()}};
+  head = {{"format", "trophic recording"}, {"version", recording::version}, {"fingerprint", run.fingerprint}, {"seed", run.seed},
+          {"rule_table", run.rules},       {"backend", run.backend},        {"species", Json::array()}};
   for (Species species = 0; species < view.web.size(); ++species) head["species"].push_back(view.web.name(species));
 }
 
@@ -117,7 +112,7 @@ TROPHIC_INLINE void Recording::write_head(const Frame& frame) {
   head["robot"] = recording::json_of(frame.robot);
   head["arena"] = recording::json_of(frame.arena);
   file_->file.append(recording::magic);
-  write_block(recording::head_kind, head.dump());
+  write_block(recording::head_kind, json_text(head));
 }
 
 TROPHIC_INLINE void Recording::on_frame(const Frame& frame) {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +13,7 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/support/folder_lock.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -29,16 +29,16 @@ inline constexpr const char* list_name = "replicates.json";
 /// What it says: which runs there are to be, and what they have in common.
 [[nodiscard]] inline std::string list_text(const Plan& plan, const observe::RunDescription& run,
                                            const observe::Provenance& provenance) {
-  auto replicates = nlohmann::ordered_json::array();
+  auto replicates = Json::array();
   for (const Replicate& replicate : plan.all()) {
     replicates.push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
   }
   // Made whole: a value that becomes an object while memory runs out cannot be destroyed.
-  nlohmann::ordered_json content{
+  Json content{
       {"rule_table", run.rules},         {"backend", run.backend}, {"fingerprint", run.fingerprint},     {"until_s", run.until_s},
       {"master_seed", plan.master_seed}, {"count", plan.count},    {"replicates", std::move(replicates)}};
   for (const auto& [name, text] : provenance) content[name] = text;
-  return content.dump(2) + '\n';
+  return json_text(content, 2) + '\n';
 }
 
 /// replicates.json and what of the plan is still to be done. Holds a lock on the folder while it lives, so that two programs
@@ -83,26 +83,26 @@ class Folder {
   template <class Number>
   static void same(const std::filesystem::path& file, const std::string& field, const Number& there, const Number& ours) {
     if (there == ours) return;
-    const auto text = [](const Number& number) { return nlohmann::json(number).dump(); };
+    const auto text = [](const Number& number) { return json_text(Json(number)); };
     throw std::invalid_argument{file.string() + ": " + field + " = " + text(there) + ": must be " + text(ours) +
                                 ", as in the experiment to be resumed"};
   }
 
-  static nlohmann::json read(const std::filesystem::path& path) {
+  static Json read(const std::filesystem::path& path) {
     std::string text;
     try {
       text = read_whole_file(path);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{std::string{error.what()} + "; only a folder of replicates can be resumed"};
     }
-    auto json = nlohmann::json::parse(text, nullptr, false);
+    auto json = parse_json_or_null(text);
     if (!json.is_object()) throw std::invalid_argument{path.string() + ": is not a JSON object"};
     return json;
   }
 
   static void check_same(const Plan& plan, const observe::RunDescription& run) {
     const std::filesystem::path path = plan.out / list_name;
-    const nlohmann::json there = read(path);
+    const Json there = read(path);
     try {
       same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
       same(path, "master_seed", there.at("master_seed").get<std::uint64_t>(), plan.master_seed);
@@ -112,19 +112,19 @@ class Folder {
         throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + std::to_string(count) +
                                     ", what " + path.string() + " has; a resumed set can grow but not shrink"};
       }
-    } catch (const nlohmann::json::exception& error) {
+    } catch (const Json::exception& error) {
       throw std::invalid_argument{path.string() + ": " + error.what()};
     }
   }
 
   static void check_complete(const Replicate& replicate, const observe::RunDescription& run) {
     const std::filesystem::path path = replicate.folder / "manifest.json";
-    const nlohmann::json there = read(path);
+    const Json there = read(path);
     try {
       same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
       same(path, "seed", there.at("seed").get<std::uint64_t>(), replicate.seed);
       same(path, "until_s", there.at("clock").at("until_s").get<double>(), run.until_s);
-    } catch (const nlohmann::json::exception& error) {
+    } catch (const Json::exception& error) {
       throw std::invalid_argument{path.string() + ": " + error.what()};
     }
   }

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/rng.hpp>
 #include <type_traits>
 #include <unit/checkpoint/resumed.hpp>
@@ -73,7 +73,7 @@ TEST_CASE("so does a run that is cut off ten times") {
   for (int i = 0; i < 10; ++i) cuts.push_back(1 + static_cast<std::int64_t>(rng.index(300)));
   std::ranges::sort(cuts);
   check_resumed(brief<rules::Released>(5), folder.path(), cuts, 30.0, unchanged);
-  const auto manifest = nlohmann::json::parse(content(folder.path() / "parts/manifest.json"));
+  const auto manifest = parse_json(content(folder.path() / "parts/manifest.json"));
   CHECK(manifest["status"] == "complete");
   CHECK(manifest["continued"].size() >= 5);
 }
@@ -107,7 +107,7 @@ TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that 
   run_part(brief<rules::Released>(5), parts, 209, 50.0, {.agents_every_ticks = 1});
   run_part(brief<rules::Released>(5), parts, never, 50.0, {.agents_every_ticks = 5});
   CHECK(results_in(whole) == results_in(parts));
-  const auto manifest = nlohmann::json::parse(content(parts / "manifest.json"));
+  const auto manifest = parse_json(content(parts / "manifest.json"));
   CHECK(manifest["agents_every_ticks"] == 7);
   CHECK(manifest["tables"]["agents.csv"]["rows"] == 30 * (300 / 7 + 1));
 
@@ -116,7 +116,7 @@ TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that 
     CAPTURE(file);
     CHECK(content(whole / file) == content(folder.path() / "all" / file));
   }
-  CHECK_FALSE(nlohmann::json::parse(content(folder.path() / "all/manifest.json")).contains("agents_every_ticks"));
+  CHECK_FALSE(parse_json(content(folder.path() / "all/manifest.json")).contains("agents_every_ticks"));
 }
 
 TEST_CASE("so does a run with states.csv, with senses.csv beside it or not") {
@@ -130,8 +130,8 @@ TEST_CASE("so does a run with states.csv, with senses.csv beside it or not") {
     run_part(brief<rules::Released>(5), parts, never, 50.0);
     CHECK(results_in(whole) == results_in(parts));
     CHECK(fs::exists(parts / "senses.csv") == senses);
-    const auto manifest = nlohmann::json::parse(content(parts / "manifest.json"));
-    CHECK(manifest["tables"]["states.csv"] == nlohmann::json::parse(content(whole / "manifest.json"))["tables"]["states.csv"]);
+    const auto manifest = parse_json(content(parts / "manifest.json"));
+    CHECK(manifest["tables"]["states.csv"] == parse_json(content(whole / "manifest.json"))["tables"]["states.csv"]);
     CHECK(manifest["tables"]["states.csv"]["rows"] == manifest["tables"]["agents.csv"]["rows"]);
   }
 }
@@ -146,7 +146,7 @@ TEST_CASE("so does a run with senses.csv, and no other file of it knows of that 
   run_part(brief<rules::Paper>(5), parts, 209, 50.0, {.agents_every_ticks = 1, .senses = false});
   run_part(brief<rules::Paper>(5), parts, never, 50.0, {.agents_every_ticks = 5, .senses = true});
   CHECK(results_in(whole) == results_in(parts));
-  auto manifest = nlohmann::json::parse(content(whole / "manifest.json"));
+  auto manifest = parse_json(content(whole / "manifest.json"));
   CHECK(manifest["tables"]["senses.csv"]["rows"] == 30 * (300 / 2 + 1));
   CHECK(manifest["senses"]["inputs"].size() == 3);
 
@@ -157,7 +157,7 @@ TEST_CASE("so does a run with senses.csv, and no other file of it knows of that 
   fs::remove(whole / "senses.csv");
   manifest.erase("senses");
   manifest["tables"].erase("senses.csv");
-  std::ofstream{whole / "manifest.json"} << manifest.dump();
+  std::ofstream{whole / "manifest.json"} << json_text(manifest);
   CHECK(results_in(whole) == results_in(without));
 }
 

@@ -11,13 +11,13 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/support/json.hpp>
 #include <vector>
 
 namespace trophic::test {
@@ -37,10 +37,10 @@ namespace trophic::test {
     if (std::filesystem::exists(folder / name)) results.push_back(content(folder / name));
   }
   results.push_back(checkpoint::read_last(folder).section(checkpoint::ecology_section));
-  auto manifest = nlohmann::json::parse(content(folder / "manifest.json"));
+  auto manifest = parse_json(content(folder / "manifest.json"));
   manifest.erase("continued");
   manifest["params"]["backend"].erase("threads");  // results do not depend on it
-  results.push_back(manifest.dump());
+  results.push_back(json_text(manifest));
   return results;
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <nlohmann/json.hpp>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/support/json.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;
 
 namespace {
 
-nlohmann::json read(const std::filesystem::path& path) {
-  return nlohmann::json::parse(test::content(path));
+Json read(const std::filesystem::path& path) {
+  return parse_json(test::content(path));
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ TEST_CASE("manifest: it says what ran, and how it ended") {
   CHECK(at_start["rule_table"] == "hand_written");
   CHECK(at_start["seed"] == 5);
   CHECK(at_start["fingerprint"] == "0123456789abcdef");
-  CHECK(at_start["tags"] == nlohmann::json::array({-1, 1}));
+  CHECK(at_start["tags"] == Json::array({-1, 1}));
   CHECK(at_start["host"] == "desk");
 
   SUBCASE("complete when the clock is where it was to be") {

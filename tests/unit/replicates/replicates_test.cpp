@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -19,6 +18,7 @@
 #include <trophic/replicates/parallel.hpp>
 #include <trophic/replicates/run.hpp>
 #include <trophic/rules/paper.hpp>
+#include <trophic/support/json.hpp>
 
 namespace {
 
@@ -45,9 +45,9 @@ constexpr std::array tables{"events.csv", "agents.csv", "phylogeny.csv", "genome
 std::string results(const fs::path& run) {
   std::string text;
   for (const char* table : tables) text += content(run / table);
-  auto manifest = nlohmann::json::parse(content(run / "manifest.json"));
+  auto manifest = parse_json(content(run / "manifest.json"));
   manifest.erase("wall_s");
-  return text + manifest.dump();
+  return text + json_text(manifest);
 }
 
 template <class... Observers>
@@ -97,8 +97,8 @@ TEST_CASE("results do not depend on the number of jobs, byte for byte") {
   }
   CHECK(different.size() == 5);
   CHECK(content(folder.path() / "1/replicates.json") == content(folder.path() / "4/replicates.json"));
-  const auto list = nlohmann::json::parse(content(folder.path() / "1/replicates.json"));
-  const auto manifest = nlohmann::json::parse(content(folder.path() / "1/replicate-03/manifest.json"));
+  const auto list = parse_json(content(folder.path() / "1/replicates.json"));
+  const auto manifest = parse_json(content(folder.path() / "1/replicate-03/manifest.json"));
   CHECK(list["replicates"][3]["seed"] == manifest["seed"]);
   CHECK(manifest["master_seed"] == "1");
 }
@@ -154,7 +154,7 @@ TEST_CASE("a killed replicate, known by its manifest or the lack of one, goes on
   CHECK_FALSE(fs::exists(plan.out / "replicate-01.incomplete-1"));
   CHECK(out.str().find("replicate-02 goes on from its checkpoint at 200 s") != std::string::npos);
   CHECK(content(plan.out / "replicate-02/phylogeny.csv") == phylogeny);
-  CHECK(nlohmann::json::parse(content(plan.out / "replicates.json"))["count"] == 4);
+  CHECK(parse_json(content(plan.out / "replicates.json"))["count"] == 4);
 }
 
 TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {

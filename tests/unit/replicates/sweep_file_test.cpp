@@ -59,8 +59,8 @@ TEST_CASE("Runs that are listed stay as they are, and what is set is in all of t
       read("rule_table = \"paper\"\n[set]\necology.duration_s = 60.0\n[[runs]]\nrules.a = 1\n[[runs]]\nrules.b = \"x\"\n");
   const auto cells = sweep::cells_of(file);
   REQUIRE(cells.size() == 2);
-  CHECK(cells[0].dump() == R"({"ecology.duration_s":60.0,"rule_table":"paper","rules.a":1})");
-  CHECK(cells[1].dump() == R"({"ecology.duration_s":60.0,"rule_table":"paper","rules.b":"x"})");
+  CHECK(json_text(cells[0]) == R"({"ecology.duration_s":60.0,"rule_table":"paper","rules.a":1})");
+  CHECK(json_text(cells[1]) == R"({"ecology.duration_s":60.0,"rule_table":"paper","rules.b":"x"})");
 }
 
 TEST_CASE("What a file leaves out has its default") {

@@ -3,14 +3,14 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
 
@@ -29,10 +29,9 @@ struct PooledRuns {
   if (!std::filesystem::is_directory(path)) throw std::runtime_error{path.string() + ": is not a folder"};
   const std::filesystem::path list = path / "replicates.json";
   if (!std::filesystem::exists(list)) return {path};
-  std::ifstream file{list};
   std::vector<std::filesystem::path> folders;
   try {
-    const auto json = nlohmann::json::parse(file);
+    const auto json = parse_json(read_whole_file(list));
     for (const auto& replicate : json.at("replicates")) {
       const std::filesystem::path folder = path / replicate.at("folder").get<std::string>();
       if (std::filesystem::is_directory(folder)) {
@@ -41,8 +40,10 @@ struct PooledRuns {
         remarks.push_back(folder.string() + ": missing, the replicate was not run");
       }
     }
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw std::runtime_error{list.string() + ": " + error.what()};
+  } catch (const std::invalid_argument& error) {  // what cannot be read
+    throw std::runtime_error{error.what()};
   }
   return folders;
 }

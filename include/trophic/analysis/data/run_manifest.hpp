@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/observe/csv.hpp>
 #include <trophic/population/food_web.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <vector>
 
@@ -30,8 +30,8 @@ struct RunManifest {
   std::optional<double> reached_s;  ///< none for a run that was killed or is still running
   double half_side_m = 0.0;
   std::int64_t agents_every_ticks = 1;  ///< agents.csv has the ticks whose number is a multiple of it
-  nlohmann::json policies;              ///< by slot
-  nlohmann::json params;
+  Json policies;                        ///< by slot
+  Json params;
   FoodWeb web{{}, {}};
   std::map<std::string, observe::TableSum> tables;  ///< by file name; empty for a run that was killed
 };
@@ -39,7 +39,7 @@ struct RunManifest {
 /// What the text of a manifest says; `path` is what errors call it. Throws std::runtime_error naming file and field.
 [[nodiscard]] inline RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
   try {
-    const auto json = nlohmann::json::parse(text);
+    const auto json = parse_json(text);
     RunManifest manifest;
     manifest.folder = path.parent_path();
     manifest.fingerprint = json.at("fingerprint").get<std::string>();
@@ -55,8 +55,8 @@ struct RunManifest {
                                ": must be >= 1"};
     }
     if (json.contains("result")) manifest.reached_s = json["result"].at("reached_s").get<double>();
-    manifest.policies = json.value("rules", nlohmann::json::object());
-    manifest.params = json.value("params", nlohmann::json::object());
+    manifest.policies = json.value("rules", Json::object());
+    manifest.params = json.value("params", Json::object());
     const auto names = json.at("species").get<std::vector<std::string>>();
     std::vector<Feeding> links;
     const auto number = [&](const std::string& name) {
@@ -72,7 +72,7 @@ struct RunManifest {
       }
     }
     return manifest;
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};

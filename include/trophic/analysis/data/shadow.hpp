@@ -3,13 +3,13 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -39,18 +39,18 @@ inline void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
     refuse("its rule in slot " + slot + " is " + policy + ": must be " + std::string{shadow_policy});
   }
   const auto rest_of = [&](const RunManifest& manifest) {
-    nlohmann::json rest{{"rules", manifest.policies}, {"params", manifest.params}, {"backend", manifest.backend}};
+    Json rest{{"rules", manifest.policies}, {"params", manifest.params}, {"backend", manifest.backend}};
     rest["rules"].erase(slot);
     rest["params"].erase("seed");
     if (rest["params"].contains("rules")) rest["params"]["rules"].erase(slot);
     return rest.flatten();
   };
-  const nlohmann::json a = rest_of(ours);
-  const nlohmann::json b = rest_of(shadow);
-  const auto text = [](const nlohmann::json& of, const std::string& key) {
-    return of.contains(key) ? of[key].dump() : std::string{"missing"};
+  const Json a = rest_of(ours);
+  const Json b = rest_of(shadow);
+  const auto text = [](const Json& of, const std::string& key) {
+    return of.contains(key) ? json_text(of[key]) : std::string{"missing"};
   };
-  for (const nlohmann::json& one : {a, b}) {
+  for (const Json& one : {a, b}) {
     for (const auto& [key, value] : one.items()) {
       if (text(a, key) != text(b, key)) refuse(key.substr(1) + " = " + text(b, key) + ": must be " + text(a, key));
     }

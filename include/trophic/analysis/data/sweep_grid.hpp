@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>
@@ -14,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/support/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -51,8 +51,8 @@ struct SweepGrid {
 namespace detail {
 
 /// A setting as a cell of a table.
-[[nodiscard]] inline std::string setting_text(const nlohmann::ordered_json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
+[[nodiscard]] inline std::string setting_text(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : json_text(value);
 }
 
 [[nodiscard]] inline std::string value_on(const sweep::PlannedRun& run, std::string_view axis) {

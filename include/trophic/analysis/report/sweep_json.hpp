@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <trophic/analysis/data/sweep_grid.hpp>
@@ -12,43 +11,42 @@
 #include <trophic/analysis/report/summary_json.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
 #include <trophic/analysis/statistics/power.hpp>
+#include <trophic/support/json.hpp>
 
 namespace trophic::analysis {
 
 /// What the tables do not say: the grid, what is missing, how comparisons were corrected, what is decided, and what was asked.
 /// null is what could not be computed.
-[[nodiscard]] inline nlohmann::ordered_json sweep_json(const SweepRuns& sweep, const CellDifferences& differences,
-                                                       std::size_t reference, std::span<const RunsForDifference> answers) {
-  nlohmann::ordered_json json;
+[[nodiscard]] inline Json sweep_json(const SweepRuns& sweep, const CellDifferences& differences, std::size_t reference,
+                                     std::span<const RunsForDifference> answers) {
+  Json json;
   json["cells"] = sweep.grid.cells.size();
   json["runs_planned"] = sweep.plan.size();
   json["missing"] = sweep.missing;
-  json["axes"] = nlohmann::ordered_json::array();
+  json["axes"] = Json::array();
   for (const Axis& axis : sweep.grid.axes) json["axes"].push_back({{"name", axis.name}, {"values", axis.values}});
   json["reference"] = reference;
   json["runs_for_verdict"] = runs_for_verdict;
   json["comparisons"] = differences.comparisons;
   json["level"] = differences.level();
   json["power"] = usual_power;
-  json["decided"] = nlohmann::ordered_json::array();
+  json["decided"] = Json::array();
   for (const CellDifference& d : differences.all) {
     if (!d.difference.differs()) continue;
-    nlohmann::ordered_json entry{{"cell", d.cell}};
+    Json entry{{"cell", d.cell}};
     detail::put(entry, d.name);
     entry["over_shadow"] = d.over_shadow;
     detail::put(entry, d.difference);
     entry["hedges_g"] = detail::to_json(d.hedges_g);
     json["decided"].push_back(entry);
   }
-  json["asked"] = nlohmann::ordered_json::array();
+  json["asked"] = Json::array();
   for (const RunsForDifference& answer : answers) {
-    nlohmann::ordered_json entry;
+    Json entry;
     detail::put(entry, answer.name);
     entry["difference"] = answer.difference;
     entry["over_shadow"] = answer.over_shadow;
-    const auto count = [](const std::optional<std::size_t>& runs) {
-      return runs ? nlohmann::ordered_json(*runs) : nlohmann::ordered_json();
-    };
+    const auto count = [](const std::optional<std::size_t>& runs) { return runs ? Json(*runs) : Json(); };
     entry["runs"] = count(answer.runs);
     entry["fewest"] = count(answer.fewest);
     entry["most"] = count(answer.most);

@@ -9,12 +9,12 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <trophic/command/replay/base64.hpp>
 #include <trophic/population/species_colour.hpp>
+#include <trophic/support/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -24,8 +24,6 @@ namespace trophic::command::replay {
 /// axis points up, so what is added in trophic's axes (z up) hangs below `upright()`.
 class GltfFile {
  public:
-  using Json = nlohmann::ordered_json;
-
   GltfFile() {
     Json root = {{"name", "trophic"}, {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}}};
     nodes_.push_back(std::move(root));
@@ -114,11 +112,11 @@ class GltfFile {
   }
 
   /// One file of text, the numbers in base64.
-  [[nodiscard]] std::string gltf() const { return document("data:application/octet-stream;base64," + base64(bytes_)).dump(); }
+  [[nodiscard]] std::string gltf() const { return json_text(document("data:application/octet-stream;base64," + base64(bytes_))); }
 
   /// One file of bytes.
   [[nodiscard]] std::string glb() const {
-    std::string text = document({}).dump();
+    std::string text = json_text(document({}));
     text.append((4 - text.size() % 4) % 4, ' ');
     std::string binary = bytes_;
     binary.append((4 - binary.size() % 4) % 4, '\0');

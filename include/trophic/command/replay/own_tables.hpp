@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,6 +16,7 @@
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/read_recording.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
 #include <vector>
 
 namespace trophic::command::replay {
@@ -61,7 +61,7 @@ class OwnTables {
   }
 
   /// Throws std::invalid_argument for a table that is not, byte for byte, what the run wrote by its manifest.
-  void check_sum(const std::string& table, const nlohmann::ordered_json& sums) const {
+  void check_sum(const std::string& table, const Json& sums) const {
     if (!sums.contains(table)) return;
     const observe::TableSum is = analysis::CsvReader{folder_ / table, {}}.sum();
     const auto was = sums.at(table).at("crc32").get<std::uint32_t>();
@@ -128,10 +128,10 @@ class OwnTables {
 /// Throws std::invalid_argument unless events.csv, agents.csv, phylogeny.csv and, where it is there, senses.csv are of the run
 /// that was recorded; std::runtime_error for one that cannot be read. A run that was killed has no checksums: then row by row.
 inline void check_own_tables(const std::filesystem::path& folder, const observe::RecordingReader& recording,
-                             const nlohmann::ordered_json& manifest) {
+                             const Json& manifest) {
   OwnTables tables{folder, recording};
   tables.check_events();
-  const nlohmann::ordered_json sums = manifest.value("tables", nlohmann::ordered_json::object());
+  const Json sums = manifest.value("tables", Json::object());
   for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv"}) tables.check_sum(table, sums);
   if (std::filesystem::exists(folder / "senses.csv")) tables.check_sum("senses.csv", sums);
   if (!sums.contains("agents.csv")) tables.check_agents();

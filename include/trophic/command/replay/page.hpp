@@ -13,13 +13,13 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/analysis/data/csv_reader.hpp>
 #include <trophic/command/replay/base64.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
+#include <trophic/support/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -147,13 +147,13 @@ template <class Keep>
 }
 
 /// What the page says of a run before its files.
-[[nodiscard]] inline nlohmann::ordered_json index_of(const RecordedRun& run) {
-  nlohmann::ordered_json index;
+[[nodiscard]] inline Json index_of(const RecordedRun& run) {
+  Json index;
   index["label"] = run.folder.filename().empty() ? run.folder.string() : run.folder.filename().string();
   index["status"] = run.manifest.value("status", "unknown");
   index["species"] = run.manifest.at("species");
   index["tags"] = run.manifest.at("tags");
-  index["hunters"] = nlohmann::ordered_json::array();
+  index["hunters"] = Json::array();
   for (const auto& link : run.manifest.at("food_web")) index["hunters"].push_back(link.at("hunter"));
   if (run.manifest.contains("senses")) index["inputs"] = run.manifest["senses"].at("inputs");
   return index;
@@ -161,7 +161,7 @@ template <class Keep>
 
 /// What stands in the viewer's page for these runs: their index, then their files.
 [[nodiscard]] inline std::string runs_part(const std::vector<RecordedRun>& runs, const Window& window) {
-  nlohmann::ordered_json index{{"title", "trophic:"}, {"runs", nlohmann::ordered_json::array()}};
+  Json index{{"title", "trophic:"}, {"runs", Json::array()}};
   std::string files;
   for (std::size_t number = 0; number < runs.size(); ++number) {
     const RecordedRun& run = runs[number];
@@ -171,14 +171,14 @@ template <class Keep>
         files.append("<script type=\"text/plain\" data-run=\"").append(std::to_string(number)).append("\" data-file=\"");
         files.append(name).append("\">").append(base64(bytes)).append("</script>\n");
       }
-    } catch (const nlohmann::json::exception& error) {
+    } catch (const Json::exception& error) {
       throw std::invalid_argument{(run.folder / "manifest.json").string() + ": " + error.what()};
     } catch (const std::runtime_error& error) {
       throw std::invalid_argument{error.what()};
     }
     index["title"] = index["title"].get<std::string>() + " " + index["runs"].back()["label"].get<std::string>();
   }
-  std::string json = index.dump();
+  std::string json = json_text(index);
   for (std::size_t less = json.find('<'); less != std::string::npos; less = json.find('<', less))
     json.replace(less, 1, "\\u003c");
   return "<script type=\"application/json\" id=\"trophic-index\">" + json + "</script>\n" + files;

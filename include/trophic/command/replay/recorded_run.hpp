@@ -4,14 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <trophic/command/replay/own_tables.hpp>
 #include <trophic/observe/read_recording.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
 
@@ -20,17 +20,15 @@ namespace trophic::command::replay {
 /// What `show` and `film` look at.
 struct RecordedRun {
   std::filesystem::path folder;
-  nlohmann::ordered_json manifest;
+  Json manifest;
   observe::RecordingReader recording;
   std::vector<std::string> remarks;  ///< what is missing, a sentence each
 };
 
 /// Throws std::invalid_argument where no recording or manifest can be read or they are of different runs.
-[[nodiscard]] inline nlohmann::ordered_json read_manifest(const std::filesystem::path& folder,
-                                                          const observe::RecordingHead& head) {
+[[nodiscard]] inline Json read_manifest(const std::filesystem::path& folder, const observe::RecordingHead& head) {
   const std::filesystem::path path = folder / "manifest.json";
-  std::ifstream file{path};
-  auto manifest = nlohmann::ordered_json::parse(file, nullptr, false);
+  auto manifest = parse_json_or_null(read_whole_file(path));
   if (!manifest.is_object()) throw std::invalid_argument{path.string() + ": cannot be read as a run's manifest"};
   try {
     const auto fingerprint = manifest.at("fingerprint").get<std::string>();
@@ -40,7 +38,7 @@ struct RecordedRun {
                                   ", but replay.trp beside it is of fingerprint " + head.fingerprint + ", seed " +
                                   std::to_string(head.seed) + "; they are of two runs"};
     }
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   }
   return manifest;
@@ -58,14 +56,14 @@ struct RecordedRun {
     auto manifest = read_manifest(folder, recording.head());
     if (manifest.value("agents_every_ticks", std::int64_t{1}) != 1) {
       throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
-                                  manifest["agents_every_ticks"].dump() +
+                                  json_text(manifest["agents_every_ticks"]) +
                                   ": must have all to be shown, as with --agents-every 1"};
     }
     RecordedRun run{folder, std::move(manifest), std::move(recording), {}};
     if (!run.recording.remark().empty()) run.remarks.push_back(run.recording.remark());
     check_own_tables(folder, run.recording, run.manifest);
     return run;
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw std::invalid_argument{(folder / "manifest.json").string() + ": " + error.what()};
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument{error.what()};

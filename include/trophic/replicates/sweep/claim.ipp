@@ -11,12 +11,12 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <trophic/replicates/sweep/claim.hpp>
 #include <trophic/support/host_name.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -86,17 +86,17 @@ inline constexpr const char* owner_file = "owner.json";
 }
 
 /// What the owner of a claim said of itself; an empty object where nothing can be read.
-[[nodiscard]] inline nlohmann::json owner_of(const std::filesystem::path& claim) {
+[[nodiscard]] inline Json owner_of(const std::filesystem::path& claim) {
   try {
-    auto owner = nlohmann::json::parse(read_whole_file(claim / owner_file), nullptr, false);
-    return owner.is_object() ? owner : nlohmann::json::object();
+    auto owner = parse_json_or_null(read_whole_file(claim / owner_file));
+    return owner.is_object() ? owner : Json::object();
   } catch (const std::invalid_argument&) {  // not yet written, or given back
-    return nlohmann::json::object();
+    return Json::object();
   }
 }
 
 /// Whether a process of this machine claimed it and is no more.
-[[nodiscard]] inline bool is_owner_dead(const nlohmann::json& owner) {
+[[nodiscard]] inline bool is_owner_dead(const Json& owner) {
   if (owner.value("space", "") != process_space() || !owner.contains("process")) return false;
   return ::kill(owner["process"].get<pid_t>(), 0) != 0 && errno == ESRCH;
 }
@@ -160,8 +160,8 @@ TROPHIC_INLINE std::optional<Claim> Claim::take(const std::filesystem::path& cla
   if (last && !detail::is_stale(detail::claim_folder(claims, run, *last), lease_s)) return std::nullopt;
   const std::size_t generation = last ? *last + 1 : 0;
   const std::filesystem::path own = detail::new_folder(claims);
-  const nlohmann::json owner{{"host", host_name()}, {"process", ::getpid()}, {"space", detail::process_space()}};
-  replace_file(own / detail::owner_file, owner.dump() + "\n");
+  const Json owner{{"host", host_name()}, {"process", ::getpid()}, {"space", detail::process_space()}};
+  replace_file(own / detail::owner_file, json_text(owner) + "\n");
   const std::filesystem::path folder = detail::claim_folder(claims, run, generation);
   std::filesystem::rename(own, folder, error);
   if (error) {
@@ -179,7 +179,7 @@ TROPHIC_INLINE std::string claimant_of(const std::filesystem::path& claims, std:
   if (!last) return "";
   const std::filesystem::path folder = detail::claim_folder(claims, run, *last);
   if (detail::is_stale(folder, lease_s)) return "";
-  const nlohmann::json owner = detail::owner_of(folder);
+  const Json owner = detail::owner_of(folder);
   if (!owner.contains("process")) return "another program";
   return owner.value("host", "") + " (process " + std::to_string(owner["process"].get<long>()) + ")";
 }

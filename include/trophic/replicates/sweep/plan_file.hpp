@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 
@@ -26,7 +26,7 @@ struct PlannedRun {
   bool shadow = false;        ///< of the cell's neutral shadow
   std::string rule_table;
   std::string engine;
-  nlohmann::ordered_json settings = nlohmann::ordered_json::object();  ///< numbers, texts and switches by their paths
+  Json settings = Json::object();  ///< numbers, texts and switches by their paths
   std::uint64_t seed = 0;
   double until_s = 0.0;                      ///< > 0; simulated seconds
   observe::Extent extent{.replay_hz = 0.0};  ///< how much of it is written down

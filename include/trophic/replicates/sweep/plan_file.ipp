@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <tuple>
 #include <utility>
@@ -28,15 +28,15 @@ namespace detail {
 class PlanLine {
  public:
   PlanLine(const std::filesystem::path& path, std::size_t line, std::string_view text)
-      : where_{path.string() + ":" + std::to_string(line)}, json_(nlohmann::ordered_json::parse(text, nullptr, false)) {
+      : where_{path.string() + ":" + std::to_string(line)}, json_(parse_json_or_null(text)) {
     if (!json_.is_object()) throw std::invalid_argument{where_ + ": must be a JSON object on a line of its own"};
   }
 
   [[noreturn]] void reject(std::string_view field, const std::string& must) const {
-    throw std::invalid_argument{where_ + ": " + std::string{field} + " = " + json_.at(std::string{field}).dump() + ": must " +
+    throw std::invalid_argument{where_ + ": " + std::string{field} + " = " + json_text(json_.at(std::string{field})) + ": must " +
                                 must};
   }
-  [[nodiscard]] const nlohmann::ordered_json& at(std::string_view field) const {
+  [[nodiscard]] const Json& at(std::string_view field) const {
     const auto found = json_.find(std::string{field});
     if (found == json_.end()) throw std::invalid_argument{where_ + ": " + std::string{field} + ": must be there"};
     return *found;
@@ -64,7 +64,7 @@ class PlanLine {
     if (!at(field).is_boolean()) reject(field, "be true or false");
     return at(field).get<bool>();
   }
-  [[nodiscard]] nlohmann::ordered_json settings(std::string_view field) const {
+  [[nodiscard]] Json settings(std::string_view field) const {
     if (!at(field).is_object()) reject(field, "be an object of settings by their paths");
     for (const auto& [path, value] : at(field).items()) {
       if (!path.empty() && (value.is_number() || value.is_string() || value.is_boolean())) continue;
@@ -82,7 +82,7 @@ class PlanLine {
 
  private:
   std::string where_;
-  nlohmann::ordered_json json_;
+  Json json_;
 };
 
 [[nodiscard]] inline PlannedRun planned_run(const PlanLine& line) {
@@ -129,7 +129,7 @@ class RunsSoFar {
       line.reject("seed", "be " + std::to_string(beside->second) + ", as a replicate and its shadow have one");
     }
     const auto same = [&](std::string_view field, const auto& ours, const auto& there) {
-      if (ours != there) line.reject(field, "be " + nlohmann::ordered_json(there).dump() + ", as in the other runs of" + cell);
+      if (ours != there) line.reject(field, "be " + json_text(Json(there)) + ", as in the other runs of" + cell);
     };
     const PlannedRun& first = runs[first_of_.emplace(run.cell, run.index).first->second];
     same("rule_table", run.rule_table, first.rule_table);
@@ -172,23 +172,23 @@ TROPHIC_INLINE std::vector<PlannedRun> read_plan(const std::filesystem::path& pa
 TROPHIC_INLINE std::string plan_text(std::span<const PlannedRun> runs) {
   std::string text;
   for (const PlannedRun& run : runs) {
-    const nlohmann::ordered_json line{{"index", run.index},
-                                      {"cell", run.cell},
-                                      {"replicate", run.replicate},
-                                      {"shadow", run.shadow},
-                                      {"rule_table", run.rule_table},
-                                      {"engine", run.engine},
-                                      {"settings", run.settings},
-                                      {"seed", run.seed},
-                                      {"until_s", run.until_s},
-                                      {"replay_hz", run.extent.replay_hz},
-                                      {"agents_every", run.extent.agents_every_ticks},
-                                      {"senses", run.extent.senses},
-                                      {"states", run.extent.states},
-                                      {"work", run.work},
-                                      {"folder", run.folder.string()},
-                                      {"fingerprint", run.fingerprint}};
-    text += line.dump() + '\n';
+    const Json line{{"index", run.index},
+                    {"cell", run.cell},
+                    {"replicate", run.replicate},
+                    {"shadow", run.shadow},
+                    {"rule_table", run.rule_table},
+                    {"engine", run.engine},
+                    {"settings", run.settings},
+                    {"seed", run.seed},
+                    {"until_s", run.until_s},
+                    {"replay_hz", run.extent.replay_hz},
+                    {"agents_every", run.extent.agents_every_ticks},
+                    {"senses", run.extent.senses},
+                    {"states", run.extent.states},
+                    {"work", run.work},
+                    {"folder", run.folder.string()},
+                    {"fingerprint", run.fingerprint}};
+    text += json_text(line) + '\n';
   }
   return text;
 }

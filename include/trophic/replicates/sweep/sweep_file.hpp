@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/linkage.hpp>
 #include <tuple>
 #include <vector>
@@ -17,12 +17,12 @@
 namespace trophic::sweep {
 
 /// Paths of numbers ("rules.capture.reach_m"), "rule_table" and "engine", with their values, in the order of the file. An object.
-using Settings = nlohmann::ordered_json;
+using Settings = Json;
 
 /// One key with the values that are tried.
 struct Axis {
   std::string key;
-  std::vector<nlohmann::ordered_json> values;
+  std::vector<Json> values;
 };
 
 /// More than this is a slip of the keyboard.

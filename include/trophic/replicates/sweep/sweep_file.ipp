@@ -50,7 +50,7 @@ inline void append_leaves(const toml::table& table, const std::string& prefix, s
 }
 
 /// A number, text or switch. Throws std::invalid_argument for anything else.
-[[nodiscard]] inline nlohmann::ordered_json value_of(const toml::node& node, const std::string& path) {
+[[nodiscard]] inline Json value_of(const toml::node& node, const std::string& path) {
   if (const auto flag = node.value_exact<bool>()) return *flag;
   if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
   if (const auto text = node.value_exact<std::string>()) return *text;
@@ -217,7 +217,7 @@ TROPHIC_INLINE std::string text_of(const Settings& cell, const SweepFile& sweep)
   std::string text;
   for (const auto& [key, value] : cell.items()) {
     if (sweep.set.contains(key)) continue;
-    text += (text.empty() ? "" : " ") + key + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
+    text += (text.empty() ? "" : " ") + key + "=" + (value.is_string() ? value.get<std::string>() : json_text(value));
   }
   return text;
 }
