@@ -13,9 +13,9 @@
 #include <trophic/command/watching.hpp>
 #include <trophic/rules/table.hpp>
 #include <vector>
-// Who links trophic::mpi has this definition.
+// Who links trophic::mpi or trophic::mpi_compiled has this definition.
 #ifdef TROPHIC_WITH_MPI
-#include <trophic/mpi/team.hpp>
+#include <trophic/mpi/find_team.hpp>
 #endif
 
 namespace trophic::command {

@@ -6,9 +6,12 @@
 #include <string>
 #include <trophic/command/pairing.hpp>
 #include <trophic/command/watching.hpp>
-#include <trophic/replicates/sweep/team.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
+
+namespace trophic::sweep {
+class Team;
+}  // namespace trophic::sweep
 
 namespace trophic::command {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ranks of an MPI job share out the runs of a plan: rank 0 hands them out, the others make them.
+// Definitions of find_team.hpp: the ranks of an MPI job share out the runs of a plan; rank 0 hands them out, the others make
+// them.
 #pragma once
 
 #include <mpi.h>
@@ -16,6 +17,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <trophic/mpi/find_team.hpp>
 #include <trophic/replicates/sweep/claim.hpp>
 #include <trophic/replicates/sweep/team.hpp>
 #include <trophic/replicates/sweep/work_through.hpp>
@@ -284,9 +286,7 @@ class Team final : public sweep::Team {
   bool has_lost_workers_ = false;
 };
 
-/// The team of a program that mpirun or srun started as a rank of a job, as Open MPI's, MPICH's and PMIx's variables of the
-/// environment say; null where it was started alone.
-[[nodiscard]] inline std::unique_ptr<sweep::Team> find_team() {
+TROPHIC_INLINE std::unique_ptr<sweep::Team> find_team() {
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
     if (std::getenv(variable) != nullptr) return std::make_unique<Team>();
   }
