@@ -269,12 +269,15 @@ class Ecology final : public Simulation {
     }
   }
 
-  /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
-  /// want of a parent, the first that the dead one ate.
+  /// Death of the occupant and birth of its successor, whose parent this rule chooses.
   template <class ParentRule>
   void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule,
                const BodyStates<ParentRule>& parent_states) {
-    const auto succession = population_.succession(vacancy, parent_rule, parent_states, view());
+    hand_on(audience, vacancy, population_.succession(vacancy, parent_rule, parent_states, view()));
+  }
+
+  /// Where the rules do not fix the heir's species, it is the parent's or, for want of a parent, the first that the dead one ate.
+  void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy, const Succession& succession) {
     const Species dead = population_[vacancy.body].species;
     if (succession.parent) detail::check_parent(web_, vacancy, *succession.parent);
     auto heir = vacancy.heir;

@@ -39,6 +39,12 @@ using sensors_of = std::conditional_t<perception::SensorList<Sensors>, Sensors, 
 
 }  // namespace detail
 
+/// Who inherits a vacant body.
+struct Succession {
+  bool inherits = false;           ///< rather than being drawn at random
+  std::optional<Ancestor> parent;  ///< none where it does not inherit or there is nobody to inherit from
+};
+
 /// One individual per body, from the founders on, and the states of all rules: the only writer of both. Applies the birth rules
 /// of a table; which body falls vacant, and when, is the ecology's.
 template <class Rules>
@@ -169,10 +175,6 @@ class Population {
 
   /// Who inherits a vacant body: decides between random and inherited and asks the parent rule, whose states are given. Changes
   /// nobody.
-  struct Succession {
-    bool inherits = false;
-    std::optional<Ancestor> parent;
-  };
   template <reproduction::Parent ParentRule>
   [[nodiscard]] Succession succession(const reproduction::Vacancy& vacancy, const ParentRule& rule,
                                       const BodyStates<ParentRule>& states, const View& view) const {

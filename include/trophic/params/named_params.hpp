@@ -57,7 +57,7 @@ struct AppendNamedParam {
       add(enum_name(value));
     } else if constexpr (std::convertible_to<T, std::string_view>) {
       add(std::string_view{value});
-    } else {
+    } else if constexpr (!std::is_empty_v<T>) {
       append_named_params(value, join_path(path, f.name), named_params);
     }
   }
