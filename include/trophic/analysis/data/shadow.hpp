@@ -39,7 +39,7 @@ inline void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
     refuse("its rule in slot " + slot + " is " + policy + ": must be " + std::string{shadow_policy});
   }
   const auto rest_of = [&](const RunManifest& manifest) {
-    Json rest{{"rules", manifest.policies}, {"params", manifest.params}, {"backend", manifest.backend}};
+    Json rest{{"backend", manifest.backend}, {"params", manifest.params}, {"rules", manifest.policies}};
     rest["rules"].erase(slot);
     rest["params"].erase("seed");
     if (rest["params"].contains("rules")) rest["params"]["rules"].erase(slot);
