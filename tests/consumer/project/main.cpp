@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A user's program: it links, finds the models and steps a robot.
-#ifdef CONSUMER_EVERYTHING
-#include "everything.hpp"
-#endif
 #include <iostream>
+#ifdef CONSUMER_EVERYTHING
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/ecology.hpp>
+#include <trophic/rules/paper.hpp>
+#endif
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/models.hpp>
@@ -13,6 +15,10 @@
 #include <trophic/backend/mujoco.hpp>
 #endif
 #include <vector>
+
+#ifdef CONSUMER_EVERYTHING
+double first_draw_of_other_unit();
+#endif
 
 int main() {
 #ifdef CONSUMER_EVERYTHING
