@@ -7,6 +7,9 @@
 #ifdef CONSUMER_HAS_ode
 #include <trophic/backend/ode.hpp>
 #endif
+#ifdef CONSUMER_HAS_mpi
+#include <trophic/mpi/find_team.hpp>
+#endif
 
 double first_draw_of_other_unit();
 
