@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 OBJECT, FUNCTION = sys.argv[1:]
-MAY_STAND_TWICE = "abdinNrtuUvVwW?-"  # local, weak, unique or undefined, as nm calls it
+MAY_STAND_TWICE = "abdnrtuUvVwW"  # local, weak, unique or undefined, as nm calls it
 
 
 def main() -> int:

@@ -17,6 +17,7 @@
 #include <trophic/command/sweep.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/observe/next_free_folder.hpp>
+#include <trophic/replicates/sweep/team.hpp>
 #include <utility>
 
 namespace trophic::command {

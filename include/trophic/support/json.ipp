@@ -14,7 +14,8 @@ TROPHIC_INLINE Json parse_json(std::string_view text) {
 
 TROPHIC_INLINE Json parse_json_or_null(std::string_view text) {
   Json json = Json::parse(text, nullptr, false);
-  return json.is_discarded() ? Json{} : json;
+  if (json.is_discarded()) json = nullptr;
+  return json;
 }
 
 TROPHIC_INLINE std::string json_text(const Json& json, int indent) {

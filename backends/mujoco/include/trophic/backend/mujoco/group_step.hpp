@@ -57,8 +57,7 @@ struct GroupResult {
 }
 
 /// Takes `steps` steps of the robots listed, from the states in `from` to those in `to`, under the servo targets `targets_rad`
-/// (one row of hinges per robot). `slack_m`: how far each may move horizontally from where
-/// it stands at first; empty: anywhere.
+/// (one row of hinges per robot). `slack_m`: how far each may move horizontally from where it stands at first; empty: anywhere.
 [[nodiscard]] inline GroupResult step_group(CompiledModel& compiled, std::span<const std::size_t> robots,
                                             std::span<const double> targets_rad, std::span<const double> slack_m,
                                             std::size_t steps, const RobotStates& from, RobotStates& to) {
