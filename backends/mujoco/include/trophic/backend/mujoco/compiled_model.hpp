@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/mujoco/compile.hpp>
+#include <trophic/backend/mujoco/give_back_pages.hpp>
 #include <trophic/backend/mujoco/mjcf.hpp>
 #include <vector>
 
@@ -55,12 +56,16 @@ class CompiledModel {
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
   /// One of the working memories, of which there may be as many as threads, made at its first use. Nobody else may use it
-  /// meanwhile.
+  /// meanwhile. Most of a crowd's is the square matrix of the dual solvers, which MuJoCo fills with zeros and the Newton solver
+  /// never looks at.
   [[nodiscard]] mjData& data(std::size_t slot) {
     if (!data_[slot]) {
       const EngineGuard guard;
       data_[slot].reset(mj_makeData(model_.get()));
       if (!data_[slot]) throw std::runtime_error{"MuJoCo: model of " + std::to_string(robots_) + " robots is too large"};
+      const auto rows = static_cast<std::size_t>(model_->njmax);
+      give_back_pages(data_[slot]->efc_AR, rows * rows * sizeof(mjtNum));
+      give_back_pages(data_[slot]->efc_AR_colind, rows * rows * sizeof(int));
     }
     return *data_[slot];
   }
