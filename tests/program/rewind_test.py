@@ -5,6 +5,7 @@
 import json
 import subprocess
 import sys
+import time
 import unittest
 
 from in_folder import InFolder
@@ -71,7 +72,8 @@ class Rewind(InFolder):
             (["--at", 700, "--set", "ecology.tick_s=1"], "ecology.tick_s = 1: must be 2"),
             (["--at", -1], "--at -1: must be >= 0"),
             (["--at", 2000], "--at 2000: must be <= 1500"),
-            (["--at", 700, "--replicates", 2], "--from: not with --replicates"),
+            (["--at", 700, "--replicates", 2, "--robots", 20], "ecology.robots = 20: must be 30"),
+            (["--at", 2000, "--replicates", 2], "--at 2000: must be <= 1500"),
         ]:
             with self.subTest(arguments=arguments):
                 done = self.call("--from", "whole", "--duration", 1500, "--out", "new", *arguments)
@@ -86,6 +88,67 @@ class Rewind(InFolder):
         self.assertEqual(self.manifest("longer")["origin"]["at_s"], "1500")
         again = self.run_ok("--from", "whole", "--duration", 2500, "--seed", 9, "--out", "longer", "--resume")
         self.assertIn("is complete already", again.stdout)
+
+    REPLICATES = ["--from", "whole", "--at", 700, "--duration", 1500, "--seed", 5, "--replicates", 3, "--jobs", 2]
+
+    def assert_futures_of_700_s(self, out):
+        """Every replicate is the run that begins there with the replicate's seed."""
+        listed = json.loads((self.folder / out / "replicates.json").read_text())
+        self.assertEqual((listed["origin"]["run"], listed["origin"]["at_s"], listed["master_seed"]), ("whole", "700", 5))
+        for replicate in listed["replicates"]:
+            alone = f"alone-{replicate['seed']}"
+            if not (self.folder / alone).exists():
+                self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", replicate["seed"], "--out", alone)
+            folder = f"{out}/{replicate['folder']}"
+            with self.subTest(folder=folder):
+                for name in TABLES:
+                    self.assertEqual(self.table(folder, name), self.table(alone, name), name)
+                self.assertEqual(self.manifest(folder)["origin"], self.manifest(alone)["origin"])
+                self.assertEqual(self.manifest(folder)["status"], "complete")
+        self.assertFalse([*self.folder.glob("**/*.origin"), *self.folder.glob("**/*.part")])
+
+    def test_replicates_are_futures_of_one_moment(self):
+        self.run_ok(*self.REPLICATES, "--shadow", "--out", "set")
+        self.assert_futures_of_700_s("set")
+        self.assertEqual(self.until("set/shadow/replicate-00", "genomes.csv", 700), self.until("whole", "genomes.csv", 700))
+        self.assertNotEqual(self.table("set/shadow/replicate-00", "genomes.csv"), self.table("set/replicate-00", "genomes.csv"))
+        self.assertEqual(len({tuple(self.table(f"set/replicate-0{i}", "events.csv")) for i in range(3)}), 3)
+
+        before = sorted(path.name for path in self.folder.iterdir())
+        done = self.call(*self.REPLICATES, "--out", "set")
+        self.assertIn("exists already", done.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
+
+    def test_they_go_on_after_a_kill_and_only_from_their_moment(self):
+        for delay_s in (0.05, 0.1, 0.2, 0.4):
+            resume = ["--resume"] if (self.folder / "set").exists() else []
+            program = subprocess.Popen([PROGRAM, *map(str, [*self.REPLICATES, "--checkpoint-s", 0, *resume, "--out", "set"])], cwd=self.folder,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(delay_s)
+            program.kill()
+            program.wait()
+        self.run_ok(*self.REPLICATES, "--resume", "--out", "set")
+        self.assert_futures_of_700_s("set")
+
+        for name in ("checkpoint.bin", "checkpoint.old.bin", "manifest.json"):
+            (self.folder / "set/replicate-01" / name).unlink(missing_ok=True)
+        again = self.run_ok(*self.REPLICATES, "--resume", "--out", "set")
+        self.assertIn("kept as replicate-01.incomplete-1, run anew; begins at 700 s of whole", again.stdout)
+        self.assert_futures_of_700_s("set")
+
+        elsewhere = [900 if word == 700 else word for word in self.REPLICATES]
+        other = self.call(*elsewhere, "--resume", "--out", "set")
+        self.assertEqual(other.returncode, 2, other.stderr)
+        self.assertIn("replicates.json: origin", other.stderr)
+
+    def test_a_run_without_a_checkpoint_begins_at_its_moment_again(self):
+        begun = ["--from", "whole", "--at", 700, "--duration", 1500, "--seed", 8, "--out", "seed"]
+        self.run_ok(*begun)
+        events = self.table("seed", "events.csv")
+        for name in ("checkpoint.bin", "manifest.json"):
+            (self.folder / "seed" / name).unlink()
+        self.assertIn("kept as seed.incomplete-1, run anew; begins at 700 s of whole", self.run_ok(*begun, "--resume").stdout)
+        self.assertEqual(self.table("seed", "events.csv"), events)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ struct Standing {
   bool complete = false;           ///< nothing is left to do
   std::optional<Checkpoint> from;  ///< to go on from; none: the run begins, in a folder that does not exist
   std::string remark;              ///< what was found there, a sentence; empty for nothing
+  bool begins = false;             ///< `from` is a moment of another run, of which the folder is a copy (rewind.hpp)
 
   [[nodiscard]] Opening opening() const { return from ? Opening::gone_on_with : Opening::made_new; }
 };

@@ -2,13 +2,36 @@
 // Rewinding the tape: a new run that begins at a moment of an old one, with another seed or other rules.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/checkpoint/keeper.hpp>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/observe/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic::checkpoint {
+
+/// A moment of a run, at which others begin.
+struct Moment {
+  std::filesystem::path run;  ///< its folder
+  std::string fingerprint;    ///< the run's
+  std::uint64_t seed = 0;     ///< the run's
+  double at_s = 0.0;          ///< seconds of its clock
+};
+
+/// A run as it was at a moment, its tables and its checkpoint, in a folder that is not the run's own.
+struct Past {
+  Moment moment;
+  std::filesystem::path folder;
+};
+
+/// What manifests and lists of runs say of the moment at which they begin.
+[[nodiscard]] observe::Provenance provenance_of(const Moment& moment);
 
 /// When a run's last checkpoint was taken, seconds of its clock; none without one.
 [[nodiscard]] std::optional<double> last_moment_s(const std::filesystem::path& run);
@@ -17,6 +40,14 @@ namespace trophic::checkpoint {
 /// Does nothing if there is none: then that other run begins at its beginning. Throws std::invalid_argument if `folder` exists,
 /// std::runtime_error if a file cannot be copied.
 void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder);
+
+/// Where a run that begins at a moment stands in its folder: there, in a copy that is made where there is nothing to go on from,
+/// or further on. Without a past as the other `standing_in`. Throws as that one and as `copy_until`.
+[[nodiscard]] Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                                   const std::optional<Past>& past);
+
+/// Lets a run begin that stands at a moment of another one. Throws as `restore_any`.
+void begin_at(Standing& standing, const Moment& moment, Simulation& ecology, observe::Manifest& manifest, const Parts& parts);
 
 /// Throws std::invalid_argument naming the first number in which two runs differ that a run cannot change on its way: all but
 /// rules, seed, duration and threads.

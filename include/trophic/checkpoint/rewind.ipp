@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,9 +12,32 @@
 #include <trophic/checkpoint/checkpoint_file.hpp>
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/params/named_params.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::checkpoint {
+
+namespace detail {
+
+/// What a copy that was cut off left behind is made anew.
+inline void copy_past(const Past& past, const std::filesystem::path& folder) {
+  const std::filesystem::path part = folder.string() + ".part";
+  std::filesystem::remove_all(part);
+  copy_until(past.folder, std::numeric_limits<double>::infinity(), part);
+  std::filesystem::rename(part, folder);
+}
+
+/// Whether what is in a folder is a copy of the moment with which nobody went on.
+[[nodiscard]] inline bool stands_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
+  const std::vector<Checkpoint> all = read_all(folder);
+  if (all.empty()) return false;
+  const Checkpoint& last = all.front();
+  const bool is_then = last.time_s >= moment.at_s && last.time_s < moment.at_s + tick_s;
+  return is_then && last.fingerprint == moment.fingerprint && last.seed == moment.seed;
+}
+
+}  // namespace detail
 
 TROPHIC_INLINE std::optional<double> last_moment_s(const std::filesystem::path& run) {
   const std::vector<Checkpoint> all = read_all(run);
@@ -39,6 +63,37 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
   }
   // Last, so that a copy that was cut off has none.
   write(folder, *early);
+}
+
+TROPHIC_INLINE observe::Provenance provenance_of(const Moment& moment) {
+  return {{"run", moment.run.string()},
+          {"at_s", number_text(moment.at_s)},
+          {"seed", std::to_string(moment.seed)},
+          {"fingerprint", moment.fingerprint}};
+}
+
+TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                                    const std::optional<Past>& past) {
+  if (!past) return standing_in(folder, run);
+  std::string remark;
+  if (std::filesystem::exists(folder) && !detail::stands_at(past->moment, folder, run.tick_s)) {
+    Standing standing = standing_in(folder, run);
+    if (standing.complete || standing.from) return standing;
+    remark = standing.remark + "; ";
+  }
+  if (!std::filesystem::exists(folder)) detail::copy_past(*past, folder);
+  Checkpoint moment = read_last(folder);
+  remark += "begins at " + number_text(moment.time_s) + " s of " + past->moment.run.string();
+  return {.complete = false, .from = std::move(moment), .remark = std::move(remark), .begins = true};
+}
+
+TROPHIC_INLINE void begin_at(Standing& standing, const Moment& moment, Simulation& ecology, observe::Manifest& manifest,
+                             const Parts& parts) {
+  restore_any(*standing.from, ecology, parts);
+  Moment reached = moment;
+  reached.at_s = standing.from->time_s;
+  manifest.begin_from(provenance_of(reached));
+  standing.from.reset();
 }
 
 TROPHIC_INLINE void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run) {

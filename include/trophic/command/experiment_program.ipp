@@ -61,7 +61,8 @@ namespace detail {
       {"--resume", &options.resume,
        "go on in OUT: with a run, or with those replicates that are missing or were cut off, from their last checkpoints"},
       {"--from", &options.from,
-       "begin where the run in this folder was at --at, with another --seed, other rules or other numbers of rules"},
+       "begin where the run in this folder was at --at, with another --seed, other rules or other numbers of rules, or with "
+       "--replicates of its future"},
       {"--at", &options.at_s, "seconds of its clock (its last checkpoint)"},
       {"--checkpoint-s", &options.checkpoint_s,
        "seconds of the ecology's clock between two checkpoints (300); 0: only where a run ends or is stopped"},
@@ -109,9 +110,7 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
     throw std::invalid_argument{"--checkpoint-s " + number_text(options.checkpoint_s) + ": must be >= 0"};
   }
   if (options.at_s && options.from.empty()) throw std::invalid_argument{"--at: needs --from"};
-  if (!options.from.empty() && (options.replicates || !options.save_mjcf.empty())) {
-    throw std::invalid_argument{"--from: not with --replicates or --save-mjcf"};
-  }
+  if (!options.from.empty() && !options.save_mjcf.empty()) throw std::invalid_argument{"--from: not with --save-mjcf"};
   if (options.watch && (options.replicates || (!options.save_mjcf.empty() && options.out.empty()))) {
     throw std::invalid_argument{"--watch: needs a run, and one only; not with --replicates or with --save-mjcf without --out"};
   }
@@ -128,24 +127,11 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
 
 /// The models and the program may be others than those that made a run.
 TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
-  if (origin.description.fingerprint == origin.fingerprint) return;
-  throw std::invalid_argument{"--from " + origin.folder.string() + ": fingerprint = " + origin.fingerprint + ": must be " +
+  const checkpoint::Moment& moment = origin.moment;
+  if (origin.description.fingerprint == moment.fingerprint) return;
+  throw std::invalid_argument{"--from " + moment.run.string() + ": fingerprint = " + moment.fingerprint + ": must be " +
                               origin.description.fingerprint +
                               ", what this program makes of its numbers; rules, models or engine changed"};
-}
-
-/// Makes the new run's folder as the origin was. Does nothing where a resumed run has one already. False for a signal.
-[[nodiscard]] TROPHIC_INLINE bool replay(const ExperimentOptions& options, const Pairing& pairing, const OriginRun& origin) {
-  const std::filesystem::path out = options.out;
-  if (std::filesystem::exists(out)) {
-    if (!options.resume)
-      throw std::invalid_argument{"output folder " + options.out + ": exists already; runs are never overwritten"};
-    return true;
-  }
-  const std::filesystem::path part = options.out + ".origin";
-  if (!command::replay(pairing, origin, part)) return false;
-  std::filesystem::rename(part, out);
-  return true;
 }
 
 [[nodiscard]] TROPHIC_INLINE int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings,
@@ -182,7 +168,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     check_unchanged(*origin);
     config.origin = origin->params;
     if (table != origin->rule_table) config.origin.erase("rules");
-    origin->make = [&, its] { return replay(options, *its, *origin); };
+    origin->make = [&, its](const std::filesystem::path& folder) { return replay(*its, *origin, folder); };
   }
   return run_experiment(*find(table, backend), options, config, origin, open_window);
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <trophic/checkpoint/rewind.hpp>
 #include <trophic/checkpoint/schedule.hpp>
 #include <trophic/command/any_experiment.hpp>
 #include <trophic/observe/manifest.hpp>
@@ -54,18 +55,16 @@ struct ExperimentOptions {
   observe::Provenance provenance;
 };
 
-/// A run that another one begins from.
+/// A run at a moment of which others begin.
 struct OriginRun {
-  std::filesystem::path folder;
+  checkpoint::Moment moment;
   std::string rule_table;
   std::string engine;
-  std::string fingerprint;
-  std::uint64_t seed = 0;
-  double at_s = 0.0;
   observe::Extent extent;  ///< how much of it is written down
   toml::table params;
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
-  std::function<bool()> make;           ///< makes the new run's folder as this run was; false if a signal came first
+  /// Makes in a folder what it was at the moment, as `replay`.
+  std::function<bool(const std::filesystem::path& folder)> make;
 };
 
 /// One rule table on one backend. A program has one for each that it was built with.

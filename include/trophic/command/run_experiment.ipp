@@ -105,29 +105,6 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return experiment_of(pairing, one_thread, config);
 }
 
-/// Where a run that begins from another one stands: at its own last checkpoint or, with `begins`, at the moment of the other, for
-/// which its folder was made.
-struct Beginning : checkpoint::Standing {
-  bool begins = false;
-};
-[[nodiscard]] inline Beginning standing_after(const OriginRun& origin, const std::filesystem::path& folder,
-                                              const observe::RunDescription& run) {
-  checkpoint::Checkpoint last = checkpoint::read_last(folder);
-  const bool is_moment = last.time_s >= origin.at_s && last.time_s < origin.at_s + run.tick_s;
-  if (!is_moment || last.fingerprint != origin.fingerprint || last.seed != origin.seed) {
-    return {checkpoint::standing_in(folder, run)};
-  }
-  return {{.complete = false, .from = std::move(last), .remark = {}}, true};
-}
-
-/// What a manifest says of a run that another one begins from.
-[[nodiscard]] inline observe::Provenance text_of(const OriginRun& origin, double at_s) {
-  return {{"run", origin.folder.string()},
-          {"at_s", number_text(at_s)},
-          {"seed", std::to_string(origin.seed)},
-          {"fingerprint", origin.fingerprint}};
-}
-
 /// The numbers of a table on a backend as a configuration file.
 [[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
   TomlWriter writer;
@@ -170,33 +147,42 @@ struct Beginning : checkpoint::Standing {
   return is_stopped ? stopped : 0;
 }
 
-/// Where the run that the options name is to begin; what is left to do there. None where a signal came before its past was made.
-[[nodiscard]] inline std::optional<Beginning> beginning_of(const ExperimentOptions& options, const Simulation& ecology,
-                                                           double until_s, const std::optional<OriginRun>& origin) {
-  if (!origin) {
-    if (!options.resume) return Beginning{};
-    return Beginning{{checkpoint::standing_in(options.out, ecology.describe(until_s))}};
-  }
-  checkpoint::check_may_follow(origin->description, ecology.describe(until_s));
-  if (!(origin->at_s <= until_s)) {
-    throw std::invalid_argument{"--at " + number_text(origin->at_s) + ": must be <= " + number_text(until_s) +
+/// A folder for runs that are to begin at a moment of another one. Throws std::invalid_argument where they cannot, before
+/// anything is made.
+[[nodiscard]] inline std::filesystem::path past_folder(const ExperimentOptions& options, const OriginRun& origin,
+                                                       const observe::RunDescription& run) {
+  checkpoint::check_may_follow(origin.description, run);
+  if (!(origin.moment.at_s <= run.until_s)) {
+    throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be <= " + number_text(run.until_s) +
                                 ", the duration of the run that begins there"};
   }
-  if (!origin->make()) return std::nullopt;
-  return standing_after(*origin, options.out, ecology.describe(until_s));
+  if (!options.resume && std::filesystem::exists(options.out)) {
+    throw std::invalid_argument{"output folder " + options.out + ": exists already; runs are never overwritten"};
+  }
+  return options.out + ".origin";
+}
+
+/// Where the run that the options name is to begin. None where a signal came before its past was made.
+[[nodiscard]] inline std::optional<checkpoint::Standing> standing_of(const ExperimentOptions& options, const Simulation& ecology,
+                                                                     double until_s, const std::optional<OriginRun>& origin) {
+  const observe::RunDescription run = ecology.describe(until_s);
+  if (!origin) return options.resume ? checkpoint::standing_in(options.out, run) : checkpoint::Standing{};
+  const std::filesystem::path folder = past_folder(options, *origin, run);
+  if (checkpoint::read_all(options.out).empty() && !origin->make(folder)) return std::nullopt;
+  auto standing = checkpoint::standing_in(options.out, run, checkpoint::Past{origin->moment, folder});
+  std::filesystem::remove_all(folder);
+  return standing;
 }
 
 /// Runs an ecology into the folder that the options name and returns the exit code. `window`: null for a run that nobody watches.
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
-                                         Beginning standing, const std::optional<OriginRun>& origin, Window* window) {
+                                         checkpoint::Standing standing, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
   observe::RunFolder folder{options.out, options.provenance, extent_of(options), standing.opening(), ecology.state_columns()};
   observe::Progress progress;
   try {
     if (standing.begins) {
-      checkpoint::restore_any(*standing.from, ecology, checkpoint::parts_of(folder, progress, stop));
-      folder.manifest().begin_from(text_of(*origin, standing.from->time_s));
-      standing.from.reset();
+      checkpoint::begin_at(standing, origin->moment, ecology, folder.manifest(), checkpoint::parts_of(folder, progress, stop));
     }
     const checkpoint::Schedule schedule{.every_s = options.checkpoint_s};
     if (window != nullptr) {
@@ -226,7 +212,7 @@ struct Beginning : checkpoint::Standing {
     if (options.out.empty()) return 0;
   }
   const double until_s = experiment.ecology().duration_s;
-  std::optional<Beginning> standing = beginning_of(options, *ecology, until_s, origin);
+  std::optional<checkpoint::Standing> standing = standing_of(options, *ecology, until_s, origin);
   if (!standing) return stopped;
   if (!standing->remark.empty()) std::cout << options.out << " " << standing->remark << std::endl;
   if (standing->complete) return 0;
@@ -234,49 +220,66 @@ struct Beginning : checkpoint::Standing {
   return window ? window->show(simulate) : simulate();
 }
 
+/// Runs replicates into the folder that the options name, where they ask for it beside their shadow, and returns the exit code.
+[[nodiscard]] inline int run_replicates(const ExperimentOptions& options, AnyExperiment& experiment,
+                                        const std::optional<OriginRun>& origin) {
+  const MakeSimulation make = experiment.simulations(false);
+  const double until_s = experiment.ecology().duration_s;
+  replicates::Plan plan = plan_of(options, experiment.seed());
+  if (origin) {
+    const std::filesystem::path past = past_folder(options, *origin, make(plan.master_seed)->describe(until_s));
+    if (!origin->make(past)) return stopped;
+    plan.past = {origin->moment, past};
+  }
+  const auto unfinished = replicates::run_with_shadow(make, options.shadow ? experiment.simulations(true) : nullptr, until_s,
+                                                      plan, options.provenance, std::cout);
+  if (origin && unfinished.empty()) std::filesystem::remove_all(plan.past->folder);
+  return report_unfinished(options, unfinished);
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
   OriginRun origin;
-  origin.folder = options.from;
-  const std::filesystem::path path = origin.folder / "manifest.json";
+  origin.moment.run = options.from;
+  const std::filesystem::path path = origin.moment.run / "manifest.json";
   try {
     const auto json = parse_json(read_whole_file(path));
     origin.rule_table = json.at("rule_table").get<std::string>();
     origin.engine = json.at("backend").get<std::string>();
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
-    origin.fingerprint = json.at("fingerprint").get<std::string>();
-    origin.seed = json.at("seed").get<std::uint64_t>();
+    origin.moment.fingerprint = json.at("fingerprint").get<std::string>();
+    origin.moment.seed = json.at("seed").get<std::uint64_t>();
     origin.extent.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
     origin.extent.senses = json.contains("senses");
-    origin.extent.states = std::filesystem::exists(origin.folder / observe::StateLog::file_name);
+    origin.extent.states = std::filesystem::exists(origin.moment.run / observe::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));
   } catch (const Json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   }
-  const auto last_s = checkpoint::last_moment_s(origin.folder);
+  const auto last_s = checkpoint::last_moment_s(origin.moment.run);
   if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no checkpoint"};
-  origin.at_s = options.at_s.value_or(last_s.value_or(0.0));
-  if (!(origin.at_s >= 0.0) || std::isinf(origin.at_s)) {
-    throw std::invalid_argument{"--at " + number_text(origin.at_s) + ": must be >= 0 and finite"};
+  origin.moment.at_s = options.at_s.value_or(last_s.value_or(0.0));
+  if (!(origin.moment.at_s >= 0.0) || std::isinf(origin.moment.at_s)) {
+    throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be >= 0 and finite"};
   }
   return origin;
 }
 
 TROPHIC_INLINE observe::RunDescription describe(const Pairing& pairing, const OriginRun& origin) {
-  return detail::experiment_of(pairing, origin)->simulations(false)(origin.seed)->describe(0.0);
+  return detail::experiment_of(pairing, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
 }
 
 TROPHIC_INLINE bool replay(const Pairing& pairing, const OriginRun& origin, const std::filesystem::path& folder) {
-  const std::unique_ptr<Simulation> ecology = detail::experiment_of(pairing, origin)->simulations(false)(origin.seed);
-  if (!std::filesystem::exists(folder)) checkpoint::copy_until(origin.folder, origin.at_s, folder);
-  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.at_s));
+  const std::unique_ptr<Simulation> ecology = detail::experiment_of(pairing, origin)->simulations(false)(origin.moment.seed);
+  if (!std::filesystem::exists(folder)) checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
+  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
   observe::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns()};
   observe::Progress progress;
-  checkpoint::run_kept(*ecology, origin.at_s, folder, {}, standing.from, files, progress, stop);
-  return ecology->time_s() >= origin.at_s;
+  checkpoint::run_kept(*ecology, origin.moment.at_s, folder, {}, standing.from, files, progress, stop);
+  return ecology->time_s() >= origin.moment.at_s;
 }
 
 TROPHIC_INLINE int run_experiment(const Pairing& pairing, const ExperimentOptions& options, const Config& config,
@@ -284,12 +287,8 @@ TROPHIC_INLINE int run_experiment(const Pairing& pairing, const ExperimentOption
   const auto experiment = detail::experiment_of(pairing, options, config);
   if (options.print_config) return detail::print_config(pairing.table, pairing.backend, experiment->named_params());
   if (!options.print_table.empty()) return print_text(experiment->table_text(options.print_table));
-  if (!options.replicates) return detail::run_once(options, *experiment, origin, open_window);
-  return detail::report_unfinished(
-      options,
-      replicates::run_with_shadow(experiment->simulations(false), options.shadow ? experiment->simulations(true) : nullptr,
-                                  experiment->ecology().duration_s, detail::plan_of(options, experiment->seed()),
-                                  options.provenance, std::cout));
+  return options.replicates ? detail::run_replicates(options, *experiment, origin)
+                            : detail::run_once(options, *experiment, origin, open_window);
 }
 
 TROPHIC_INLINE PlannedFacts facts(const Pairing& pairing, const Config& config, bool shadow) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/checkpoint/go_on.hpp>
+#include <trophic/checkpoint/rewind.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
@@ -26,6 +27,14 @@ using checkpoint::status_of;
 /// The name of the file that lists a set's replicates.
 inline constexpr const char* list_name = "replicates.json";
 
+/// At which moment of which run they all begin; empty where they begin at their beginning.
+[[nodiscard]] inline Json origin_of(const Plan& plan) {
+  auto origin = Json::object();
+  if (!plan.past) return origin;
+  for (const auto& [name, text] : checkpoint::provenance_of(plan.past->moment)) origin[name] = text;
+  return origin;
+}
+
 /// What it says: which runs there are to be, and what they have in common.
 [[nodiscard]] inline std::string list_text(const Plan& plan, const observe::RunDescription& run,
                                            const observe::Provenance& provenance) {
@@ -37,6 +46,7 @@ inline constexpr const char* list_name = "replicates.json";
   Json content{
       {"rule_table", run.rules},         {"backend", run.backend}, {"fingerprint", run.fingerprint},     {"until_s", run.until_s},
       {"master_seed", plan.master_seed}, {"count", plan.count},    {"replicates", std::move(replicates)}};
+  if (plan.past) content["origin"] = origin_of(plan);
   for (const auto& [name, text] : provenance) content[name] = text;
   return json_text(content, 2) + '\n';
 }
@@ -69,7 +79,7 @@ class Folder {
       if (status != "missing") incomplete.push_back(replicate);
       pending_.push_back(std::move(replicate));
     }
-    for (const Replicate& replicate : incomplete) look_at(replicate, run);
+    for (const Replicate& replicate : incomplete) look_at(plan, replicate, run);
     replace_file(plan.out / list_name, list_text(plan, run, provenance));
   }
   /// To be run, each into a new folder or from the checkpoint in its own.
@@ -107,6 +117,7 @@ class Folder {
       same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
       same(path, "master_seed", there.at("master_seed").get<std::uint64_t>(), plan.master_seed);
       same(path, "until_s", there.at("until_s").get<double>(), run.until_s);
+      same(path, "origin", there.value("origin", Json::object()), origin_of(plan));
       const auto count = there.at("count").get<std::size_t>();
       if (plan.count < count) {
         throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + std::to_string(count) +
@@ -129,9 +140,9 @@ class Folder {
     }
   }
 
-  void look_at(const Replicate& replicate, observe::RunDescription run) {
+  void look_at(const Plan& plan, const Replicate& replicate, observe::RunDescription run) {
     run.seed = replicate.seed;
-    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::standing_in(replicate.folder, run).remark);
+    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::standing_in(replicate.folder, run, plan.past).remark);
   }
 
   std::optional<FolderLock> lock_;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <trophic/checkpoint/rewind.hpp>
 #include <trophic/checkpoint/schedule.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/run_folder.hpp>
@@ -13,7 +15,8 @@ namespace trophic::replicates {
 struct Keeping {
   observe::Provenance provenance = {};
   checkpoint::Schedule checkpoints = {};
-  observe::Extent extent = {};  ///< how much of each run is written down
+  observe::Extent extent = {};                ///< how much of each run is written down
+  std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
 };
 
 }  // namespace trophic::replicates

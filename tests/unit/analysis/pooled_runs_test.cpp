@@ -6,6 +6,7 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/analysis/data/pooled_runs.hpp>
 #include <unit/analysis/run_files.hpp>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -56,5 +57,33 @@ TEST_CASE("runs that tell of other ticks are not pooled") {
             static_cast<void>(pooled_runs(Paths{all, thinned}, is_cut));
           }) == thinned.string() + ": agents_every_ticks 5, but " + all.string() +
                     " has 1; runs that say more and less of their robots are not pooled");
+  }
+}
+
+TEST_CASE("futures of one moment are pooled with a word on what they share, and with no other runs") {
+  const TemporaryFolder folder;
+  const auto begun = [&](const char* name, int seed, const std::string& at_s) {
+    const std::string text = manifest("aa", seed);
+    return write_run(folder.path() / name, text.substr(0, text.size() - 1) + R"(, "origin": {"run": "tape", "at_s": ")" + at_s +
+                                               R"(", "seed": "7", "fingerprint": "aa"}})");
+  };
+  const auto first = begun("first", 1, "700");
+  const auto second = begun("second", 2, "700");
+  const auto later = begun("later", 3, "900");
+  const auto other = write_run(folder.path() / "other", manifest("aa", 4));
+
+  CHECK(pooled_runs(Paths{first}, false).remarks.empty());
+  const auto set = pooled_runs(Paths{first, second}, false);
+  REQUIRE(set.remarks.size() == 1);
+  CHECK(set.remarks[0] ==
+        "all runs begin at 700 s of tape (seed 7): they share that past, so that intervals tell of its futures, not of runs");
+  for (const bool is_cut : {false, true}) {
+    for (const auto& [stranger, beginning] :
+         {std::pair{later, "at 900 s of tape (seed 7)"}, std::pair{other, "at its beginning"}}) {
+      CHECK(message_of<std::invalid_argument>([&] {
+              static_cast<void>(pooled_runs(Paths{first, stranger}, is_cut));
+            }) == stranger.string() + ": begins " + beginning + ", but " + first.string() +
+                      " begins at 700 s of tape (seed 7); futures of one moment are not pooled with other runs");
+    }
   }
 }

@@ -60,6 +60,13 @@ struct PooledRuns {
   if (other.seed == manifest.seed) {
     return here + "seed " + std::to_string(manifest.seed) + " as in " + there + "; the same run twice is no second replicate";
   }
+  if (other.begins != manifest.begins) {
+    const auto beginning = [](const RunManifest& run) {
+      return "begins " + (run.begins.empty() ? "at its beginning" : run.begins);
+    };
+    return here + beginning(manifest) + ", but " + there + " " + beginning(other) +
+           "; futures of one moment are not pooled with other runs";
+  }
   if (other.agents_every_ticks != manifest.agents_every_ticks) {
     return here + "agents_every_ticks " + std::to_string(manifest.agents_every_ticks) + ", but " + there + " has " +
            std::to_string(other.agents_every_ticks) + "; runs that say more and less of their robots are not pooled";
@@ -77,8 +84,8 @@ struct PooledRuns {
 }
 
 /// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
-/// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, status, duration or
-/// the ticks in agents.csv, or if one is there twice; std::runtime_error if nothing can be read.
+/// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, beginning, status,
+/// duration or the ticks in agents.csv, or if one is there twice; std::runtime_error if nothing can be read.
 [[nodiscard]] inline PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut) {
   PooledRuns pooled;
   std::vector<std::filesystem::path> folders;
@@ -100,6 +107,10 @@ struct PooledRuns {
   }
   if (pooled.manifests.empty()) {
     throw std::runtime_error{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
+  }
+  if (const std::string& begins = pooled.manifests.front().begins; pooled.manifests.size() > 1 && !begins.empty()) {
+    pooled.remarks.push_back("all runs begin " + begins +
+                             ": they share that past, so that intervals tell of its futures, not of runs");
   }
   return pooled;
 }

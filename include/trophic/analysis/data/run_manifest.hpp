@@ -26,7 +26,8 @@ struct RunManifest {
   std::string backend;
   std::string status;  ///< running (or killed), complete, stopped, failed
   std::uint64_t seed = 0;
-  double until_s = 0.0;             ///< planned; after cut_to, what is left
+  std::string begins;    ///< "at 700 s of runs/a (seed 7)", of a run that begins at a moment of another one; else empty
+  double until_s = 0.0;  ///< planned; after cut_to, what is left
   std::optional<double> reached_s;  ///< none for a run that was killed or is still running
   double half_side_m = 0.0;
   std::int64_t agents_every_ticks = 1;  ///< agents.csv has the ticks whose number is a multiple of it
@@ -47,6 +48,10 @@ struct RunManifest {
     manifest.backend = json.at("backend").get<std::string>();
     manifest.status = json.at("status").get<std::string>();
     manifest.seed = json.at("seed").get<std::uint64_t>();
+    if (json.contains("origin")) {
+      const auto said = [&](const char* key) { return json["origin"].at(key).get<std::string>(); };
+      manifest.begins = "at " + said("at_s") + " s of " + said("run") + " (seed " + said("seed") + ")";
+    }
     manifest.until_s = json.at("clock").at("until_s").get<double>();
     manifest.half_side_m = json.at("arena").at("half_side_m").get<double>();
     manifest.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
