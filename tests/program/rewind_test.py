@@ -150,6 +150,17 @@ class Rewind(InFolder):
         self.assertIn("kept as seed.incomplete-1, run anew; begins at 700 s of whole", self.run_ok(*begun, "--resume").stdout)
         self.assertEqual(self.table("seed", "events.csv"), events)
 
+    def test_a_folder_that_is_in_the_way_stays_what_it_is(self):
+        (self.folder / "whole").rename(self.folder / "new.origin")
+        events = self.table("new.origin", "events.csv")
+        for replicates in ([], ["--replicates", 2]):
+            with self.subTest(replicates=replicates):
+                done = self.call("--from", "new.origin", "--at", 700, "--duration", 1500, *replicates, "--out", "new")
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertIn("new.origin: is in the way", done.stderr)
+                self.assertEqual([path.name for path in self.folder.iterdir()], ["new.origin"])
+                self.assertEqual(self.table("new.origin", "events.csv"), events)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -20,10 +20,10 @@ namespace trophic::checkpoint {
 
 namespace detail {
 
-/// What a copy that was cut off left behind is made anew.
+/// What a copy that was cut off left behind is set aside.
 inline void copy_past(const Past& past, const std::filesystem::path& folder) {
   const std::filesystem::path part = folder.string() + ".part";
-  std::filesystem::remove_all(part);
+  if (std::filesystem::exists(part)) static_cast<void>(set_aside(part));
   copy_until(past.folder, std::numeric_limits<double>::infinity(), part);
   std::filesystem::rename(part, folder);
 }

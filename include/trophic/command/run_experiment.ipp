@@ -147,8 +147,11 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return is_stopped ? stopped : 0;
 }
 
-/// A folder for runs that are to begin at a moment of another one. Throws std::invalid_argument where they cannot, before
-/// anything is made.
+/// In the manifest of a folder that only holds what a run was at a moment: when.
+inline constexpr const char* past_key = "past_at_s";
+
+/// Where to make what a run was at a moment, for those that are to begin there. Throws std::invalid_argument where they cannot,
+/// or where a folder of that name is anything else, before anything is made.
 [[nodiscard]] inline std::filesystem::path past_folder(const ExperimentOptions& options, const OriginRun& origin,
                                                        const observe::RunDescription& run) {
   checkpoint::check_may_follow(origin.description, run);
@@ -159,7 +162,14 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   if (!options.resume && std::filesystem::exists(options.out)) {
     throw std::invalid_argument{"output folder " + options.out + ": exists already; runs are never overwritten"};
   }
-  return options.out + ".origin";
+  std::filesystem::path past = options.out + ".origin";
+  const std::filesystem::path manifest = past / "manifest.json";
+  if (!std::filesystem::exists(manifest)) return past;
+  const Json there = parse_json_or_null(read_whole_file(manifest));
+  if (!there.is_object() || there.value(past_key, Json{}) != Json(number_text(origin.moment.at_s))) {
+    throw std::invalid_argument{past.string() + ": is in the way: there the past of " + options.out + " would be made"};
+  }
+  return past;
 }
 
 /// Where the run that the options name is to begin. None where a signal came before its past was made.
@@ -276,7 +286,8 @@ TROPHIC_INLINE bool replay(const Pairing& pairing, const OriginRun& origin, cons
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  observe::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns()};
+  const observe::Provenance only_past{{detail::past_key, number_text(origin.moment.at_s)}};
+  observe::RunFolder files{folder, only_past, origin.extent, standing.opening(), ecology->state_columns()};
   observe::Progress progress;
   checkpoint::run_kept(*ecology, origin.moment.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology->time_s() >= origin.moment.at_s;
