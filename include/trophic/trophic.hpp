@@ -295,3 +295,4 @@
 #include <trophic/support/units.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
+#include <trophic/support/without_slash.hpp>

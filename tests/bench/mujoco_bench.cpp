@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bench/resident_bytes.hpp>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -16,6 +15,7 @@
 #include <mujoco/worlds.hpp>
 #include <optional>
 #include <string>
+#include <support/resident_bytes.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <tuple>

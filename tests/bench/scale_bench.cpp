@@ -5,12 +5,12 @@
 #include <malloc.h>
 
 #include <array>
-#include <bench/resident_bytes.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
 #include <string>
+#include <support/resident_bytes.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>

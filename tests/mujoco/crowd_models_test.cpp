@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <mujoco/worlds.hpp>
 #include <numeric>
 #include <stdexcept>
+#include <support/resident_bytes.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
@@ -31,14 +30,6 @@ engine::RobotStates in_a_row(engine::Islands& islands, double distance_m) {
   return states;
 }
 
-/// Memory that the program holds, in bytes.
-double resident() {
-  std::ifstream statm{"/proc/self/statm"};
-  double pages = 0.0;
-  statm >> pages >> pages;
-  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
-
 }  // namespace
 
 TEST_CASE("a crowd holds no memory for the matrix of the dual solvers, however long it is stepped") {
@@ -51,14 +42,14 @@ TEST_CASE("a crowd holds no memory for the matrix of the dual solvers, however l
   std::iota(all.begin(), all.end(), std::size_t{0});
   const std::vector<double> targets_rad(many * spider.hinges.size(), 0.4);
 
-  const double before = resident();
+  const double before = test::resident_bytes();
   engine::RobotStates next = states;
   REQUIRE(engine::step_group(model, all, targets_rad, {}, 100, states, next).end == engine::GroupResult::End::done);
   REQUIRE(model.data(0).nefc > 100);
   const auto rows = static_cast<double>(model.model().njmax);
   const double matrix = rows * rows * (sizeof(mjtNum) + sizeof(int));
   REQUIRE(matrix > 0.5 * model.data(0).nbuffer);
-  CHECK(resident() - before < model.data(0).nbuffer - 0.9 * matrix);
+  CHECK(test::resident_bytes() - before < model.data(0).nbuffer - 0.9 * matrix);
 }
 
 TEST_CASE("the model of a crowd that nobody forms any more is dropped, and made again to the same bytes") {

@@ -105,7 +105,7 @@ class Rewind(InFolder):
                     self.assertEqual(self.table(folder, name), self.table(alone, name), name)
                 self.assertEqual(self.manifest(folder)["origin"], self.manifest(alone)["origin"])
                 self.assertEqual(self.manifest(folder)["status"], "complete")
-        self.assertFalse([*self.folder.glob("**/*.origin"), *self.folder.glob("**/*.part")])
+        self.assertFalse([*self.folder.glob("**/*.past-*"), *self.folder.glob("**/*.part")])
 
     def test_replicates_are_futures_of_one_moment(self):
         self.run_ok(*self.REPLICATES, "--shadow", "--out", "set")
@@ -150,16 +150,26 @@ class Rewind(InFolder):
         self.assertIn("kept as seed.incomplete-1, run anew; begins at 700 s of whole", self.run_ok(*begun, "--resume").stdout)
         self.assertEqual(self.table("seed", "events.csv"), events)
 
-    def test_a_folder_that_is_in_the_way_stays_what_it_is(self):
-        (self.folder / "whole").rename(self.folder / "new.origin")
-        events = self.table("new.origin", "events.csv")
+    def test_a_past_that_was_cut_off_is_made_again(self):
+        past = self.folder / f"new.past-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
+        past.mkdir()
+        (past / "events.csv").write_text("a part")
+        own = self.folder / "new.origin"
+        own.mkdir()
+        (own / "notes.txt").write_text("mine")
+        self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", 7, "--out", "new")
+        self.assertEqual(self.table("new", "events.csv"), self.table("whole", "events.csv"))
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["new", "new.origin", "whole"])
+        self.assertEqual((own / "notes.txt").read_text(), "mine")
+
+    def test_a_slash_behind_the_folder_changes_nothing(self):
         for replicates in ([], ["--replicates", 2]):
             with self.subTest(replicates=replicates):
-                done = self.call("--from", "new.origin", "--at", 700, "--duration", 1500, *replicates, "--out", "new")
-                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-                self.assertIn("new.origin: is in the way", done.stderr)
-                self.assertEqual([path.name for path in self.folder.iterdir()], ["new.origin"])
-                self.assertEqual(self.table("new.origin", "events.csv"), events)
+                begun = ["--from", "whole/", "--at", 700, "--duration", 1000, *replicates, "--out", f"new{len(replicates)}/"]
+                self.run_ok(*begun)
+                self.run_ok(*begun, "--resume")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["new0", "new2", "whole"])
+        self.assertEqual(sorted(path.name for path in (self.folder / "new2").iterdir()), ["replicate-00", "replicate-01", "replicates.json"])
 
 
 if __name__ == "__main__":

@@ -3,8 +3,6 @@
 // every tick; with rest, of robots that only lie there. OUT.csv has a line for each 100 s of the ecology's clock: memory and
 // wall time, which must not grow. A run that was stopped goes on from its last checkpoint, with exit code 3 until it is done. See
 // scripts/soak.
-#include <unistd.h>
-
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -16,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <support/resident_bytes.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/checkpoint/go_on.hpp>
@@ -31,14 +30,6 @@ namespace {
 
 using namespace trophic;
 
-/// Memory that the program holds, in MB.
-double resident_mb() {
-  std::ifstream statm{"/proc/self/statm"};
-  double pages = 0.0;
-  statm >> pages >> pages;
-  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
-}
-
 /// A line of CSV for each 100 s, in a file that is gone on with where the run is.
 class Report {
  public:
@@ -50,7 +41,7 @@ class Report {
   void on_tick(const View& view) {
     if (view.time_s < next_s_) return;
     next_s_ += every_s;
-    csv_ << view.time_s << ',' << resident_mb() << ',' << watch_.elapsed_s() << std::endl;
+    csv_ << view.time_s << ',' << test::resident_bytes() / 1e6 << ',' << watch_.elapsed_s() << std::endl;
     watch_ = {};
   }
 

@@ -13,6 +13,7 @@
 #include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
+#include <trophic/support/without_slash.hpp>
 #include <utility>
 
 namespace trophic::checkpoint {
@@ -73,8 +74,7 @@ TROPHIC_INLINE std::string status_of(const std::filesystem::path& folder) {
 }
 
 TROPHIC_INLINE std::filesystem::path set_aside(const std::filesystem::path& folder) {
-  std::filesystem::path from = folder;
-  if (!from.has_filename()) from = from.parent_path();
+  const std::filesystem::path from = without_slash(folder);
   std::filesystem::path aside;
   std::size_t k = 1;
   do {

@@ -36,6 +36,9 @@ struct Past {
 /// When a run's last checkpoint was taken, seconds of its clock; none without one.
 [[nodiscard]] std::optional<double> last_moment_s(const std::filesystem::path& run);
 
+/// Where to make the past of what begins at a moment and goes to `out`: beside it, by a name that says which moment of which run.
+[[nodiscard]] std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment);
+
 /// Makes `folder` a copy of a run's folder as far as its latest checkpoint at or before `at_s`, which another run can go on from.
 /// Does nothing if there is none: then that other run begins at its beginning. Throws std::invalid_argument if `folder` exists,
 /// std::runtime_error if a file cannot be copied.

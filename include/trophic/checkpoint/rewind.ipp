@@ -13,6 +13,7 @@
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/without_slash.hpp>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,10 @@ namespace detail {
 
 /// What a copy that was cut off left behind is set aside.
 inline void copy_past(const Past& past, const std::filesystem::path& folder) {
-  const std::filesystem::path part = folder.string() + ".part";
+  const std::filesystem::path part = without_slash(folder).string() + ".part";
   if (std::filesystem::exists(part)) static_cast<void>(set_aside(part));
   copy_until(past.folder, std::numeric_limits<double>::infinity(), part);
-  std::filesystem::rename(part, folder);
+  std::filesystem::rename(part, without_slash(folder));
 }
 
 /// Whether what is in a folder is a copy of the moment with which nobody went on.
@@ -42,6 +43,11 @@ inline void copy_past(const Past& past, const std::filesystem::path& folder) {
 TROPHIC_INLINE std::optional<double> last_moment_s(const std::filesystem::path& run) {
   const std::vector<Checkpoint> all = read_all(run);
   return all.empty() ? std::nullopt : std::optional{all.front().time_s};
+}
+
+TROPHIC_INLINE std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment) {
+  return without_slash(out).string() + ".past-" + moment.fingerprint + "-seed-" + std::to_string(moment.seed) + "-" +
+         number_text(moment.at_s) + "-s";
 }
 
 TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {

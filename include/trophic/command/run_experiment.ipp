@@ -147,29 +147,17 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return is_stopped ? stopped : 0;
 }
 
-/// In the manifest of a folder that only holds what a run was at a moment: when.
-inline constexpr const char* past_key = "past_at_s";
-
-/// Where to make what a run was at a moment, for those that are to begin there. Throws std::invalid_argument where they cannot,
-/// or where a folder of that name is anything else, before anything is made.
-[[nodiscard]] inline std::filesystem::path past_folder(const ExperimentOptions& options, const OriginRun& origin,
-                                                       const observe::RunDescription& run) {
+/// What a run was at a moment, and where to make it for those that are to begin there. Throws std::invalid_argument where they
+/// cannot, before anything is made.
+[[nodiscard]] inline checkpoint::Past past_of(const ExperimentOptions& options, const OriginRun& origin,
+                                              const observe::RunDescription& run) {
   checkpoint::check_may_follow(origin.description, run);
   if (!(origin.moment.at_s <= run.until_s)) {
     throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be <= " + number_text(run.until_s) +
                                 ", the duration of the run that begins there"};
   }
-  if (!options.resume && std::filesystem::exists(options.out)) {
-    throw std::invalid_argument{"output folder " + options.out + ": exists already; runs are never overwritten"};
-  }
-  std::filesystem::path past = options.out + ".origin";
-  const std::filesystem::path manifest = past / "manifest.json";
-  if (!std::filesystem::exists(manifest)) return past;
-  const Json there = parse_json_or_null(read_whole_file(manifest));
-  if (!there.is_object() || there.value(past_key, Json{}) != Json(number_text(origin.moment.at_s))) {
-    throw std::invalid_argument{past.string() + ": is in the way: there the past of " + options.out + " would be made"};
-  }
-  return past;
+  if (!options.resume) observe::check_new_folder(options.out);
+  return {origin.moment, checkpoint::past_folder(options.out, origin.moment)};
 }
 
 /// Where the run that the options name is to begin. None where a signal came before its past was made.
@@ -177,10 +165,10 @@ inline constexpr const char* past_key = "past_at_s";
                                                                      double until_s, const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
   if (!origin) return options.resume ? checkpoint::standing_in(options.out, run) : checkpoint::Standing{};
-  const std::filesystem::path folder = past_folder(options, *origin, run);
-  if (checkpoint::read_all(options.out).empty() && !origin->make(folder)) return std::nullopt;
-  auto standing = checkpoint::standing_in(options.out, run, checkpoint::Past{origin->moment, folder});
-  std::filesystem::remove_all(folder);
+  const checkpoint::Past past = past_of(options, *origin, run);
+  if (checkpoint::read_all(options.out).empty() && !origin->make(past.folder)) return std::nullopt;
+  auto standing = checkpoint::standing_in(options.out, run, past);
+  std::filesystem::remove_all(past.folder);
   return standing;
 }
 
@@ -237,13 +225,12 @@ inline constexpr const char* past_key = "past_at_s";
   const double until_s = experiment.ecology().duration_s;
   replicates::Plan plan = plan_of(options, experiment.seed());
   if (origin) {
-    const std::filesystem::path past = past_folder(options, *origin, make(plan.master_seed)->describe(until_s));
-    if (!origin->make(past)) return stopped;
-    plan.past = {origin->moment, past};
+    plan.past = past_of(options, *origin, make(plan.master_seed)->describe(until_s));
+    if (!origin->make(plan.past->folder)) return stopped;
   }
   const auto unfinished = replicates::run_with_shadow(make, options.shadow ? experiment.simulations(true) : nullptr, until_s,
                                                       plan, options.provenance, std::cout);
-  if (origin && unfinished.empty()) std::filesystem::remove_all(plan.past->folder);
+  if (plan.past && unfinished.empty()) std::filesystem::remove_all(plan.past->folder);
   return report_unfinished(options, unfinished);
 }
 
@@ -282,12 +269,14 @@ TROPHIC_INLINE observe::RunDescription describe(const Pairing& pairing, const Or
 
 TROPHIC_INLINE bool replay(const Pairing& pairing, const OriginRun& origin, const std::filesystem::path& folder) {
   const std::unique_ptr<Simulation> ecology = detail::experiment_of(pairing, origin)->simulations(false)(origin.moment.seed);
-  if (!std::filesystem::exists(folder)) checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
+  if (checkpoint::read_all(folder).empty()) {
+    std::filesystem::remove_all(folder);  // a copy that was cut off
+    checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
+  }
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  const observe::Provenance only_past{{detail::past_key, number_text(origin.moment.at_s)}};
-  observe::RunFolder files{folder, only_past, origin.extent, standing.opening(), ecology->state_columns()};
+  observe::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns()};
   observe::Progress progress;
   checkpoint::run_kept(*ecology, origin.moment.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology->time_s() >= origin.moment.at_s;

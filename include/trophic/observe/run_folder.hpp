@@ -22,6 +22,9 @@
 
 namespace trophic::observe {
 
+/// Throws std::invalid_argument if there is anything of that name.
+void check_new_folder(const std::filesystem::path& path);
+
 /// A new folder. Throws std::invalid_argument if something of that name exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 

@@ -15,28 +15,37 @@
 #include <trophic/observe/phylogeny.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/sense_log.hpp>
+#include <trophic/support/without_slash.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::observe {
 
+namespace detail {
+
+[[noreturn]] inline void refuse_folder(const std::filesystem::path& path) {
+  throw std::invalid_argument{"output folder " + path.string() + ": exists already; runs are never overwritten"};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE void check_new_folder(const std::filesystem::path& path) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(path))) detail::refuse_folder(path);
+}
+
 TROPHIC_INLINE std::filesystem::path make_new_folder(const std::filesystem::path& path) {
-  const auto refuse = [&] {
-    throw std::invalid_argument{"output folder " + path.string() + ": exists already; runs are never overwritten"};
-  };
-  if (std::filesystem::exists(std::filesystem::symlink_status(path))) refuse();
+  check_new_folder(path);
   const auto require = [&](const std::error_code& error) {
     if (error) throw std::runtime_error{"output folder " + path.string() + ": cannot be made: " + error.message()};
   };
   std::error_code error;
-  std::filesystem::path name = path;
-  if (!name.has_filename()) name = name.parent_path();
+  const std::filesystem::path name = without_slash(path);
   if (name.has_parent_path()) std::filesystem::create_directories(name.parent_path(), error);
   require(error);
   // Of two programs that want the same folder one makes it.
   const bool made = std::filesystem::create_directory(name, error);
   require(error);
-  if (!made) refuse();
+  if (!made) detail::refuse_folder(path);
   return path;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A user's program: it links, finds the models and steps a robot. With CONSUMER_EVERYTHING it includes every public header but
-// the command line's, and lives for a while.
+// the command line's, lives for a while and has a second part.
 #include <iostream>
 #ifdef CONSUMER_EVERYTHING
 #include <trophic/trophic.hpp>
@@ -15,13 +15,22 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/models.hpp>
 #include <trophic/habitat/pose.hpp>
+#include <trophic/support/rng.hpp>
 #ifdef CONSUMER_HAS_mujoco
 #include <trophic/backend/mujoco.hpp>
 #endif
 #include <vector>
 
+#ifdef CONSUMER_EVERYTHING
+double first_draw_of_other_unit();
+#endif
+
 int main() {
 #ifdef CONSUMER_EVERYTHING
+  if (trophic::Rng{42, trophic::Stream::user}.uniform() != first_draw_of_other_unit()) {
+    std::cerr << "two translation units draw different numbers\n";
+    return 1;
+  }
   trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.seed = 42});
   ecology.run_until(20.0);
   std::cout << ecology.view().robots.size() << " robots lived " << ecology.time_s() << " s\n";

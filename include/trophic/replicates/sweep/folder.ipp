@@ -13,6 +13,7 @@
 #include <trophic/support/host_name.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
+#include <trophic/support/without_slash.hpp>
 
 namespace trophic::sweep {
 
@@ -39,8 +40,7 @@ TROPHIC_INLINE void make_or_join(const std::filesystem::path& folder, const std:
                                  const std::vector<NamedText>& files) {
   const std::string text = plan_text(plan);
   if (std::filesystem::exists(folder)) return detail::check_same_plan(folder, text);
-  std::filesystem::path name = folder;
-  if (!name.has_filename()) name = name.parent_path();
+  const std::filesystem::path name = without_slash(folder);
   const std::filesystem::path making = name.string() + ".making-" + host_name() + "-" + std::to_string(::getpid());
   std::filesystem::create_directories(making);
   for (const auto& [file, content] : files) {

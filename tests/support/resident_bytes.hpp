@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much memory a benchmark takes.
+// How much memory a program takes.
 #pragma once
 
 #include <unistd.h>
