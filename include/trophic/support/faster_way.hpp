@@ -10,7 +10,8 @@
 namespace trophic {
 
 /// Chooses for each job one of two ways that give the same result, by how long jobs took lately, and tries the other one again
-/// from time to time: the more rarely, the slower it was, so that trying costs about a thirtieth. Begins with the first.
+/// from time to time: the more rarely, the slower it was, so that trying costs about a thirtieth. Begins with the first. A job in
+/// which the machine slept, or the program was stopped, counts as any slow one.
 class FasterWay {
  public:
   /// One job, from when it was made to its end.
@@ -46,8 +47,12 @@ class FasterWay {
   /// A job was done the first or the second way, in so many seconds for one of its size.
   void note(bool first, double seconds) {
     Way& way = first ? first_ : second_;
-    way.seconds = way.known ? way.seconds + weight * (seconds - way.seconds) : seconds;
-    way.known = true;
+    Way& other = first ? second_ : first_;
+    if (!way.known) way = {.seconds = seconds, .known = true};
+    const double most = slowest * (other.known ? std::min(way.seconds, other.seconds) : way.seconds);
+    way.seconds = std::min(way.seconds, most);
+    other.seconds = std::min(other.seconds, most);
+    way.seconds += weight * (std::min(seconds, most) - way.seconds);
   }
 
  private:
@@ -60,10 +65,12 @@ class FasterWay {
   [[nodiscard]] std::uint64_t until_other() const {
     if (!first_.known || !second_.known) return 31;
     const double slower = std::max(first_.seconds, second_.seconds) / std::max(1e-12, std::min(first_.seconds, second_.seconds));
-    return 31 + 2 * static_cast<std::uint64_t>(std::min(16.0 * (slower - 1.0), 5000.0));
+    return 31 + 2 * static_cast<std::uint64_t>(16.0 * (std::min(slower, slowest) - 1.0));
   }
 
   static constexpr double weight = 0.125;
+  /// Times the faster way, beyond which nothing counts as slower: a few seconds of jobs that take a millisecond make up for it.
+  static constexpr double slowest = 64.0;
 
   Way first_;
   Way second_;

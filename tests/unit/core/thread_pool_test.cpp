@@ -50,8 +50,8 @@ TEST_CASE("a pool finishes the other items of a job in which one fails, alone or
 
 namespace {
 
-/// How many of so many jobs go the first way, if the ways take so long.
-int first_of(FasterWay& ways, int jobs, double first_s, double second_s) {
+/// How many of so many jobs go the first way, if the ways take so long; what they take is noted so often.
+int first_of(FasterWay& ways, int jobs, double first_s, double second_s, int notes = 8) {
   int firsts = 0;
   for (int i = 0; i < jobs; ++i) {
     bool first = false;
@@ -59,7 +59,7 @@ int first_of(FasterWay& ways, int jobs, double first_s, double second_s) {
       const FasterWay::Trial trial = ways.next(1'000'000'000);  // what the clock says counts for nothing beside what is noted
       first = trial.first();
     }
-    for (int k = 0; k < 8; ++k) ways.note(first, first ? first_s : second_s);
+    for (int k = 0; k < notes; ++k) ways.note(first, first ? first_s : second_s);
     firsts += first ? 1 : 0;
   }
   return firsts;
@@ -73,4 +73,15 @@ TEST_CASE("the faster way is taken, the slower one is tried rarely, and a change
   CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'800);
   CHECK(first_of(ways, 10'000, 9.0, 3.0) < 500);
   CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'500);
+}
+
+TEST_CASE("a pause of an hour in one job, the first or a later one, is soon forgotten") {
+  for (const bool at_once : {true, false}) {
+    CAPTURE(at_once);
+    FasterWay ways;
+    if (!at_once) first_of(ways, 1000, 0.5, 1.0, 1);
+    ways.note(true, 3600.0 * 1e6);
+    first_of(ways, 10'000, 0.5, 1.0, 1);
+    CHECK(first_of(ways, 1000, 0.5, 1.0, 1) > 950);
+  }
 }
