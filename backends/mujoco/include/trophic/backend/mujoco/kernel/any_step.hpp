@@ -12,9 +12,9 @@ namespace trophic::backend::kernel {
 
 /// Bit i set: lane i of a mask is all ones.
 [[nodiscard]] TROPHIC_LANES_INLINE Mask mask_of(unsigned lanes) {
-  Mask mask{};
-  for (std::size_t lane = 0; lane < lane_count; ++lane) mask[lane] = (lanes & (1u << lane)) != 0 ? -1 : 0;
-  return mask;
+  constexpr Mask bits = {1, 2, 4, 8};
+  const Mask all = Mask{} + static_cast<long long>(lanes);
+  return (all & bits) != 0;
 }
 
 /// Copies the trial point as MuJoCo's qacc in the lanes of `taken`.

@@ -2,10 +2,8 @@
 // Four numbers side by side, one per robot: the arithmetic type of the robot kernel.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <numbers>
 #include <vector>
 #if defined(__SSE2__)
@@ -47,17 +45,12 @@ using Mask = long long __attribute__((vector_size(lane_count * sizeof(double)), 
   return (Real)((Mask)value & 0x7fff'ffff'ffff'ffffLL);
 }
 
-#if defined(__SSE2__)
-struct Halves {
-  __m128d low, high;
-};
-#endif
-
 /// Bit i is set where lane i of the mask holds.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned lane_bits(const Mask& mask) {
 #if defined(__SSE2__)
-  const auto halves = std::bit_cast<Halves>(mask);
-  return static_cast<unsigned>(_mm_movemask_pd(halves.low) | (_mm_movemask_pd(halves.high) << 2));
+  const Real bits = (Real)mask;
+  return static_cast<unsigned>(_mm_movemask_pd(__builtin_shufflevector(bits, bits, 0, 1)) |
+                               (_mm_movemask_pd(__builtin_shufflevector(bits, bits, 2, 3)) << 2));
 #else
   unsigned bits = 0;
   for (std::size_t lane = 0; lane < lane_count; ++lane) bits |= (mask[lane] != 0 ? 1u : 0u) << lane;
@@ -67,11 +60,9 @@ struct Halves {
 
 [[nodiscard]] TROPHIC_LANES_INLINE Real sqrt(const Real& value) {
 #if defined(__SSE2__)
-  const auto halves = std::bit_cast<Halves>(value);
-  const Halves roots{_mm_sqrt_pd(halves.low), _mm_sqrt_pd(halves.high)};
-  Real root;
-  std::memcpy(&root, &roots, sizeof root);
-  return root;
+  const __m128d low = _mm_sqrt_pd(__builtin_shufflevector(value, value, 0, 1));
+  const __m128d high = _mm_sqrt_pd(__builtin_shufflevector(value, value, 2, 3));
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 #else
   Real root{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(value[lane]);

@@ -179,7 +179,7 @@ TROPHIC_LANES_INLINE void solve_tree(const KernelModel& model, Workspace& work) 
 /// The minimum of the quadratic of the rows that push now.
 TROPHIC_LANES_INLINE void solve_active(const KernelModel& model, Workspace& work) {
   for (LinkWork& link : work.links) {
-    link.articulated = full(link.inertia);
+    expand(link.inertia, link.articulated);
     link.force = link.bias;
   }
   for_each_contact(model, work, AddContact{model.friction});
@@ -195,7 +195,7 @@ TROPHIC_LANES_INLINE void solve_active(const KernelModel& model, Workspace& work
 /// Replaces the trial acceleration a by that of Euler's method implicit in joint damping B: (M + h B) x = M a.
 TROPHIC_LANES_INLINE void damp_joints(const KernelModel& model, Workspace& work) {
   for (LinkWork& link : work.links) {
-    link.articulated = full(link.inertia);
+    expand(link.inertia, link.articulated);
     link.force = (link.inertia * link.trial) * broadcast(-1.0);
   }
   for (std::size_t j = 0; j < model.hinges.size(); ++j) {

@@ -137,11 +137,22 @@ struct Inertia6 {
   Sym3 linear;
 };
 
-[[nodiscard]] TROPHIC_LANES_INLINE Inertia6 full(const RigidInertia& inertia) {
+/// As an articulated inertia; written in place, as a copy of so many lanes is slow.
+TROPHIC_LANES_INLINE void expand(const RigidInertia& inertia, Inertia6& to) {
   const Vec3& h = inertia.moment;
-  const Real zero{};
-  const Real m = broadcast(inertia.mass_kg);
-  return {inertia.rotational, {{zero, -h[2], h[1]}, {h[2], zero, -h[0]}, {-h[1], h[0], zero}}, {m, m, m, zero, zero, zero}};
+  auto& c = to.coupling;
+  to.angular = inertia.rotational;
+  c[0][0] = c[1][1] = c[2][2] = Real{};
+  c[0][1] = -h[2];
+  c[0][2] = h[1];
+  c[1][0] = h[2];
+  c[1][2] = -h[0];
+  c[2][0] = -h[1];
+  c[2][1] = h[0];
+  for (int i = 0; i < 3; ++i) {
+    to.linear.v[i] = broadcast(inertia.mass_kg);
+    to.linear.v[3 + i] = Real{};
+  }
 }
 
 [[nodiscard]] TROPHIC_LANES_INLINE Spatial operator*(const Inertia6& inertia, const Spatial& v) {
