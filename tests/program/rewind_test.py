@@ -89,6 +89,24 @@ class Rewind(InFolder):
         again = self.run_ok("--from", "whole", "--duration", 2500, "--seed", 9, "--out", "longer", "--resume")
         self.assertIn("is complete already", again.stdout)
 
+    def test_a_run_that_began_elsewhere_is_not_gone_on_with(self):
+        begun = ["--from", "whole", "--duration", 1500, "--seed", 8, "--out", "seed"]
+        self.run_ok(*begun, "--at", 701)
+        self.run_ok(*begun, "--at", 701, "--resume")
+        self.run_ok("--backend", "kinematic", "--seed", 8, "--duration", 1000, "--set", "rules.mutation.sd=0.02", "--out", "alone")
+        tables = {out: self.table(out, "events.csv") for out in ("seed", "alone")}
+        for arguments, text in [
+            ([*begun, "--at", 900], "seed: its run began at 702 s of whole; it can go on, but not begin at 900 s of whole"),
+            (["--from", "alone", *begun[2:], "--at", 701], "not begin at 701 s of alone"),
+            ([*begun[:-1], "alone", "--at", 701], "alone: its run began by itself"),
+        ]:
+            with self.subTest(arguments=arguments):
+                done = self.call(*arguments, "--resume")
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertIn(text, done.stderr)
+        self.assertEqual(tables, {out: self.table(out, "events.csv") for out in tables})
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["alone", "seed", "whole"])
+
     REPLICATES = ["--from", "whole", "--at", 700, "--duration", 1500, "--seed", 5, "--replicates", 3, "--jobs", 2]
 
     def assert_futures_of_700_s(self, out):

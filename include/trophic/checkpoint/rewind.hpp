@@ -45,7 +45,8 @@ struct Past {
 void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder);
 
 /// Where a run that begins at a moment stands in its folder: there, in a copy that is made where there is nothing to go on from,
-/// or further on. Without a past as the other `standing_in`. Throws as that one and as `copy_until`.
+/// or further on. Without a past as the other `standing_in`. Throws as that one and as `copy_until`, and std::invalid_argument
+/// where the run in the folder began elsewhere.
 [[nodiscard]] Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run,
                                    const std::optional<Past>& past);
 

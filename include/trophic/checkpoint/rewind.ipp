@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -10,9 +11,11 @@
 #include <string>
 #include <system_error>
 #include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/checkpoint/go_on.ipp>
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/without_slash.hpp>
 #include <utility>
 #include <vector>
@@ -29,13 +32,33 @@ inline void copy_past(const Past& past, const std::filesystem::path& folder) {
   std::filesystem::rename(part, without_slash(folder));
 }
 
+/// Whether a clock shows the tick with which those begin that begin at a moment.
+[[nodiscard]] inline bool is_tick_of(const Moment& moment, double time_s, double tick_s) {
+  return time_s >= moment.at_s && time_s < moment.at_s + tick_s;
+}
+
 /// Whether what is in a folder is a copy of the moment with which nobody went on.
 [[nodiscard]] inline bool stands_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
   const std::vector<Checkpoint> all = read_all(folder);
   if (all.empty()) return false;
   const Checkpoint& last = all.front();
-  const bool is_then = last.time_s >= moment.at_s && last.time_s < moment.at_s + tick_s;
-  return is_then && last.fingerprint == moment.fingerprint && last.seed == moment.seed;
+  return is_tick_of(moment, last.time_s, tick_s) && last.fingerprint == moment.fingerprint && last.seed == moment.seed;
+}
+
+/// Throws std::invalid_argument if a folder's manifest says that its run began elsewhere.
+inline void check_began_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
+  const Json manifest = manifest_in(folder);
+  if (manifest.is_null()) return;
+  const Json origin = manifest.value("origin", Json::object());
+  const auto said = [&](const char* key) {
+    const auto found = origin.find(key);
+    return found != origin.end() && found->is_string() ? found->get<std::string>() : std::string{};
+  };
+  const bool same_run = said("fingerprint") == moment.fingerprint && said("seed") == std::to_string(moment.seed);
+  if (same_run && is_tick_of(moment, std::strtod(said("at_s").c_str(), nullptr), tick_s)) return;
+  throw std::invalid_argument{folder.string() + ": its run began " +
+                              (origin.empty() ? "by itself" : "at " + said("at_s") + " s of " + said("run")) +
+                              "; it can go on, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
 }
 
 }  // namespace detail
@@ -83,6 +106,7 @@ TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const o
   if (!past) return standing_in(folder, run);
   std::string remark;
   if (std::filesystem::exists(folder) && !detail::stands_at(past->moment, folder, run.tick_s)) {
+    detail::check_began_at(past->moment, folder, run.tick_s);
     Standing standing = standing_in(folder, run);
     if (standing.complete || standing.from) return standing;
     remark = standing.remark + "; ";
