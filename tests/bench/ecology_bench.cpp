@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <thread>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -69,7 +71,15 @@ void tick(benchmark::State& state, const typename Backend::Params& params) {
 void tick_without_physics(benchmark::State& state) {
   tick<NoPhysics>(state, {});
 }
+
+/// Beside so many loops that do nothing and never rest, as on a machine with other programs.
 void tick_on_mujoco(benchmark::State& state) {
+  std::vector<std::jthread> busy;
+  for (int i = 0; i < state.range(2); ++i) {
+    busy.emplace_back([](const std::stop_token& stop) {
+      while (!stop.stop_requested()) continue;
+    });
+  }
   tick<trophic::backend::Mujoco>(state, {.threads = static_cast<std::size_t>(state.range(1))});
 }
 
@@ -77,8 +87,10 @@ void tick_on_mujoco(benchmark::State& state) {
 
 BENCHMARK(tick_without_physics)->ArgName("robots")->Arg(30)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(tick_on_mujoco)
-    ->ArgNames({"robots", "threads"})
-    ->Args({30, 1})
-    ->Args({30, 2})
+    ->ArgNames({"robots", "threads", "busy"})
+    ->Args({30, 1, 0})
+    ->Args({30, 2, 0})
+    ->Args({30, 1, 4})
+    ->Args({30, 2, 4})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
