@@ -2,6 +2,7 @@
 // Memory that nobody needs goes back to the system.
 #pragma once
 
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -18,6 +19,13 @@ inline void give_back_pages(void* array, std::size_t bytes) {
   const std::uintptr_t begin = (first + page - 1) / page * page;
   const std::uintptr_t end = (first + bytes) / page * page;
   if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+}
+
+/// Gives back the pages of what was freed: glibc keeps those that lie below something that is still in use.
+inline void give_back_freed_pages() {
+#if defined(__GLIBC__)
+  ::malloc_trim(0);
+#endif
 }
 
 }  // namespace trophic::backend::mujoco

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <trophic/backend/clusters.hpp>
+#include <trophic/backend/mujoco/give_back_pages.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/lane_step.hpp>
 #include <trophic/support/thread_pool.hpp>
@@ -44,7 +45,8 @@ class Islands {
   [[nodiscard]] GroupResult advance(const RobotStates& from, std::span<const double> targets_rad, std::size_t steps,
                                     RobotStates& to) {
     ++advances_;
-    std::erase_if(models_, [&](const auto& entry) { return is_idle(entry.first, entry.second); });
+    if (std::erase_if(models_, [&](const auto& entry) { return is_idle(entry.first, entry.second); }) > 0)
+      give_back_freed_pages();
     slack_m_.resize(from.robots());
     for (std::size_t i = 0; i < from.robots(); ++i) slack_m_[i] = first_slack_m(from, i, steps);
     while (true) {
