@@ -180,6 +180,18 @@ class Rewind(InFolder):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["new", "new.origin", "whole"])
         self.assertEqual((own / "notes.txt").read_text(), "mine")
 
+    def test_a_run_that_is_in_the_way_stays_what_it_is(self):
+        there = f"new.past-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
+        (self.folder / "whole").rename(self.folder / there)
+        events = self.table(there, "events.csv")
+        for replicates in ([], ["--replicates", 2]):
+            with self.subTest(replicates=replicates):
+                done = self.call("--from", there, "--at", 700, "--duration", 1500, *replicates, "--out", "new")
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertIn(f"{there}: is in the way", done.stderr)
+                self.assertEqual([path.name for path in self.folder.iterdir()], [there])
+                self.assertEqual(self.table(there, "events.csv"), events)
+
     def test_a_slash_behind_the_folder_changes_nothing(self):
         for replicates in ([], ["--replicates", 2]):
             with self.subTest(replicates=replicates):

@@ -157,7 +157,11 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
                                 ", the duration of the run that begins there"};
   }
   if (!options.resume) observe::check_new_folder(options.out);
-  return {origin.moment, checkpoint::past_folder(options.out, origin.moment)};
+  checkpoint::Past past{origin.moment, checkpoint::past_folder(options.out, origin.moment)};
+  if (std::filesystem::exists(past.folder) && std::filesystem::equivalent(past.folder, origin.moment.run)) {
+    throw std::invalid_argument{past.folder.string() + ": is in the way: there the past of " + options.out + " would be made"};
+  }
+  return past;
 }
 
 /// Where the run that the options name is to begin. None where a signal came before its past was made.

@@ -69,7 +69,7 @@ class FasterWay {
   }
 
   static constexpr double weight = 0.125;
-  /// Times the faster way, beyond which nothing counts as slower: a few seconds of jobs that take a millisecond make up for it.
+  /// Times the faster way, beyond which nothing counts as slower, so that a pause is made up for in some thousand jobs.
   static constexpr double slowest = 64.0;
 
   Way first_;
