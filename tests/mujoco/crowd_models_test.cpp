@@ -83,26 +83,28 @@ TEST_CASE("the model of a crowd that nobody forms any more is dropped, and made 
 }
 
 #ifndef __SANITIZE_ADDRESS__  // whose allocator keeps what is freed
-TEST_CASE("a crowd that is dropped gives its memory back, though other memory lies above it") {
-  constexpr std::size_t many = 10;
+TEST_CASE("crowds that are dropped give their memory back, though other memory lies above it") {
   std::vector<char>(std::size_t{31} << 20);  // glibc no longer maps what is smaller, once such a block was freed
-  const std::vector<double> targets_rad(many * spider.hinges.size(), 0.4);
   engine::Islands islands{spider, square, {}, 1, false, engine::BoxDepth::engine};
-  const engine::RobotStates crowd = in_a_row(islands, 1.2 * spider.bounding_radius_m, many);
-  const engine::RobotStates apart = in_a_row(islands, 1.0, many);
-  engine::RobotStates next = apart;
-  REQUIRE(islands.advance(apart, targets_rad, 1, next).end == engine::GroupResult::End::done);
+  const auto advance = [&](double distance_m, std::size_t many, std::size_t steps) {
+    const engine::RobotStates from = in_a_row(islands, distance_m, many);
+    engine::RobotStates to = from;
+    const std::vector<double> targets_rad(many * spider.hinges.size(), 0.4);
+    return islands.advance(from, targets_rad, steps, to).end;
+  };
+  REQUIRE(advance(1.0, 11, 1) == engine::GroupResult::End::done);
 
   const double before = test::resident_bytes();
-  REQUIRE(islands.advance(crowd, targets_rad, 10, next).end == engine::GroupResult::End::done);
-  const double of_crowd = test::resident_bytes() - before;
-  REQUIRE(of_crowd > 1e6);
+  for (std::size_t many = 7; many <= 11; ++many)
+    REQUIRE(advance(1.2 * spider.bounding_radius_m, many, 10) == engine::GroupResult::End::done);
+  const double of_crowds = test::resident_bytes() - before;
+  REQUIRE(of_crowds > 5e6);
   const std::vector<std::vector<char>> above(100, std::vector<char>(100'000));
-  const double with_crowd = test::resident_bytes();
+  const double with_crowds = test::resident_bytes();
   for (std::uint64_t i = 0; i <= engine::Islands::keeps_idle_models_for; ++i) {
-    static_cast<void>(islands.advance(apart, targets_rad, 1, next));
+    static_cast<void>(advance(1.0, 11, 1));
   }
-  CHECK(with_crowd - test::resident_bytes() > 0.7 * of_crowd);
+  CHECK(with_crowds - test::resident_bytes() > 0.5 * of_crowds);  // half: there are systems that count 2 MB at a time
 }
 #endif
 
