@@ -117,6 +117,7 @@ class Pages(InFolderWithSets):
     def make_sets(cls):
         for name, seed in (("run", 1), ("other", 2)):
             Recordings.make.__func__(cls, name, "--backend", "kinematic", "--duration", 60, "--seed", seed)
+        Recordings.make.__func__(cls, "sensed", "--backend", "kinematic", "--duration", 60, "--senses")
         Recordings.make.__func__(cls, "unrecorded", "--backend", "kinematic", "--duration", 20, "--replay-hz", 0)
         Recordings.make.__func__(cls, "thinned", "--backend", "kinematic", "--duration", 20, "--agents-every", 2)
         Recordings.make.__func__(cls, "set", "--backend", "kinematic", "--duration", 20, "--replicates", 2)
@@ -190,12 +191,29 @@ class Pages(InFolderWithSets):
                 run = self.copy()
                 (run / table).write_bytes((self.sets / "sister" / table).read_bytes())
                 self.assert_refused(sentence, run)
-                # of a run that was killed, whose manifest knows no checksums, row by row
-                manifest = json.loads((run / "manifest.json").read_text())
-                del manifest["tables"]
-                (run / "manifest.json").write_text(json.dumps(manifest))
-                self.assert_refused(rf"{table}:\d+: ", run)
+                self.forget_sums(run)
+                self.assert_refused(rf"{table}:\d+: ", run)  # row by row
                 shutil.rmtree(run)
+
+    def forget_sums(self, run):
+        """As of a run that was killed, whose manifest knows no checksums."""
+        manifest = json.loads((run / "manifest.json").read_text())
+        del manifest["tables"]
+        (run / "manifest.json").write_text(json.dumps(manifest))
+
+    def test_senses_of_another_run_and_of_a_killed_one(self):
+        Recordings.make.__func__(self, "sensed-2", "--backend", "kinematic", "--duration", 60, "--senses", "--set", "rules.capture.reach_m=9")
+        run = self.copy("sensed")
+        own, foreign = ((self.sets / name / "senses.csv").read_bytes() for name in ("sensed", "sensed-2"))
+        (run / "senses.csv").write_bytes(foreign)
+        self.assert_refused(r"senses.csv: checksum \d+: must be \d+, as the manifest beside it says", run)
+        self.forget_sums(run)
+        self.assert_refused(r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run)
+        for cut_off in (own, own[:-1000]):
+            (run / "senses.csv").write_bytes(cut_off)
+            shown = self.show(run, "-o", "page.html")
+            self.assertEqual(shown.returncode, 0, shown.stderr)
+            (self.folder / "page.html").unlink()
 
     def test_events_that_the_recording_cannot_have(self):
         run = self.copy()
@@ -216,9 +234,7 @@ class Pages(InFolderWithSets):
 
     def test_a_killed_run_is_shown_without_checksums(self):
         run = self.copy()
-        manifest = json.loads((run / "manifest.json").read_text())
-        del manifest["tables"]
-        (run / "manifest.json").write_text(json.dumps(manifest))
+        self.forget_sums(run)
         self.assertEqual(self.show(run, "-o", "page.html").returncode, 0)
 
     def test_a_run_that_was_cut_off_is_shown_with_a_remark(self):

@@ -133,6 +133,8 @@ class Rewind(InFolder):
         self.assertEqual(len({tuple(self.table(f"set/replicate-0{i}", "events.csv")) for i in range(3)}), 3)
 
         before = sorted(path.name for path in self.folder.iterdir())
+        again = self.run_ok(*self.REPLICATES, "--shadow", "--resume", "--out", "set")
+        self.assertNotIn("the past", again.stdout)
         done = self.call(*self.REPLICATES, "--out", "set")
         self.assertIn("exists already", done.stderr)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
@@ -151,6 +153,7 @@ class Rewind(InFolder):
         for name in ("checkpoint.bin", "checkpoint.old.bin", "manifest.json"):
             (self.folder / "set/replicate-01" / name).unlink(missing_ok=True)
         again = self.run_ok(*self.REPLICATES, "--resume", "--out", "set")
+        self.assertIn("the past, whole until 700 s, is made there", again.stdout)
         self.assertIn("kept as replicate-01.incomplete-1, run anew; begins at 700 s of whole", again.stdout)
         self.assert_futures_of_700_s("set")
 

@@ -39,9 +39,13 @@ struct Past {
 /// Where to make the past of what begins at a moment and goes to `out`: beside it, by a name that says which moment of which run.
 [[nodiscard]] std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment);
 
-/// Makes `folder` a copy of a run's folder as far as its latest checkpoint at or before `at_s`, which another run can go on from.
-/// Does nothing if there is none: then that other run begins at its beginning. Throws std::invalid_argument if `folder` exists,
-/// std::runtime_error if a file cannot be copied.
+/// Whether a run to `until_s` that begins at a moment needs the past of it: not one that is complete in its folder or can go on
+/// there.
+[[nodiscard]] bool needs_past(const std::filesystem::path& folder, double until_s);
+
+/// Makes `folder` a copy of a run's folder as far as its latest checkpoint of this version at or before `at_s`, which another run
+/// can go on from. Does nothing if there is none: then that other run begins at its beginning. Throws std::invalid_argument if
+/// `folder` exists, std::runtime_error if a file cannot be copied.
 void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder);
 
 /// Where a run that begins at a moment stands in its folder: there, in a copy that is made where there is nothing to go on from,

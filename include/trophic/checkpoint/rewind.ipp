@@ -16,6 +16,7 @@
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/version.hpp>
 #include <trophic/support/without_slash.hpp>
 #include <utility>
 #include <vector>
@@ -37,12 +38,17 @@ inline void copy_past(const Past& past, const std::filesystem::path& folder) {
   return time_s >= moment.at_s && time_s < moment.at_s + tick_s;
 }
 
+/// The last checkpoint that can be read, if it is of this version.
+[[nodiscard]] inline std::optional<Checkpoint> last_that_goes_on(const std::filesystem::path& folder) {
+  std::vector<Checkpoint> all = read_all(folder);
+  if (all.empty() || all.front().program_version != version) return std::nullopt;
+  return std::move(all.front());
+}
+
 /// Whether what is in a folder is a copy of the moment with which nobody went on.
 [[nodiscard]] inline bool stands_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
-  const std::vector<Checkpoint> all = read_all(folder);
-  if (all.empty()) return false;
-  const Checkpoint& last = all.front();
-  return is_tick_of(moment, last.time_s, tick_s) && last.fingerprint == moment.fingerprint && last.seed == moment.seed;
+  const std::optional<Checkpoint> last = last_that_goes_on(folder);
+  return last && is_tick_of(moment, last->time_s, tick_s) && last->fingerprint == moment.fingerprint && last->seed == moment.seed;
 }
 
 /// Throws std::invalid_argument if a folder's manifest says that its run began elsewhere.
@@ -73,10 +79,18 @@ TROPHIC_INLINE std::filesystem::path past_folder(const std::filesystem::path& ou
          number_text(moment.at_s) + "-s";
 }
 
+TROPHIC_INLINE bool needs_past(const std::filesystem::path& folder, double until_s) {
+  if (!std::filesystem::exists(folder)) return true;
+  const Json manifest = detail::manifest_in(folder);
+  const bool complete = detail::status_in(manifest) == "complete" && detail::until_in(manifest) >= until_s;
+  return !complete && !detail::last_that_goes_on(folder);
+}
+
 TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {
   if (std::filesystem::exists(folder)) throw std::invalid_argument{folder.string() + ": exists already"};
   const std::vector<Checkpoint> all = read_all(run);
-  const auto early = std::ranges::find_if(all, [&](const Checkpoint& one) { return one.time_s <= at_s; });
+  const auto early =
+      std::ranges::find_if(all, [&](const Checkpoint& one) { return one.time_s <= at_s && one.program_version == version; });
   if (early == all.end()) return;
   std::error_code error;
   const auto require = [&](const std::filesystem::path& path) {

@@ -164,13 +164,20 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return past;
 }
 
+/// Makes the past of what is to begin at a moment. False where a signal came before it was made.
+[[nodiscard]] inline bool make_past(const checkpoint::Past& past, const OriginRun& origin) {
+  std::cout << past.folder.string() << ": the past, " << origin.moment.run.string() << " until "
+            << number_text(origin.moment.at_s) << " s, is made there" << std::endl;
+  return origin.make(past.folder);
+}
+
 /// Where the run that the options name is to begin. None where a signal came before its past was made.
 [[nodiscard]] inline std::optional<checkpoint::Standing> standing_of(const ExperimentOptions& options, const Simulation& ecology,
                                                                      double until_s, const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
   if (!origin) return options.resume ? checkpoint::standing_in(options.out, run) : checkpoint::Standing{};
   const checkpoint::Past past = past_of(options, *origin, run);
-  if (checkpoint::read_all(options.out).empty() && !origin->make(past.folder)) return std::nullopt;
+  if (checkpoint::needs_past(options.out, run.until_s) && !make_past(past, *origin)) return std::nullopt;
   auto standing = checkpoint::standing_in(options.out, run, past);
   std::filesystem::remove_all(past.folder);
   return standing;
@@ -222,6 +229,17 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return window ? window->show(simulate) : simulate();
 }
 
+/// Whether a replicate, or one of its shadow, has nothing to go on from.
+[[nodiscard]] inline bool needs_past(replicates::Plan plan, bool shadow, double until_s) {
+  const auto any = [&] {
+    return std::ranges::any_of(plan.all(),
+                               [&](const replicates::Replicate& one) { return checkpoint::needs_past(one.folder, until_s); });
+  };
+  if (any()) return true;
+  plan.out /= "shadow";
+  return shadow && any();
+}
+
 /// Runs replicates into the folder that the options name, where they ask for it beside their shadow, and returns the exit code.
 [[nodiscard]] inline int run_replicates(const ExperimentOptions& options, AnyExperiment& experiment,
                                         const std::optional<OriginRun>& origin) {
@@ -229,8 +247,9 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   const double until_s = experiment.ecology().duration_s;
   replicates::Plan plan = plan_of(options, experiment.seed());
   if (origin) {
+    plan.check();
     plan.past = past_of(options, *origin, make(plan.master_seed)->describe(until_s));
-    if (!origin->make(plan.past->folder)) return stopped;
+    if (needs_past(plan, options.shadow, until_s) && !make_past(*plan.past, *origin)) return stopped;
   }
   const auto unfinished = replicates::run_with_shadow(make, options.shadow ? experiment.simulations(true) : nullptr, until_s,
                                                       plan, options.provenance, std::cout);

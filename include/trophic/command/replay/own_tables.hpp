@@ -60,6 +60,19 @@ class OwnTables {
     while (taxa.next()) check_born(taxa.get<std::uint64_t>(0), taxa.get<std::size_t>(1), place_of(taxa, "phylogeny.csv"));
   }
 
+  /// Throws std::invalid_argument unless each row of senses.csv is of the robot in the same row of agents.csv, as far as both go.
+  void check_senses() const {
+    analysis::CsvReader agents{folder_ / "agents.csv", {"time_s", "tick", "body", "id"}};
+    analysis::CsvReader senses{folder_ / "senses.csv", {"time_s", "tick", "body", "id"}};
+    while (agents.next() && senses.next()) {
+      for (std::size_t cell = 0; cell < 4; ++cell) {
+        if (senses.text(cell) == agents.text(cell)) continue;
+        throw std::invalid_argument{place_of(senses, "senses.csv") +
+                                    ": is not of the robot and tick in that row of agents.csv; " + "they are of two runs"};
+      }
+    }
+  }
+
   /// Throws std::invalid_argument for a table that is not, byte for byte, what the run wrote by its manifest.
   void check_sum(const std::string& table, const Json& sums) const {
     if (!sums.contains(table)) return;
@@ -133,9 +146,11 @@ inline void check_own_tables(const std::filesystem::path& folder, const observe:
   tables.check_events();
   const Json sums = manifest.value("tables", Json::object());
   for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv"}) tables.check_sum(table, sums);
-  if (std::filesystem::exists(folder / "senses.csv")) tables.check_sum("senses.csv", sums);
+  const bool has_senses = std::filesystem::exists(folder / "senses.csv");
+  if (has_senses) tables.check_sum("senses.csv", sums);
   if (!sums.contains("agents.csv")) tables.check_agents();
   if (!sums.contains("phylogeny.csv")) tables.check_phylogeny();
+  if (has_senses && !sums.contains("senses.csv")) tables.check_senses();
 }
 
 }  // namespace trophic::command::replay
