@@ -197,6 +197,7 @@
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/params/toml_text.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/blind_rule/blind_decides.hpp>
 #include <trophic/perception/blind_rule/blind_keeps_decision.hpp>

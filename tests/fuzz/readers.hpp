@@ -7,10 +7,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <support/forged_recording.hpp>
 #include <trophic/analysis/data/read_run.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/checkpoint/checkpoint_file.hpp>
@@ -20,7 +22,11 @@
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
+#include <trophic/observe/read_recording.hpp>
+#include <trophic/observe/recording_planes.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/replicates/sweep/sweep_file.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
 
@@ -98,16 +104,59 @@ inline void read_ecology(std::string_view bytes) {
   archive.finish();
 }
 
+/// A recording whose checksums are right: what lies behind them must not do harm even where it is forged.
+inline void read_whole_recording(const std::string& bytes) {
+  const FileInMemory file{bytes};
+  const observe::RecordingReader recording{file.path()};
+  const std::size_t last_robot = recording.head().robots - 1;
+  for (const std::size_t frame : {std::size_t{0}, recording.frames() / 2, recording.frames() - 1}) {
+    static_cast<void>(recording.frame_at(recording.time_s(frame)));
+    static_cast<void>(recording.root(frame, last_robot));
+    for (std::size_t joint = 0; joint < recording.head().joints; ++joint) {
+      static_cast<void>(recording.joint_angle_rad(frame, last_robot, joint));
+    }
+  }
+}
+
+inline void read_recording(std::string_view bytes) {
+  read_whole_recording(with_right_checksums(std::string{bytes}));
+}
+/// What a recording says of itself, before a frame of one robot without joints.
+inline void read_head(std::string_view bytes) {
+  using namespace observe::recording;
+  std::string frames;
+  append_u32(frames, 0);
+  append_u32(frames, 1);
+  frames += packed(std::vector<std::int16_t>(pose_channels), pose_channels);
+  read_whole_recording(recording_with(bytes, recorded_block(frames_kind, frames)));
+}
+
+inline void read_sweep(std::string_view bytes) {
+  static_cast<void>(sweep::read_sweep(FileInMemory{bytes}.path()));
+}
+inline void read_plan(std::string_view bytes) {
+  static_cast<void>(sweep::read_plan(FileInMemory{bytes}.path()));
+}
+
 /// A reader and the folder of its corpus.
 struct Reader {
   std::string_view name;
   void (*read)(std::string_view bytes);
 };
-inline constexpr std::array readers{
-    Reader{"robot", read_robot},    Reader{"arena", read_arena},           Reader{"gait", read_gait},
-    Reader{"config", read_config},  Reader{"assignment", read_assignment}, Reader{"events", read_events},
-    Reader{"agents", read_agents},  Reader{"manifest", read_manifest},     Reader{"checkpoint", read_checkpoint_file},
-    Reader{"ecology", read_ecology}};
+inline constexpr std::array readers{Reader{"robot", read_robot},
+                                    Reader{"arena", read_arena},
+                                    Reader{"gait", read_gait},
+                                    Reader{"config", read_config},
+                                    Reader{"assignment", read_assignment},
+                                    Reader{"events", read_events},
+                                    Reader{"agents", read_agents},
+                                    Reader{"manifest", read_manifest},
+                                    Reader{"checkpoint", read_checkpoint_file},
+                                    Reader{"ecology", read_ecology},
+                                    Reader{"recording", read_recording},
+                                    Reader{"head", read_head},
+                                    Reader{"sweep", read_sweep},
+                                    Reader{"plan", read_plan}};
 
 /// Reads bytes that may be anything. What a reader may say of them is std::invalid_argument or std::runtime_error; whatever else
 /// it throws goes on.

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/checkpoint/keeper.hpp>
+#include <trophic/observe/recording.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
@@ -86,10 +87,13 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   experiment.ecology.robots = 4;
   experiment.rules.community.predators = 2;
   Ecology<rules::Released, backend::Kinematic> ecology{experiment};
+  const auto place = [](std::string_view folder) { return std::filesystem::path{CORPUS} / folder / "released-200-s.bin"; };
+  observe::Recording recording{place("recording"), observe::default_replay_hz};
+  ecology.run_until(40.0, recording);
   ecology.run_until(200.0);
   const auto moment = checkpoint::take(ecology, ecology.describe(200.0));
-  const auto write = [](std::string_view folder, const std::string& bytes) {
-    std::ofstream{std::filesystem::path{CORPUS} / folder / "released-200-s.bin", std::ios::binary} << bytes;
+  const auto write = [&](std::string_view folder, const std::string& bytes) {
+    std::ofstream{place(folder), std::ios::binary} << bytes;
   };
   write("checkpoint", to_bytes(moment));
   write("ecology", moment.section(checkpoint::ecology_section));

@@ -245,6 +245,14 @@ class Pages(InFolderWithSets):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stderr, r"^trophic show: \S+replay.trp: ends early, in the middle of the block after \d+ frames \([\d.]+ s\)\n$")
 
+    def test_a_length_that_cannot_be_is_where_a_killed_run_ends(self):
+        run = self.copy()
+        content = (run / "replay.trp").read_bytes()
+        (run / "replay.trp").write_bytes(content[:-16] + b"\xf4\xff\xff\xffPOSE" + bytes(20))
+        shown = self.show(run, "--from", 20, "--to", 30, "-o", "page.html")
+        self.assertEqual(shown.returncode, 0, shown.stderr)
+        self.assertRegex(shown.stderr, r"ends early, in the middle of the block after \d+ frames")
+
     def test_a_window_of_time(self):
         whole, part = self.show(self.sets / "run", "-o", "whole.html"), self.show(self.sets / "run", "--from", 20, "--to", 30, "-o", "part.html")
         self.assertEqual((whole.returncode, part.returncode), (0, 0), part.stderr)

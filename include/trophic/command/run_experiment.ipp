@@ -263,18 +263,21 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
   OriginRun origin;
   origin.moment.run = options.from;
   const std::filesystem::path path = origin.moment.run / "manifest.json";
+  const std::string text = read_whole_file(path);
   try {
-    const auto json = parse_json(read_whole_file(path));
+    const auto json = parse_json(text);
     origin.rule_table = json.at("rule_table").get<std::string>();
     origin.engine = json.at("backend").get<std::string>();
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
     origin.moment.fingerprint = json.at("fingerprint").get<std::string>();
-    origin.moment.seed = json.at("seed").get<std::uint64_t>();
-    origin.extent.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
+    origin.moment.seed = whole_number<std::uint64_t>(json, "seed");
+    if (json.contains("agents_every_ticks")) {
+      origin.extent.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
+    }
     origin.extent.senses = json.contains("senses");
     origin.extent.states = std::filesystem::exists(origin.moment.run / observe::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));
-  } catch (const Json::exception& error) {
+  } catch (const std::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   }
   const auto last_s = checkpoint::last_moment_s(origin.moment.run);

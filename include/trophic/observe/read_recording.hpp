@@ -63,6 +63,8 @@ class RecordingReader {
     std::size_t bytes = 0;
   };
 
+  /// Numbers in a frame.
+  [[nodiscard]] std::size_t columns() const { return (recording::pose_channels + head_.joints) * head_.robots; }
   void scan();
   void read_head(const std::string& text);
   [[nodiscard]] std::int16_t value(std::size_t frame, std::size_t robot, std::size_t channel) const;

@@ -20,11 +20,10 @@ namespace trophic::observe {
 
 namespace recording {
 
-[[nodiscard]] TROPHIC_INLINE std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) value = (value << 8U) | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
+/// More than anybody records; so many or fewer, and no product of a recording's numbers overflows.
+inline constexpr std::size_t most_robots = 1'000'000;
+inline constexpr std::size_t most_nodes = 1'000'000;  ///< of a height field, along one side
+inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
 
 [[nodiscard]] TROPHIC_INLINE Eigen::Vector3d vector_of(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
@@ -41,7 +40,7 @@ namespace recording {
   for (const auto& one : json.at("links")) {
     Link link;
     link.name = one.at("name").get<std::string>();
-    link.parent = one.at("parent").get<int>();
+    link.parent = whole_number<int>(one, "parent");
     const auto index = static_cast<int>(robot.links.size());
     if ((index == 0) != (link.parent == -1) || link.parent >= index || link.parent < -1) {
       throw std::runtime_error{"link " + std::to_string(index) + " hangs on no link before it"};
@@ -73,11 +72,11 @@ namespace recording {
   arena.extent_m = json.at("extent_m").get<double>();
   if (json.contains("height_field")) {
     const auto& field = json.at("height_field");
-    arena.height_field = HeightField{.nodes = field.at("nodes").get<std::size_t>(),
+    arena.height_field = HeightField{.nodes = whole_number<std::size_t>(field, "nodes", 2, most_nodes),
                                      .half_extent_m = field.at("half_extent_m").get<double>(),
                                      .height_m = field.at("height_m").get<std::vector<double>>()};
     const HeightField& made = *arena.height_field;
-    if (made.nodes < 2 || made.height_m.size() != made.nodes * made.nodes) {
+    if (made.height_m.size() != made.nodes * made.nodes) {
       throw std::runtime_error{"a height field of " + std::to_string(made.height_m.size()) + " heights"};
     }
   }
@@ -92,17 +91,17 @@ namespace recording {
   }
   RecordingHead head;
   head.fingerprint = json.at("fingerprint").get<std::string>();
-  head.seed = json.at("seed").get<std::uint64_t>();
+  head.seed = whole_number<std::uint64_t>(json, "seed");
   head.rule_table = json.at("rule_table").get<std::string>();
   head.backend = json.at("backend").get<std::string>();
   head.species = json.at("species").get<std::vector<std::string>>();
   head.first_time_s = json.at("first_time_s").get<double>();
-  head.times = {.steps = json.at("steps_per_tick").get<std::int64_t>(),
+  head.times = {.steps = whole_number<std::int64_t>(json, "steps_per_tick", 1, most_steps_per_tick),
                 .tick_s = json.at("tick_s").get<double>(),
                 .clock_scale = json.at("clock_scale").get<double>()};
-  head.frames_per_tick = json.at("frames_per_tick").get<std::int64_t>();
-  head.robots = json.at("robots").get<std::size_t>();
-  head.joints = json.at("joints").get<std::size_t>();
+  head.frames_per_tick = whole_number<std::int64_t>(json, "frames_per_tick", 1, head.times.steps);
+  head.robots = whole_number<std::size_t>(json, "robots", 1, most_robots);
+  head.joints = whole_number<std::size_t>(json, "joints");
   const auto& units = json.at("units");
   head.units = {.position_m = units.at("position_m").get<double>(),
                 .yaw_rad = units.at("yaw_rad").get<double>(),
@@ -110,9 +109,11 @@ namespace recording {
                 .joint_rad = units.at("joint_rad").get<double>()};
   head.robot = robot_of(json.at("robot"));
   head.arena = arena_of(json.at("arena"));
-  const bool sound = head.frames_per_tick >= 1 && head.times.steps >= head.frames_per_tick && head.times.tick_s > 0.0 &&
-                     head.robots >= 1 && (head.joints == 0 || head.joints == head.robot.hinges.size());
-  if (!sound) throw std::runtime_error{"its numbers of frames, robots or joints contradict each other"};
+  if (!(head.times.tick_s > 0.0)) throw std::runtime_error{"tick_s = " + number_text(head.times.tick_s) + ": must be > 0"};
+  if (head.joints != 0 && head.joints != head.robot.hinges.size()) {
+    throw std::runtime_error{"joints = " + std::to_string(head.joints) + ": must be 0 or " +
+                             std::to_string(head.robot.hinges.size()) + ", as its robot has"};
+  }
   return head;
 }
 
@@ -162,6 +163,8 @@ TROPHIC_INLINE void RecordingReader::scan() {
       const Block block{
           .first_frame = recording::u32_at(data, 0), .frames = recording::u32_at(data, 4), .at = at + 16, .bytes = size - 8};
       if (block.first_frame != frames_ || block.frames == 0) throw damaged("a block of other frames");
+      if (block.frames > recording::most_values(block.bytes) / columns())
+        throw damaged("a block of more frames than it can hold");
       blocks_.push_back(block);
       frames_ += block.frames;
     } else if (kind == recording::end_kind && size == 4) {
@@ -196,7 +199,8 @@ TROPHIC_INLINE std::size_t RecordingReader::frame_at(double time_s) const {
                                 " and " + number_text(last_s) + ", what " + path_.string() + " has"};
   }
   const double per_s = static_cast<double>(head_.frames_per_tick) / head_.times.tick_s;
-  auto frame = std::min(static_cast<std::size_t>((time_s - head_.first_time_s) * per_s + 1.0), frames_ - 1);
+  const double guess = (time_s - head_.first_time_s) * per_s + 1.0;
+  std::size_t frame = guess < static_cast<double>(frames_ - 1) ? static_cast<std::size_t>(guess) : frames_ - 1;
   while (this->time_s(frame) > time_s) --frame;
   return frame;
 }
@@ -229,13 +233,12 @@ TROPHIC_INLINE void RecordingReader::unpack(std::size_t number) const {
   file.seekg(block.at);
   std::string bytes(block.bytes, '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  const std::size_t columns = (recording::pose_channels + head_.joints) * head_.robots;
   const auto damaged = [&] {
     return std::runtime_error{path_.string() + ": damaged, the block of frame " + std::to_string(block.first_frame)};
   };
   if (!file) throw damaged();
   try {
-    values_ = recording::unpacked(bytes, columns, block.frames);
+    values_ = recording::unpacked(bytes, columns(), block.frames);
   } catch (const std::invalid_argument&) {
     throw damaged();
   }

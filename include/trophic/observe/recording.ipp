@@ -16,11 +16,6 @@ namespace trophic::observe {
 
 namespace recording {
 
-/// A whole number as the format has it.
-TROPHIC_INLINE void append_u32(std::string& bytes, std::uint32_t value) {
-  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>((value >> shift) & 0xFFU));
-}
-
 [[nodiscard]] TROPHIC_INLINE Json json_of(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string>
 #include <string_view>
 #include <trophic/habitat/pose.hpp>
 #include <tuple>
@@ -23,6 +24,17 @@ inline constexpr int version = 1;
 inline constexpr std::string_view head_kind = "HEAD";    ///< JSON: what is recorded and in which units
 inline constexpr std::string_view frames_kind = "POSE";  ///< first frame, number of frames, then zlib: see `channels`
 inline constexpr std::string_view end_kind = "DONE";     ///< the number of frames: the run ended; a run that was killed has none
+
+inline void append_u32(std::string& bytes, std::uint32_t value) {
+  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>((value >> shift) & 0xFFU));
+}
+
+/// The whole number that begins at a byte.
+[[nodiscard]] constexpr std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = (value << 8U) | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
 
 /// What one robot has in one frame, in this order: position x, y, z; yaw; tilt x, y; then the angle of each joint. A block of n
 /// frames has for each channel, for each robot, n 16-bit numbers: the first frame's value, then differences, modulo 2^16; each

@@ -14,6 +14,11 @@ namespace trophic::observe::recording {
 /// The bytes of the frames in a block, as docs/recording.md says. `values`: frame by frame, `columns` of them each.
 [[nodiscard]] std::string packed(const std::vector<std::int16_t>& values, std::size_t columns);
 
+/// How many values so many packed bytes can hold at most: zlib makes them 1032 times as many, and a value takes two.
+[[nodiscard]] constexpr std::size_t most_values(std::size_t packed_bytes) {
+  return 516 * packed_bytes;
+}
+
 /// And back, but column by column. Throws std::invalid_argument for bytes that are no such frames.
 [[nodiscard]] std::vector<std::int16_t> unpacked(std::string_view bytes, std::size_t columns, std::size_t frames);
 

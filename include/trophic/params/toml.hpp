@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
+#include <trophic/params/toml_text.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -21,11 +21,7 @@ namespace trophic {
 namespace detail {
 
 [[noreturn]] inline void reject(const std::string& path, const toml::node& node, std::string_view must) {
-  std::ostringstream text;
-  text << path << " = ";
-  node.visit([&](const auto& value) { text << value; });
-  text << ": must be " << must;
-  throw std::invalid_argument{text.str()};
+  throw std::invalid_argument{path + " = " + toml_text(node) + ": must be " + std::string{must}};
 }
 
 template <class T>
@@ -139,9 +135,8 @@ void read_numbers(P& params, const toml::table& table) {
     return parse_toml(assignment);
   } catch (const TomlError&) {
     try {
-      std::ostringstream quoted;
-      quoted << assignment.substr(0, equals + 1) << toml::value<std::string>{std::string{assignment.substr(equals + 1)}};
-      return parse_toml(quoted.str());
+      const toml::value<std::string> text{std::string{assignment.substr(equals + 1)}};
+      return parse_toml(std::string{assignment.substr(0, equals + 1)} + toml_text(text));
     } catch (const TomlError&) {
       throw bad();
     }

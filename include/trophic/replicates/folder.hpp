@@ -90,11 +90,9 @@ class Folder {
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
-  template <class Number>
-  static void same(const std::filesystem::path& file, const std::string& field, const Number& there, const Number& ours) {
+  static void same(const std::filesystem::path& file, const std::string& field, const Json& there, const Json& ours) {
     if (there == ours) return;
-    const auto text = [](const Number& number) { return json_text(Json(number)); };
-    throw std::invalid_argument{file.string() + ": " + field + " = " + text(there) + ": must be " + text(ours) +
+    throw std::invalid_argument{file.string() + ": " + field + " = " + json_text(there) + ": must be " + json_text(ours) +
                                 ", as in the experiment to be resumed"};
   }
 
@@ -114,13 +112,13 @@ class Folder {
     const std::filesystem::path path = plan.out / list_name;
     const Json there = read(path);
     try {
-      same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
-      same(path, "master_seed", there.at("master_seed").get<std::uint64_t>(), plan.master_seed);
-      same(path, "until_s", there.at("until_s").get<double>(), run.until_s);
+      same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
+      same(path, "master_seed", there.at("master_seed"), plan.master_seed);
+      same(path, "until_s", there.at("until_s"), run.until_s);
       same(path, "origin", there.value("origin", Json::object()), origin_of(plan));
-      const auto count = there.at("count").get<std::size_t>();
-      if (plan.count < count) {
-        throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + std::to_string(count) +
+      const Json& count = there.at("count");
+      if (count > plan.count) {
+        throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + json_text(count) +
                                     ", what " + path.string() + " has; a resumed set can grow but not shrink"};
       }
     } catch (const Json::exception& error) {
@@ -132,9 +130,9 @@ class Folder {
     const std::filesystem::path path = replicate.folder / "manifest.json";
     const Json there = read(path);
     try {
-      same(path, "fingerprint", there.at("fingerprint").get<std::string>(), run.fingerprint);
-      same(path, "seed", there.at("seed").get<std::uint64_t>(), replicate.seed);
-      same(path, "until_s", there.at("clock").at("until_s").get<double>(), run.until_s);
+      same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
+      same(path, "seed", there.at("seed"), replicate.seed);
+      same(path, "until_s", there.at("clock").at("until_s"), run.until_s);
     } catch (const Json::exception& error) {
       throw std::invalid_argument{path.string() + ": " + error.what()};
     }

@@ -2,10 +2,15 @@
 // JSON, read and written in one place: what nlohmann-json makes of its templates is compiled once.
 #pragma once
 
+#include <concepts>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/support/linkage.hpp>
+#include <utility>
 
 namespace trophic {
 
@@ -20,6 +25,21 @@ using Json = nlohmann::ordered_json;
 
 /// As text on one line or, with an indent >= 0, on a line for each value.
 [[nodiscard]] std::string json_text(const Json& json, int indent = -1);
+
+/// The whole number at a key, which a plain `get` would make of -1 and of 1e300, too. Throws Json::exception where the key is
+/// missing, std::invalid_argument "KEY = VALUE: must be a whole number from LEAST to MOST".
+template <std::integral Number>
+[[nodiscard]] Number whole_number(const Json& object, const std::string& key,
+                                  Number least = std::numeric_limits<Number>::lowest(),
+                                  Number most = std::numeric_limits<Number>::max()) {
+  const Json& value = object.at(key);
+  const auto fits = [&](auto number) { return std::cmp_greater_equal(number, least) && std::cmp_less_equal(number, most); };
+  const bool good = value.is_number_unsigned() ? fits(value.get<std::uint64_t>())
+                                               : value.is_number_integer() && fits(value.get<std::int64_t>());
+  if (good) return value.get<Number>();
+  throw std::invalid_argument{key + " = " + json_text(value) + ": must be a whole number from " + std::to_string(least) + " to " +
+                              std::to_string(most)};
+}
 
 }  // namespace trophic
 

@@ -173,5 +173,20 @@ TEST_CASE("a thinned table has the ticks that its manifest says, and no others")
         (folder.path() / "two/agents.csv").string() + ":4: tick = \"1\": must be a multiple of 2, as its manifest says");
   const auto broken = thinned("none", "0");
   CHECK(message_of<std::runtime_error>([&] { static_cast<void>(analysis::read_manifest(broken)); }) ==
-        (broken / "manifest.json").string() + ": agents_every_ticks = 0: must be >= 1");
+        (broken / "manifest.json").string() + ": agents_every_ticks = 0: must be a whole number from 1 to 9223372036854775807");
+}
+
+TEST_CASE("a seed or a checksum that is no whole number is refused, not turned into one") {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& what, const std::string& by) {
+    std::string text = plain_manifest;
+    REQUIRE(text.find(what) != std::string::npos);
+    text.replace(text.find(what), what.size(), by);
+    return message_of<std::runtime_error>([&] { static_cast<void>(analysis::manifest_of(text, "manifest.json")); });
+  };
+  const std::string bound = ": must be a whole number from 0 to ";
+  CHECK(refusal("\"seed\": 12", "\"seed\": -1") == "manifest.json: seed = -1" + bound + "18446744073709551615");
+  CHECK(refusal("\"seed\": 12", "\"seed\": 1e300") == "manifest.json: seed = 1e+300" + bound + "18446744073709551615");
+  CHECK(refusal("\"seed\": 12", R"("tables": {"a.csv": {"rows": 1, "crc32": 4294967296}}, "seed": 12)") ==
+        "manifest.json: crc32 = 4294967296" + bound + "4294967295");
 }

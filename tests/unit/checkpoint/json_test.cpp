@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <support/temporary_folder.hpp>
 #include <trophic/support/json.hpp>
 
 using namespace trophic;
@@ -19,4 +22,19 @@ TEST_CASE("what is no JSON throws, or is null") {
     CHECK(parse_json_or_null(text).is_null());
   }
   CHECK(parse_json_or_null("[]").is_array());
+}
+
+TEST_CASE("a whole number of JSON is one, within its bounds, or a sentence") {
+  const Json json = parse_json(R"({"seed":18446744073709551615,"low":-3,"half":0.5,"huge":1e300,"text":"7"})");
+  CHECK(whole_number<std::uint64_t>(json, "seed") == 18446744073709551615u);
+  CHECK(whole_number<int>(json, "low") == -3);
+  CHECK_THROWS_AS(static_cast<void>(whole_number<int>(json, "none")), Json::exception);
+  const auto refusal = [&](const char* key) {
+    return test::message_of<std::invalid_argument>([&] { static_cast<void>(whole_number<std::uint32_t>(json, key, 1, 9)); });
+  };
+  CHECK(refusal("seed") == "seed = 18446744073709551615: must be a whole number from 1 to 9");
+  CHECK(refusal("low") == "low = -3: must be a whole number from 1 to 9");
+  CHECK(refusal("half") == "half = 0.5: must be a whole number from 1 to 9");
+  CHECK(refusal("huge") == "huge = 1e+300: must be a whole number from 1 to 9");
+  CHECK(refusal("text") == "text = \"7\": must be a whole number from 1 to 9");
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
+#include <trophic/params/parse_toml.hpp>
+#include <trophic/params/toml_text.hpp>
 #include <trophic/support/rng.hpp>
 #include <tuple>
 #include <utility>
@@ -87,4 +89,19 @@ TEST_CASE("toml: named_params in the tables of their paths, below a root where o
   TomlWriter writer;
   writer.put_all(named_params, "made.by");
   CHECK(writer.text() == "[made.by]\nseed = 3\n\n[made.by.ecology]\ntick_s = 2.0  # seconds\n\n[made.by.rules.a]\nb = true\n");
+}
+
+TEST_CASE("toml: a value in a sentence is on one line, as people write it") {
+  const auto table = parse_toml(
+      "a = 0.05\nb = 2.0\nc = [[1, 0.05], [], ['x']]\nd = {e = 1, f.g = nan}\nh = 1979-05-27\ni = \"1\\n2\"\nj = true\nk = "
+      "1e300\n");
+  const auto text = [&](const char* key) { return toml_text(*table.get(key)); };
+  CHECK(text("a") == "0.05");
+  CHECK(text("b") == "2.0");
+  CHECK(text("c") == "[[1, 0.05], [], ['x']]");
+  CHECK(text("d") == "{e = 1, f = {g = nan}}");
+  CHECK(text("h") == "1979-05-27");
+  CHECK(text("i") == R"("1\n2")");
+  CHECK(text("j") == "true");
+  CHECK(text("k") == "1e+300");
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <support/forged_recording.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -120,4 +121,58 @@ TEST_CASE("what is no recording is said to be none") {
         std::string::npos);
   CHECK(refusal(folder.file("empty.trp", "")).find(": is not a trophic recording") != std::string::npos);
   CHECK(refusal(folder.file("short.trp", observe::recording::magic)).find(": ends before its first frames") != std::string::npos);
+}
+
+TEST_CASE("a head with numbers that no run has is refused before anything is made of them") {
+  const test::TemporaryFolder folder;
+  record(folder.path() / "replay.trp", Motion{130});
+  const std::string whole = bytes_of(folder.path() / "replay.trp");
+  const std::size_t size = observe::recording::u32_at(whole, 8);
+  const std::string head = whole.substr(16, size);
+  const auto refused = [&](const std::string& what, const std::string& by) {
+    const std::size_t at = head.find(what);
+    REQUIRE(at != std::string::npos);
+    std::string changed = head;
+    changed.replace(at, what.size(), by);
+    const std::filesystem::path path = folder.file("forged.trp", recording_with(changed, whole.substr(20 + size)));
+    const std::string sentence = refusal(path);
+    return sentence.empty() ? "" : sentence.substr(path.string().size());
+  };
+  CHECK(refused("\"robots\":3", "\"robots\":3").empty());
+  const std::string cannot = ": its head cannot be read: ";
+  CHECK(refused("\"robots\":3", "\"robots\":-3") == cannot + "robots = -3: must be a whole number from 1 to 1000000");
+  CHECK(refused("\"robots\":3", "\"robots\":1e300") == cannot + "robots = 1e+300: must be a whole number from 1 to 1000000");
+  CHECK(refused("\"robots\":3", "\"robots\":1000001") == cannot + "robots = 1000001: must be a whole number from 1 to 1000000");
+  CHECK(refused("\"robots\":3", "\"robots\":1000000").find(": damaged, a block of more frames than it can hold at byte ") == 0);
+  CHECK(refused("\"joints\":2", "\"joints\":1") == cannot + "joints = 1: must be 0 or 2, as its robot has");
+  CHECK(refused("\"frames_per_tick\":", "\"frames_per_tick\":1234567890123").find("frames_per_tick = ") != std::string::npos);
+  CHECK(refused("\"steps_per_tick\":", "\"steps_per_tick\":1234567890123").find("steps_per_tick = ") != std::string::npos);
+  CHECK(refused("\"seed\":4", "\"seed\":4.5") == cannot + "seed = 4.5: must be a whole number from 0 to 18446744073709551615");
+  CHECK(refused("\"half_side_m\":",
+                "\"height_field\":{\"nodes\":4294967296,\"half_extent_m\":1,\"height_m\":[]},\"half_side_m\":") ==
+        cannot + "nodes = 4294967296: must be a whole number from 2 to 1000000");
+}
+
+TEST_CASE("a block that says it has more frames than its bytes can hold is refused at once") {
+  const test::TemporaryFolder folder;
+  record(folder.path() / "replay.trp", Motion{50}, false);
+  const std::string whole = bytes_of(folder.path() / "replay.trp");
+  const std::size_t size = observe::recording::u32_at(whole, 8);
+  std::string blocks = whole.substr(20 + size);
+  REQUIRE(observe::recording::u32_at(blocks, 12) == 50);
+  blocks.replace(12, 4, "\xff\xff\xff\xff");
+  const std::filesystem::path path = folder.file("forged.trp", recording_with(whole.substr(16, size), blocks));
+  CHECK(refusal(path).find(": damaged, a block of more frames than it can hold at byte ") != std::string::npos);
+}
+
+TEST_CASE("moments too close to be told apart are found") {
+  const test::TemporaryFolder folder;
+  record(folder.path() / "replay.trp", Motion{50});
+  const std::string whole = bytes_of(folder.path() / "replay.trp");
+  const std::size_t size = observe::recording::u32_at(whole, 8);
+  std::string head = whole.substr(16, size);
+  const std::size_t at = head.find("\"tick_s\":");
+  head.replace(at, head.find(',', at) - at, "\"tick_s\":5e-324");
+  const RecordingReader reader{folder.file("forged.trp", recording_with(head, whole.substr(20 + size)))};
+  CHECK(reader.frame_at(reader.time_s(0)) < reader.frames());
 }

@@ -47,17 +47,15 @@ struct RunManifest {
     manifest.rules = json.at("rule_table").get<std::string>();
     manifest.backend = json.at("backend").get<std::string>();
     manifest.status = json.at("status").get<std::string>();
-    manifest.seed = json.at("seed").get<std::uint64_t>();
+    manifest.seed = whole_number<std::uint64_t>(json, "seed");
     if (json.contains("origin")) {
       const auto said = [&](const char* key) { return json["origin"].at(key).get<std::string>(); };
       manifest.begins = "at " + said("at_s") + " s of " + said("run") + " (seed " + said("seed") + ")";
     }
     manifest.until_s = json.at("clock").at("until_s").get<double>();
     manifest.half_side_m = json.at("arena").at("half_side_m").get<double>();
-    manifest.agents_every_ticks = json.value("agents_every_ticks", std::int64_t{1});
-    if (manifest.agents_every_ticks < 1) {
-      throw std::runtime_error{path.string() + ": agents_every_ticks = " + std::to_string(manifest.agents_every_ticks) +
-                               ": must be >= 1"};
+    if (json.contains("agents_every_ticks")) {
+      manifest.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
     }
     if (json.contains("result")) manifest.reached_s = json["result"].at("reached_s").get<double>();
     manifest.policies = json.value("rules", Json::object());
@@ -73,7 +71,8 @@ struct RunManifest {
     manifest.web = FoodWeb{names, links};
     if (json.contains("tables")) {
       for (const auto& [file, sum] : json["tables"].items()) {
-        manifest.tables[file] = {.rows = sum.at("rows").get<std::uint64_t>(), .crc32 = sum.at("crc32").get<std::uint32_t>()};
+        manifest.tables[file] = {.rows = whole_number<std::uint64_t>(sum, "rows"),
+                                 .crc32 = whole_number<std::uint32_t>(sum, "crc32")};
       }
     }
     return manifest;

@@ -104,19 +104,14 @@ template <class Keep>
   if (!window.from_s && !window.to_s) return all;
   namespace format = observe::recording;
   std::string kept = all.substr(0, format::magic.size());
-  const auto u32 = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<unsigned char>(all[at + i]);
-    return value;
-  };
   for (std::size_t at = kept.size(); at + 12 <= all.size();) {
-    const std::size_t size = u32(at) + 12U;
+    const std::size_t size = std::size_t{12} + format::u32_at(all, at);
     if (at + size > all.size()) break;
     const std::string_view kind = std::string_view{all}.substr(at + 4, 4);
     bool keep = kind == format::head_kind;
     if (kind == format::frames_kind) {
-      const std::size_t first = u32(at + 8);
-      const std::size_t last = first + u32(at + 12) - 1;
+      const std::size_t first = format::u32_at(all, at + 8);
+      const std::size_t last = first + format::u32_at(all, at + 12) - 1;
       keep = !(window.from_s && run.recording.time_s(last) < *window.from_s - 1e-9) &&
              !(window.to_s && run.recording.time_s(first) > *window.to_s + 1e-9);
     }

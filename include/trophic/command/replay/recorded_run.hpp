@@ -32,9 +32,9 @@ struct RecordedRun {
   if (!manifest.is_object()) throw std::invalid_argument{path.string() + ": cannot be read as a run's manifest"};
   try {
     const auto fingerprint = manifest.at("fingerprint").get<std::string>();
-    const auto seed = manifest.at("seed").get<std::uint64_t>();
+    const Json& seed = manifest.at("seed");
     if (fingerprint != head.fingerprint || seed != head.seed) {
-      throw std::invalid_argument{path.string() + ": fingerprint " + fingerprint + ", seed " + std::to_string(seed) +
+      throw std::invalid_argument{path.string() + ": fingerprint " + fingerprint + ", seed " + json_text(seed) +
                                   ", but replay.trp beside it is of fingerprint " + head.fingerprint + ", seed " +
                                   std::to_string(head.seed) + "; they are of two runs"};
     }
@@ -54,7 +54,7 @@ struct RecordedRun {
   try {
     observe::RecordingReader recording{path};
     auto manifest = read_manifest(folder, recording.head());
-    if (manifest.value("agents_every_ticks", std::int64_t{1}) != 1) {
+    if (manifest.value("agents_every_ticks", Json(1)) != 1) {
       throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
                                   json_text(manifest["agents_every_ticks"]) +
                                   ": must have all to be shown, as with --agents-every 1"};

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
+#include <trophic/params/toml_text.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
@@ -52,13 +52,13 @@ class TomlTable {
   [[nodiscard]] std::string text(std::string_view key) const {
     const toml::node& value = required(key);
     if (const auto text = value.value_exact<std::string>()) return *text;
-    fail(key, " = " + written(value) + ": must be a text");
+    fail(key, " = " + toml_text(value) + ": must be a text");
   }
 
   [[nodiscard]] bool truth(std::string_view key) const {
     const toml::node& value = required(key);
     if (const auto truth = value.value_exact<bool>()) return *truth;
-    fail(key, " = " + written(value) + ": must be true or false");
+    fail(key, " = " + toml_text(value) + ": must be true or false");
   }
 
   [[nodiscard]] double number(std::string_view key, const Bound& bound) const {
@@ -70,7 +70,7 @@ class TomlTable {
   [[nodiscard]] std::size_t whole_number(std::string_view key, std::int64_t lower) const {
     const toml::node& value = required(key);
     const auto whole = value.value_exact<std::int64_t>();
-    if (!whole || *whole < lower) fail(key, " = " + written(value) + ": must be a whole number >= " + std::to_string(lower));
+    if (!whole || *whole < lower) fail(key, " = " + toml_text(value) + ": must be a whole number >= " + std::to_string(lower));
     return static_cast<std::size_t>(*whole);
   }
 
@@ -83,7 +83,7 @@ class TomlTable {
   [[nodiscard]] std::vector<std::vector<double>> rows(std::string_view key) const {
     std::vector<std::vector<double>> result;
     for (const toml::node& row : array(key)) {
-      if (!row.is_array()) fail(key, " = " + written(row) + ": must be a row of numbers");
+      if (!row.is_array()) fail(key, " = " + toml_text(row) + ": must be a row of numbers");
       result.emplace_back();
       for (const toml::node& item : *row.as_array()) result.back().push_back(plain_number(key, item));
     }
@@ -94,7 +94,7 @@ class TomlTable {
     std::vector<std::string> result;
     for (const toml::node& item : array(key)) {
       const auto text = item.value_exact<std::string>();
-      if (!text) fail(key, " = " + written(item) + ": must be a text");
+      if (!text) fail(key, " = " + toml_text(item) + ": must be a text");
       result.push_back(*text);
     }
     return result;
@@ -102,14 +102,14 @@ class TomlTable {
 
   [[nodiscard]] TomlTable table(std::string_view key) const {
     const toml::node& value = required(key);
-    if (!value.is_table()) fail(key, " = " + written(value) + ": must be a table");
+    if (!value.is_table()) fail(key, " = " + toml_text(value) + ": must be a table");
     return {file_, join_path(path_, key), *value.as_table()};
   }
 
   [[nodiscard]] std::vector<TomlTable> tables(std::string_view key) const {
     std::vector<TomlTable> result;
     for (const toml::node& item : array(key)) {
-      if (!item.is_table()) fail(key, " = " + written(item) + ": must be a table");
+      if (!item.is_table()) fail(key, " = " + toml_text(item) + ": must be a table");
       result.push_back({file_, join_path(path_, key) + "[" + std::to_string(result.size()) + "]", *item.as_table()});
     }
     return result;
@@ -158,26 +158,20 @@ class TomlTable {
 
   [[nodiscard]] const toml::array& array(std::string_view key) const {
     const toml::node& value = required(key);
-    if (!value.is_array()) fail(key, " = " + written(value) + ": must be a list");
+    if (!value.is_array()) fail(key, " = " + toml_text(value) + ": must be a list");
     return *value.as_array();
   }
 
   [[nodiscard]] double plain_number(std::string_view key, const toml::node& value) const {
-    if (!value.is_number()) fail(key, " = " + written(value) + ": must be a number");
+    if (!value.is_number()) fail(key, " = " + toml_text(value) + ": must be a number");
     const auto number = value.value<double>();
-    if (!number) fail(key, " = " + written(value) + ": must be from -2^53 to 2^53, or have a decimal point");
+    if (!number) fail(key, " = " + toml_text(value) + ": must be from -2^53 to 2^53, or have a decimal point");
     return *number;
   }
 
   void check(std::string_view key, double value, const Bound& bound) const {
     const bool low = bound.lower_excluded ? !(value > bound.lower) : !(value >= bound.lower);
     if (!std::isfinite(value) || low || value > bound.upper) fail(key, " = " + number_text(value) + ": " + bound_text(bound));
-  }
-
-  [[nodiscard]] static std::string written(const toml::node& value) {
-    std::ostringstream text;
-    value.visit([&](const auto& known) { text << known; });
-    return text.str();
   }
 
   std::string file_;

@@ -5,24 +5,17 @@
 #include <concepts>
 #include <cstddef>
 #include <ranges>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
+#include <trophic/params/toml_text.hpp>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 namespace trophic {
-
-/// The shortest TOML float that reads back as the same number, bit for bit. toml++ 3.3 writes 0.1 as 0.10000000000000001, which
-/// is the same number in a form that nobody wants to edit.
-[[nodiscard]] inline std::string toml_float(double value) {
-  const std::string text = number_text(value);
-  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
-}
 
 /// Keys in the order in which they are put, with comments, neither of which a toml::table keeps. Values: numbers (as toml_float),
 /// switches, enumerators by name, texts (as toml++ quotes them), pairs and ranges of values as lists, and structs with fields()
@@ -74,9 +67,7 @@ class TomlWriter {
     } else if constexpr (NamedEnum<Value>) {
       return written(enum_name(value));
     } else if constexpr (std::convertible_to<Value, std::string_view>) {
-      std::ostringstream quoted;
-      quoted << toml::value<std::string>{std::string{value}};
-      return quoted.str();
+      return toml_text(toml::value<std::string>{std::string{value}});
     } else if constexpr (HasFields<Value>) {
       std::string text;
       for_each_field(value, [&](const auto& field, const auto& member) {
