@@ -20,9 +20,10 @@ namespace trophic::observe {
 
 namespace recording {
 
-/// More than anybody records; so many or fewer, and no product of a recording's numbers overflows.
-inline constexpr std::size_t most_robots = 1'000'000;
-inline constexpr std::size_t most_nodes = 1'000'000;  ///< of a height field, along one side
+/// So many or fewer, and no product of a recording's numbers overflows. How many robots there are is bounded by the bytes of the
+/// first frames.
+inline constexpr std::size_t most_robots = 0xFFFF'FFFF;
+inline constexpr std::size_t most_nodes = 0xFFFF'FFFF;  ///< of a height field, along one side
 inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
 
 [[nodiscard]] TROPHIC_INLINE Eigen::Vector3d vector_of(const Json& json) {

@@ -68,7 +68,7 @@ class OwnTables {
       for (std::size_t cell = 0; cell < 4; ++cell) {
         if (senses.text(cell) == agents.text(cell)) continue;
         throw std::invalid_argument{place_of(senses, "senses.csv") +
-                                    ": is not of the robot and tick in that row of agents.csv; " + "they are of two runs"};
+                                    ": is not of the robot and tick in that row of agents.csv; they are of two runs"};
       }
     }
   }
