@@ -128,7 +128,7 @@ inline void read_head(std::string_view bytes) {
   append_u32(frames, 0);
   append_u32(frames, 1);
   frames += packed(std::vector<std::int16_t>(pose_channels), pose_channels);
-  read_whole_recording(recording_with(bytes, recorded_block(frames_kind, frames)));
+  read_whole_recording(recording_with(bytes, block(frames_kind, frames)));
 }
 
 inline void read_sweep(std::string_view bytes) {

@@ -42,6 +42,11 @@ namespace detail {
   return (*clock)["until_s"].is_number() ? (*clock)["until_s"].get<double>() : 0.0;
 }
 
+/// Whether a manifest says that its run is complete, so long or longer.
+[[nodiscard]] inline bool is_complete(const Json& manifest, double until_s) {
+  return status_in(manifest) == "complete" && until_in(manifest) >= until_s;
+}
+
 /// Throws std::invalid_argument unless a manifest is of this run.
 inline void check_manifest(const std::filesystem::path& folder, const Json& manifest, const observe::RunDescription& run) {
   const auto check = [&](const char* key, const Json& ours) {
@@ -90,7 +95,7 @@ TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const o
   const Json manifest = detail::manifest_in(folder);
   const std::string status = detail::status_in(manifest);
   const double until_s = detail::until_in(manifest);
-  if (status == "complete" && until_s >= run.until_s) {
+  if (detail::is_complete(manifest, run.until_s)) {
     detail::check_manifest(folder, manifest, run);
     return {.complete = true, .from = {}, .remark = "is complete already, to " + number_text(until_s) + " s"};
   }

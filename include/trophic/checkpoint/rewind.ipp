@@ -81,9 +81,7 @@ TROPHIC_INLINE std::filesystem::path past_folder(const std::filesystem::path& ou
 
 TROPHIC_INLINE bool needs_past(const std::filesystem::path& folder, double until_s) {
   if (!std::filesystem::exists(folder)) return true;
-  const Json manifest = detail::manifest_in(folder);
-  const bool complete = detail::status_in(manifest) == "complete" && detail::until_in(manifest) >= until_s;
-  return !complete && !detail::last_that_goes_on(folder);
+  return !detail::is_complete(detail::manifest_in(folder), until_s) && !detail::last_that_goes_on(folder);
 }
 
 TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {

@@ -277,7 +277,9 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.extent.senses = json.contains("senses");
     origin.extent.states = std::filesystem::exists(origin.moment.run / observe::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));
-  } catch (const std::exception& error) {
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument{path.string() + ": " + error.what()};
+  } catch (const std::invalid_argument& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   }
   const auto last_s = checkpoint::last_moment_s(origin.moment.run);

@@ -8,7 +8,6 @@
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/recording_planes.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 #include <utility>
 
@@ -193,11 +192,7 @@ TROPHIC_INLINE void Recording::persist(Archive& archive) {
 }
 
 TROPHIC_INLINE void Recording::write_block(std::string_view kind, std::string_view data) {
-  std::string bytes;
-  recording::append_u32(bytes, static_cast<std::uint32_t>(data.size()));
-  bytes.append(kind).append(data);
-  recording::append_u32(bytes, checksum(std::string_view{bytes}.substr(4)));
-  file_->file.append(bytes);
+  file_->file.append(recording::block(kind, data));
 }
 
 }  // namespace trophic::observe

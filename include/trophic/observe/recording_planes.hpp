@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames of a recording's block as bytes and back.
+// The blocks of a recording as bytes, and its frames as bytes and back.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,9 @@
 #include <vector>
 
 namespace trophic::observe::recording {
+
+/// A block with its length and checksum.
+[[nodiscard]] std::string block(std::string_view kind, std::string_view data);
 
 /// The bytes of the frames in a block, as docs/recording.md says. `values`: frame by frame, `columns` of them each.
 [[nodiscard]] std::string packed(const std::vector<std::int16_t>& values, std::size_t columns);

@@ -7,8 +7,17 @@
 #include <stdexcept>
 #include <trophic/observe/recording_format.hpp>
 #include <trophic/observe/recording_planes.hpp>
+#include <trophic/support/checksum.hpp>
 
 namespace trophic::observe::recording {
+
+TROPHIC_INLINE std::string block(std::string_view kind, std::string_view data) {
+  std::string bytes;
+  append_u32(bytes, static_cast<std::uint32_t>(data.size()));
+  bytes.append(kind).append(data);
+  append_u32(bytes, checksum(std::string_view{bytes}.substr(4)));
+  return bytes;
+}
 
 TROPHIC_INLINE std::string packed(const std::vector<std::int16_t>& values, std::size_t columns) {
   const std::size_t frames = values.size() / columns;
