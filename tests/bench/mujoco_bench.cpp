@@ -15,7 +15,7 @@
 #include <mujoco/worlds.hpp>
 #include <optional>
 #include <string>
-#include <support/resident_bytes.hpp>
+#include <support/memory.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <tuple>

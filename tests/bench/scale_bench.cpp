@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <ctime>
 #include <string>
-#include <support/resident_bytes.hpp>
+#include <support/memory.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>

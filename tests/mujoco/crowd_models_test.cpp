@@ -6,7 +6,7 @@
 #include <mujoco/worlds.hpp>
 #include <numeric>
 #include <stdexcept>
-#include <support/resident_bytes.hpp>
+#include <support/memory.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/islands.hpp>

@@ -5,6 +5,7 @@
 #include <limits>
 #include <mujoco/touching.hpp>
 #include <string>
+#include <support/memory.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 
 using namespace trophic;
@@ -53,6 +54,25 @@ TEST_CASE("too large a timestep ends in Diverged with time and robot, the last s
     CHECK(diverged_s <= backend.time_s() + 0.1);
     for (std::size_t i = 0; i < 6; ++i) CHECK(backend.pose(i).position_m.allFinite());
   }
+}
+
+TEST_CASE("robots that too long a timestep throws about end the run before all of them are one group") {
+  const std::vector<Pose> starts = test::lattice(spider, 200, 2.0);
+  const double before = test::resident_bytes();
+  for (const auto stepping : {Mujoco::Stepping::fast, Mujoco::Stepping::islands}) {
+    Arena wide = square;
+    wide.half_side_m = 30.0;
+    wide.extent_m = 60.0;
+    Mujoco backend{spider, wide, starts, {.timestep_s = 0.008333}, {.stepping = stepping, .threads = 2}};
+    std::string said = "nothing";
+    try {
+      test::walk(backend, 1.0);
+    } catch (const Diverged& diverged) {
+      said = diverged.what();
+    }
+    CHECK_MESSAGE(contains(said, "it is faster than 100 m/s; too long a physics.timestep_s"), said);
+  }
+  CHECK(test::resident_bytes() - before < 1e9);
 }
 
 TEST_CASE("a number that is not finite names its robot") {

@@ -1,59 +1,116 @@
 // SPDX-License-Identifier: MIT
 // soak BACKEND ROBOTS DURATION_S OUT [rest]: one long run of the paper's rules into a folder, with its invariants checked at
-// every tick; with rest, of robots that only lie there. OUT.csv has a line for each 100 s of the ecology's clock: memory and
-// wall time, which must not grow. A run that was stopped goes on from its last checkpoint, with exit code 3 until it is done. See
-// scripts/soak.
+// every tick; with rest, of robots that only lie there. OUT.csv has a row for each 100 s of the ecology's clock: memory that the
+// program held, the least that it had asked for at a tick of these 100 s, wall time and processor time. Where the run ends, it
+// says which of them grew. Exit code 0: all invariants held and memory did not grow; 1: not so; 3: it was stopped, and goes on
+// from its last checkpoint when asked again. See scripts/soak.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <limits>
+#include <soak/growth.hpp>
 #include <soak/invariants.hpp>
 #include <soak/resting.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <support/resident_bytes.hpp>
+#include <support/memory.hpp>
+#include <trophic/analysis/data/csv_reader.hpp>
+#include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/params/params.hpp>
 #include <trophic/rules/paper.hpp>
+#include <vector>
 
 namespace {
 
 using namespace trophic;
 
-/// A line of CSV for each 100 s, in a file that is gone on with where the run is.
+/// Processor time that the program has taken, seconds.
+double processor_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// What the program took, a row of CSV for each 100 s.
 class Report {
  public:
-  explicit Report(const std::string& path, bool goes_on) : csv_{path, goes_on ? std::ios::app : std::ios::trunc} {
-    if (!goes_on) csv_ << "time_s,resident_mb,wall_s" << std::endl;
+  Report(const std::string& path, Opening opening) : csv_{path, opening} {
+    if (opening == Opening::made_new) csv_.append("time_s,resident_mb,least_allocated_mb,wall_s,processor_s\n");
   }
 
-  void on_start(const observe::RunDescription&, const View&) { watch_ = {}; }
+  void on_start(const observe::RunDescription&, const View&) { begin(); }
   void on_tick(const View& view) {
+    least_allocated_bytes_ = std::min(least_allocated_bytes_, test::allocated_bytes());
     if (view.time_s < next_s_) return;
     next_s_ += every_s;
-    csv_ << view.time_s << ',' << test::resident_bytes() / 1e6 << ',' << watch_.elapsed_s() << std::endl;
-    watch_ = {};
+    std::string row = number_text(view.time_s);
+    for (const double number :
+         {test::resident_bytes() / 1e6, least_allocated_bytes_ / 1e6, watch_.elapsed_s(), processor_s() - processor_from_s_}) {
+      row += ',' + number_text(number);
+    }
+    csv_.append(row + '\n');
+    begin();
   }
 
   static constexpr std::string_view section = "report";  ///< of a checkpoint
-  void persist(Archive& archive) { archive(next_s_); }
+  void persist(Archive& archive) {
+    archive(next_s_);
+    csv_.persist(archive);
+  }
 
  private:
   static constexpr double every_s = 100.0;
+
+  void begin() {
+    watch_ = {};
+    processor_from_s_ = processor_s();
+    least_allocated_bytes_ = std::numeric_limits<double>::infinity();
+  }
+
   double next_s_ = every_s;
   observe::Stopwatch watch_ = {};
-  std::ofstream csv_;
+  double processor_from_s_ = 0.0;
+  double least_allocated_bytes_ = 0.0;
+  GrowingFile csv_;
 };
+
+/// Says of each column of a report whether it grew; false if the memory did, or if that cannot be told of a run that is long
+/// enough.
+bool judge(const std::string& path) {
+  constexpr std::array<std::string_view, 3> columns = {"least_allocated_mb", "resident_mb", "processor_s"};
+  analysis::CsvReader csv{path, {columns[0], columns[1], columns[2]}};
+  std::array<std::vector<double>, columns.size()> measured;
+  while (csv.next()) {
+    for (std::size_t i = 0; i < columns.size(); ++i) measured[i].push_back(csv.get<double>(i));
+  }
+  bool flat = true;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const analysis::EquivalenceTest growth = test::growth_of(measured[i]);
+    std::cerr << columns[i] << ": ";
+    if (!growth.interval) {
+      std::cerr << "too few rows to tell\n";
+      continue;
+    }
+    std::cerr << "second half of the run minus first " << *growth.difference << ", 90 % interval [" << growth.interval->lower
+              << ", " << growth.interval->upper << "], margin " << growth.margin << ": " << enum_name(growth.verdict) << "\n";
+    flat = flat && (columns[i] == "processor_s" || growth.verdict == analysis::Equivalence::equivalent);
+  }
+  return flat;
+}
 
 struct Wanted {
   std::size_t robots = 0;
@@ -85,7 +142,7 @@ bool soak(const Wanted& wanted) {
   if (!standing.remark.empty()) std::cerr << wanted.out.string() << " " << standing.remark << "\n";
   observe::StopOnSignal stop;
   observe::RunFolder folder{wanted.out, {}, {.replay_hz = 0.0, .agents_every_ticks = 1000}, standing.opening()};
-  Report report{wanted.out.string() + ".csv", standing.from.has_value()};
+  Report report{wanted.out.string() + ".csv", standing.opening()};
   test::Invariants invariants{numbers.rules.floor.floor};
   test::Resting resting;
   const auto run = [&](auto&... more) {
@@ -109,8 +166,10 @@ int main(int argc, char** argv) try {
   if (argc != 5 && argc != 6) throw std::invalid_argument{"soak BACKEND ROBOTS DURATION_S OUT [rest]"};
   const std::string backend = argv[1];
   const auto run = backend == "mujoco" ? &soak<backend::Mujoco> : &soak<backend::Kinematic>;
-  const bool done = run({.robots = std::stoul(argv[2]), .duration_s = std::stod(argv[3]), .out = argv[4], .at_rest = argc == 6});
-  return done ? 0 : 3;
+  const std::filesystem::path out = argv[4];
+  const bool done = run({.robots = std::stoul(argv[2]), .duration_s = std::stod(argv[3]), .out = out, .at_rest = argc == 6});
+  if (!done) return 3;
+  return judge(out.string() + ".csv") ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "soak: " << error.what() << "\n";
   return 1;

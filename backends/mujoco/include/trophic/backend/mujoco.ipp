@@ -139,7 +139,7 @@ class Mujoco::Simulation {
   void advance(std::size_t steps) {
     mujoco::GroupResult result =
         std::visit([&](auto& stepper) { return stepper.advance(states_, targets_rad_, steps, next_); }, stepper_);
-    if (result.end == mujoco::GroupResult::End::done) check_inside(next_, steps, result);
+    if (result.end == mujoco::GroupResult::End::done) check_motion(next_, steps, result);
     if (result.end != mujoco::GroupResult::End::done) {
       throw Diverged{static_cast<double>(steps_ + result.steps) * physics_.timestep_s, result.robot, result.what};
     }
@@ -148,13 +148,15 @@ class Mujoco::Simulation {
     read_angles();
   }
 
-  void check_inside(const mujoco::RobotStates& states, std::size_t steps, mujoco::GroupResult& result) const {
+  void check_motion(const mujoco::RobotStates& states, std::size_t steps, mujoco::GroupResult& result) const {
     for (std::size_t i = 0; i < states.robots(); ++i) {
-      const Eigen::Vector3d at = states.root(i).position_m;
-      if (at.cwiseAbs().maxCoeff() > arena_.extent_m) {
-        result = {.end = mujoco::GroupResult::End::diverged, .steps = steps, .robot = i, .what = "it left the arena"};
-        return;
-      }
+      const bool left = states.root(i).position_m.cwiseAbs().maxCoeff() > arena_.extent_m;
+      if (!left && states.speed_m_s(i) <= mujoco::fastest_m_s) continue;
+      result = {.end = mujoco::GroupResult::End::diverged,
+                .steps = steps,
+                .robot = i,
+                .what = left ? "it left the arena" : mujoco::too_fast()};
+      return;
     }
   }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
+#include <trophic/params/params.hpp>
 #include <vector>
 
 namespace trophic::backend::mujoco {
@@ -25,8 +26,14 @@ struct GroupResult {
   std::size_t steps = 0;  ///< whole steps before the end
   std::size_t robot = 0;  ///< which robot, except for `done`
   std::string what;
+  double speed_m_s = 0.0;          ///< of that robot's root, for `left_disc`
   CompiledModel* model = nullptr;  ///< which model, for `buffers_full`
 };
+
+/// What is said of a robot that no longer moves as one does.
+[[nodiscard]] inline std::string too_fast() {
+  return "it is faster than " + number_text(fastest_m_s) + " m/s; too long a physics.timestep_s throws robots about";
+}
 
 /// The first warning in MuJoCo's counters, if any, as a result; `robots` are the group's.
 [[nodiscard]] inline GroupResult read_warnings(const CompiledModel& compiled, const mjData& data,
@@ -77,7 +84,11 @@ struct GroupResult {
       const double* now = data.qpos + share * layout.positions;
       const std::span<const double> start = from.positions(robots[share]);
       if (std::hypot(now[0] - start[0], now[1] - start[1]) > slack_m[robots[share]]) {
-        return {.end = GroupResult::End::left_disc, .robot = robots[share], .what = {}};
+        const double* velocity = data.qvel + share * layout.velocities;
+        return {.end = GroupResult::End::left_disc,
+                .robot = robots[share],
+                .what = {},
+                .speed_m_s = std::hypot(velocity[0], velocity[1], velocity[2])};
       }
     }
     return {};

@@ -117,29 +117,42 @@ class Islands {
                         ? step_group(*models_of_large_[i], large[i], targets_rad, slack_m_, steps, states, next)
                         : lanes_->advance(lane_sets_[i - large.size()], thread, targets_rad, slack_m_, steps, states, next);
     });
-    return repair();
+    return repair(fastest_m_s * static_cast<double>(steps) * physics_.timestep_s);
   }
 
-  /// The most urgent result: what can be repaired first, then the earliest divergence.
-  [[nodiscard]] GroupResult repair() {
+  /// The most urgent result: a robot that is too fast, then what can be repaired, then the earliest divergence.
+  /// `farthest_m`: how far a robot may move.
+  [[nodiscard]] GroupResult repair(double farthest_m) {
     GroupResult worst;
+    const auto is_before = [](const GroupResult& a, const GroupResult& b) {
+      return std::pair{a.steps, a.robot} < std::pair{b.steps, b.robot};
+    };
+    for (const GroupResult& result : results_) {
+      if (!is_too_fast(result, farthest_m)) continue;
+      if (worst.end == GroupResult::End::done || is_before(result, worst)) worst = result;
+    }
+    if (worst.end != GroupResult::End::done) {
+      worst.end = GroupResult::End::diverged;
+      worst.what = too_fast();
+      return worst;
+    }
     for (GroupResult& result : results_) {
       if (result.end == GroupResult::End::left_disc) {
-        double& slack_m = slack_m_[result.robot];
-        slack_m *= 2.0;
-        if (slack_m > 2.0 * arena_.extent_m) {
-          result.end = GroupResult::End::diverged;
-          result.what = "it crosses the whole arena between two control ticks";
-        }
+        slack_m_[result.robot] *= 2.0;
       } else if (result.end == GroupResult::End::buffers_full && !result.model->grow()) {
         result.end = GroupResult::End::diverged;
       }
       if (result.end == GroupResult::End::done) continue;
       const bool both_diverged = result.end == GroupResult::End::diverged && worst.end == GroupResult::End::diverged;
-      const bool earlier = std::pair{result.steps, result.robot} < std::pair{worst.steps, worst.robot};
-      if (worst.end == GroupResult::End::done || result.end < worst.end || (both_diverged && earlier)) worst = std::move(result);
+      if (worst.end == GroupResult::End::done || result.end < worst.end || (both_diverged && is_before(result, worst))) {
+        worst = std::move(result);
+      }
     }
     return worst;
+  }
+
+  [[nodiscard]] bool is_too_fast(const GroupResult& result, double farthest_m) const {
+    return result.end == GroupResult::End::left_disc && (result.speed_m_s > fastest_m_s || slack_m_[result.robot] > farthest_m);
   }
 
   /// Above, MuJoCo's sweep over bodies is cheaper than testing every pair of boxes.

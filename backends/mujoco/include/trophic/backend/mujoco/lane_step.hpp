@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -107,7 +108,11 @@ class LaneStepper {
       const unsigned outside = all & kernel::lane_bits(dx * dx + dy * dy > slack_square);
       for (std::size_t lane = 0; outside != 0 && lane < robots.size(); ++lane) {
         if ((outside & (1u << lane)) != 0) {
-          return {.end = GroupResult::End::left_disc, .steps = step, .robot = robots[lane], .what = {}};
+          return {.end = GroupResult::End::left_disc,
+                  .steps = step,
+                  .robot = robots[lane],
+                  .what = {},
+                  .speed_m_s = std::hypot(lanes.velocity[0][lane], lanes.velocity[1][lane], lanes.velocity[2][lane])};
         }
       }
     }

@@ -12,6 +12,10 @@
 
 namespace trophic::backend::mujoco {
 
+/// No robot is made to be faster; one that too long a timestep throws about soon is. Such robots need discs so wide that all of
+/// them become one group of MuJoCo's, which takes minutes and all memory.
+inline constexpr double fastest_m_s = 100.0;
+
 /// Per robot one row: generalized positions (root x, y, z, quaternion w, x, y, z, then angles in MuJoCo's order), velocities
 /// (root linear in the world's frame, angular in the root's, then angles), and the accelerations from which the solver starts
 /// next.
@@ -64,6 +68,12 @@ class RobotStates {
     std::copy_n(data.qvel + share * nv, nv, to + nq);
     std::copy_n(data.qacc_warmstart + share * nv, nv, to + nq + nv);
     return sound(robot);
+  }
+
+  /// How fast a robot's root is, m/s.
+  [[nodiscard]] double speed_m_s(std::size_t robot) const {
+    const std::span<const double> velocity = velocities(robot);
+    return std::hypot(velocity[0], velocity[1], velocity[2]);
   }
 
   /// Whether a robot's numbers are finite and not larger than MuJoCo accepts.

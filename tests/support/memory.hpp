@@ -5,6 +5,9 @@
 #include <unistd.h>
 
 #include <fstream>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace trophic::test {
 
@@ -15,6 +18,16 @@ inline double resident_bytes() {
   double resident_pages = 0.0;
   file >> total_pages >> resident_pages;
   return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Bytes that were asked of glibc and not given back, whether or not they were ever touched; 0 with another library.
+inline double allocated_bytes() {
+#if defined(__GLIBC__)
+  const struct mallinfo2 info = ::mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+#else
+  return 0.0;
+#endif
 }
 
 }  // namespace trophic::test
