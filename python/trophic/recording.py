@@ -3,6 +3,7 @@
 
 import dataclasses
 import json
+import math
 import os
 import pathlib
 import struct
@@ -60,7 +61,7 @@ def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None
 def _blocks(path, content):
     if content[:8] != MAGIC:
         raise RecordingError(f"{path}: is not a trophic recording")
-    head, blocks, at = None, [], 8
+    head, blocks, frames, at = None, [], 0, 8
     while at + 12 <= len(content):
         (size,) = struct.unpack_from("<I", content, at)
         if at + 12 + size > len(content):
@@ -69,12 +70,14 @@ def _blocks(path, content):
         (checksum,) = struct.unpack_from("<I", content, at + 8 + size)
         if zlib.crc32(content[at + 4 : at + 8 + size]) != checksum:
             raise RecordingError(f"{path}: damaged, a wrong checksum of the block at byte {at}")
-        if kind == b"HEAD":
-            head = json.loads(data)
-            if head["version"] != VERSION:
-                raise RecordingError(f"{path}: version {head['version']} of the format; this program reads {VERSION}")
+        if head is None:
+            head = _head(path, kind, data)
         elif kind == b"POSE":
-            blocks.append((*struct.unpack_from("<II", data), data[8:]))
+            start, count = struct.unpack_from("<II", data) if size > 8 else (0, 0)
+            if start != frames or count == 0:
+                raise RecordingError(f"{path}: damaged, a block of other frames at byte {at}")
+            blocks.append((start, count, data[8:]))
+            frames += count
         elif kind == b"DONE":
             return head, blocks, True
         at += 12 + size
@@ -83,10 +86,34 @@ def _blocks(path, content):
     return head, blocks, False
 
 
+def _head(path, kind, data):
+    try:
+        head = json.loads(data) if kind == b"HEAD" else {}
+        version = head["version"]
+        numbers = {name: head[name] for name in ("robots", "joints", "frames_per_tick", "steps_per_tick")}
+        numbers = {**head["units"], **numbers, "first_time_s": head["first_time_s"], "tick_s": head["tick_s"]}
+    except (KeyError, TypeError, ValueError, RecursionError) as reason:
+        raise RecordingError(f"{path}: its head cannot be read: {reason!r}") from None
+    if version != VERSION:
+        raise RecordingError(f"{path}: version {version!r} of the format; this program reads {VERSION}")
+    for name, number in numbers.items():
+        least = {"robots": 1, "joints": 0, "frames_per_tick": 1, "steps_per_tick": 1}.get(name)
+        if type(number) not in ((int, float) if least is None else (int,)) or not abs(number) < 2**32:
+            raise RecordingError(f"{path}: {name} = {number!r}: must be a {'' if least is None else 'whole '}number below 2^32")
+        if least is not None and number < least:
+            raise RecordingError(f"{path}: {name} = {number!r}: must be >= {least}")
+    return head
+
+
 def _unpack(path, start, data, shape):
-    planes = numpy.frombuffer(zlib.decompress(data), numpy.uint8).astype(numpy.uint16)
-    if planes.size != 2 * numpy.prod(shape):
+    size = 2 * math.prod(shape)
+    try:
+        content = zlib.decompressobj().decompress(data, size + 1)  # no more than that, whatever the block claims to be
+    except (zlib.error, OverflowError):
+        content = b""
+    if len(content) != size:
         raise RecordingError(f"{path}: damaged, the block of frame {start}")
+    planes = numpy.frombuffer(content, numpy.uint8).astype(numpy.uint16)
     low, high = planes.reshape(2, *shape)
     folded = low + 256 * high
     return numpy.cumsum((folded >> 1) ^ (0 - (folded & 1)), axis=-1, dtype=numpy.uint16).astype(numpy.int16)

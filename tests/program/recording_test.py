@@ -4,12 +4,16 @@
 
 import csv
 import json
+import math
 import pathlib
 import re
+import resource
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
+import zlib
 
 import system_python
 
@@ -108,6 +112,59 @@ class Recordings(InFolderWithSets):
                     self.assertIn(f"{path}: ", str(error))
         path.write_bytes(content[: len(content) // 2])
         self.assertFalse(read_replay(path).complete)
+
+    def test_forged_recordings_are_errors_and_take_no_memory(self):
+        content = (self.sets / "kinematic" / "replay.trp").read_bytes()
+        (size,) = struct.unpack_from("<I", content, 8)
+        head = json.loads(content[16 : 16 + size])
+        first = content[8 + size + 12 :]
+        (first_size,) = struct.unpack_from("<I", first, 0)
+        frames = first[8 : 8 + first_size]
+
+        def block(kind, data):
+            return struct.pack("<I", len(data)) + kind + data + struct.pack("<I", zlib.crc32(kind + data))
+
+        def with_head(**changes):
+            return content[:8] + block(b"HEAD", json.dumps({**head, **changes}).encode()) + first
+
+        def with_frames(data):
+            return content[: 8 + size + 12] + block(b"POSE", data)
+
+        bomb = zlib.compressobj()
+        packed = b"".join(bomb.compress(bytes(1 << 20)) for _ in range(512)) + bomb.flush()
+        forged = {
+            "head": content[:8] + block(b"HEAD", b"[") + first,
+            "head of no object": content[:8] + block(b"HEAD", b"[1]") + first,
+            "head of depth": content[:8] + block(b"HEAD", b"[" * 100000) + first,
+            "no head": content[:8] + first,
+            "version": with_head(version=2),
+            "robots": with_head(robots=2**31),
+            "joints": with_head(joints=2**31),
+            "negative": with_head(robots=-1),
+            "no robots": with_head(robots=0),
+            "fraction": with_head(robots=30.5),
+            "far too many": with_head(robots=10**30),
+            "text": with_head(frames_per_tick="10"),
+            "nothing a tick": with_head(frames_per_tick=0),
+            "tick": with_head(tick_s=[2]),
+            "units": with_head(units=3),
+            "no clock": with_head(first_time_s=math.nan),
+            "bomb": with_frames(frames[:8] + packed),
+            "no zlib": with_frames(frames[:8] + b"abc"),
+            "more frames": with_frames(frames[:4] + b"\xff\xff\xff\xff" + frames[8:]),
+            "other frames": with_frames(struct.pack("<I", 7) + frames[4:]),
+            "short": with_frames(b"abc"),
+        }
+        path = self.folder / "replay.trp"
+        most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        for what, bytes_of_it in forged.items():
+            with self.subTest(what):
+                path.write_bytes(bytes_of_it)
+                with self.assertRaises(RecordingError) as refused:
+                    read_replay(path)
+                self.assertTrue(str(refused.exception).startswith(f"{path}: "), str(refused.exception))
+                self.assertNotIn("\n", str(refused.exception))
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - most, 100_000)  # kB; the bomb is 537 MB
 
 
 class Pages(InFolderWithSets):

@@ -153,6 +153,24 @@ TEST_CASE("A claim without an owner's file is as old as its folder") {
   CHECK(Claim::take(folder.path(), 5, 60.0));
 }
 
+TEST_CASE("A claim whose owner's file is not one of this program's is another program's until its lease is over") {
+  const TemporaryFolder folder;
+  const fs::path claim = folder.path() / "5.0";
+  fs::create_directory(claim);
+  for (const char* text :
+       {"", "[1]", "{\"process\": 1}", R"({"host": "h", "process": "1", "space": "s"})", R"({"host": 1, "process": 1, "space": "s"})",
+        R"({"host": "h", "process": 1, "space": 2})", R"({"host": "h", "process": -1, "space": "s"})",
+        R"({"host": "h", "process": 0, "space": "s"})", R"({"host": "h", "process": 1e300, "space": "s"})",
+        R"({"host": "h", "process": 4294967297, "space": "s"})"}) {
+    CAPTURE(text);
+    std::ofstream{claim / "owner.json"} << text;
+    CHECK(sweep::claimant_of(folder.path(), 5, 60.0) == "another program");
+    CHECK_FALSE(Claim::take(folder.path(), 5, 60.0));
+  }
+  make_old(claim / "owner.json", 62.0);
+  CHECK(Claim::take(folder.path(), 5, 60.0));
+}
+
 TEST_CASE("A claim is renewed as long as it lives") {
   const TemporaryFolder folder;
   const auto claim = Claim::take(folder.path(), 0, 0.2);

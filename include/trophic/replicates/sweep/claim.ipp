@@ -11,7 +11,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <trophic/replicates/sweep/claim.hpp>
@@ -85,24 +87,34 @@ inline constexpr const char* owner_file = "owner.json";
   return now_s ? *now_s - *last : 0.0;
 }
 
-/// What the owner of a claim said of itself; an empty object where nothing can be read.
-[[nodiscard]] inline Json owner_of(const std::filesystem::path& claim) {
+struct Owner {
+  std::string host;
+  pid_t process;
+  std::string space;
+};
+
+/// What the owner of a claim said of itself; none where nothing can be read.
+[[nodiscard]] inline std::optional<Owner> owner_of(const std::filesystem::path& claim) {
   try {
-    auto owner = parse_json_or_null(read_whole_file(claim / owner_file));
-    return owner.is_object() ? owner : Json::object();
-  } catch (const std::invalid_argument&) {  // not yet written, or given back
-    return Json::object();
+    const Json json = parse_json(read_whole_file(claim / owner_file));
+    return Owner{.host = json.at("host").get<std::string>(),
+                 .process = whole_number<pid_t>(json, "process", 1),
+                 .space = json.at("space").get<std::string>()};
+  } catch (const std::invalid_argument&) {  // not yet written, given back, or a process that cannot be
+    return std::nullopt;
+  } catch (const Json::exception&) {  // somebody else's file
+    return std::nullopt;
   }
 }
 
 /// Whether a process of this machine claimed it and is no more.
-[[nodiscard]] inline bool is_owner_dead(const Json& owner) {
-  if (owner.value("space", "") != process_space() || !owner.contains("process")) return false;
-  return ::kill(owner["process"].get<pid_t>(), 0) != 0 && errno == ESRCH;
+[[nodiscard]] inline bool is_dead(const Owner& owner) {
+  return owner.space == process_space() && ::kill(owner.process, 0) != 0 && errno == ESRCH;
 }
 
 [[nodiscard]] inline bool is_stale(const std::filesystem::path& claim, double lease_s) {
-  if (is_owner_dead(owner_of(claim))) return true;
+  const auto owner = owner_of(claim);
+  if (owner && is_dead(*owner)) return true;
   const auto age = age_s(claim);
   return age && *age > lease_s;
 }
@@ -179,9 +191,8 @@ TROPHIC_INLINE std::string claimant_of(const std::filesystem::path& claims, std:
   if (!last) return "";
   const std::filesystem::path folder = detail::claim_folder(claims, run, *last);
   if (detail::is_stale(folder, lease_s)) return "";
-  const Json owner = detail::owner_of(folder);
-  if (!owner.contains("process")) return "another program";
-  return owner.value("host", "") + " (process " + std::to_string(owner["process"].get<long>()) + ")";
+  const auto owner = detail::owner_of(folder);
+  return owner ? owner->host + " (process " + std::to_string(owner->process) + ")" : "another program";
 }
 
 }  // namespace trophic::sweep
