@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// soak BACKEND ROBOTS DURATION_S OUT [rest]: one long run of the paper's rules into a folder, with its invariants checked at
-// every tick; with rest, of robots that only lie there. OUT.csv has a row for each 100 s of the ecology's clock: memory that the
-// program held, the least that it had asked for at a tick of these 100 s, wall time and processor time. Where the run ends, it
-// says which of them grew. Exit code 0: all invariants held and memory did not grow; 1: not so; 3: it was stopped, and goes on
-// from its last checkpoint when asked again. See scripts/soak.
+// One long run of the paper's rules into a folder, with its invariants checked at every tick; with --rest, of robots that only
+// lie there. OUT.csv has a row for each 100 s of the ecology's clock: memory that the program held, the least that it had asked
+// for at a tick of these 100 s, wall time and processor time. Where the run ends, it says which of them grew. Exit code 0: all
+// invariants held and memory did not grow; 1: not so; 3: it was stopped, and goes on from its last checkpoint when asked again.
+// See scripts/soak.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -117,6 +118,7 @@ struct Wanted {
   double duration_s = 0.0;
   std::filesystem::path out;
   bool at_rest = false;
+  double timestep_s = rules::Paper::physics().timestep_s;
 };
 
 template <class Backend>
@@ -127,6 +129,7 @@ bool soak(const Wanted& wanted) {
   }
   Experiment<rules::Paper, Backend> numbers;
   numbers.ecology.robots = wanted.robots;
+  numbers.physics.timestep_s = wanted.timestep_s;
   numbers.rules.community.predators = wanted.robots * 14 / 30;
   if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 2;
   // As crowded as the table's thirty.
@@ -163,13 +166,19 @@ bool soak(const Wanted& wanted) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 5 && argc != 6) throw std::invalid_argument{"soak BACKEND ROBOTS DURATION_S OUT [rest]"};
-  const std::string backend = argv[1];
-  const auto run = backend == "mujoco" ? &soak<backend::Mujoco> : &soak<backend::Kinematic>;
-  const std::filesystem::path out = argv[4];
-  const bool done = run({.robots = std::stoul(argv[2]), .duration_s = std::stod(argv[3]), .out = out, .at_rest = argc == 6});
+  CLI::App app{"One long run, with its invariants checked at every tick."};
+  Wanted wanted;
+  std::string backend;
+  app.add_option("BACKEND", backend)->required()->check(CLI::IsMember({"kinematic", "mujoco"}));
+  app.add_option("ROBOTS", wanted.robots)->required()->check(CLI::PositiveNumber);
+  app.add_option("DURATION_S", wanted.duration_s)->required()->check(CLI::PositiveNumber);
+  app.add_option("OUT", wanted.out)->required();
+  app.add_flag("--rest", wanted.at_rest, "robots that only lie there");
+  app.add_option("--timestep-s", wanted.timestep_s, "of MuJoCo's steps")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  const bool done = backend == "mujoco" ? soak<backend::Mujoco>(wanted) : soak<backend::Kinematic>(wanted);
   if (!done) return 3;
-  return judge(out.string() + ".csv") ? 0 : 1;
+  return judge(wanted.out.string() + ".csv") ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "soak: " << error.what() << "\n";
   return 1;

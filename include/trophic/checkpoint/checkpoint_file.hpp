@@ -47,7 +47,7 @@ struct Checkpoint {
 };
 
 /// As a file: a line that says what it is, the format's version, the content, and the CRC-32 of all of it.
-[[nodiscard]] std::string to_bytes(const Checkpoint& checkpoint);
+[[nodiscard]] std::string to_bytes(Checkpoint checkpoint);
 
 /// The way back. `name` stands for the bytes in errors. Throws std::invalid_argument for bytes that are no checkpoint, of another
 /// format, cut short or damaged.
@@ -55,7 +55,7 @@ struct Checkpoint {
 
 /// Writes checkpoint.bin in a folder: beside the old one, onto the disk, then under its name; the old one stays as predecessor.
 /// Whenever the program dies, one of the two is whole. Throws std::runtime_error.
-void write(const std::filesystem::path& folder, const Checkpoint& checkpoint);
+void write(const std::filesystem::path& folder, Checkpoint checkpoint);
 
 /// Whether there is a checkpoint in a folder, whole or not.
 [[nodiscard]] bool exists(const std::filesystem::path& folder);

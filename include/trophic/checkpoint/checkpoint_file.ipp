@@ -16,6 +16,7 @@
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::checkpoint {
@@ -37,16 +38,17 @@ TROPHIC_INLINE const std::string& Checkpoint::section(std::string_view name) con
                               "\": the run was made without it, so it must go on without it"};
 }
 
-TROPHIC_INLINE std::string to_bytes(const Checkpoint& checkpoint) {
+TROPHIC_INLINE std::string to_bytes(Checkpoint checkpoint) {
   Archive archive;
   std::uint32_t version = format_version;
-  Checkpoint content = checkpoint;
-  archive(version, content);
-  std::string bytes = std::string{detail::first_line} + archive.bytes();
+  archive(version, checkpoint);
+  std::string bytes{detail::first_line};
+  bytes += archive.bytes();
   Archive sum;
   std::uint32_t crc = checksum(bytes);
   sum(crc);
-  return bytes + sum.bytes();
+  bytes += sum.bytes();
+  return bytes;
 }
 
 TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& name) {
@@ -77,9 +79,9 @@ TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& 
   return checkpoint;
 }
 
-TROPHIC_INLINE void write(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
+TROPHIC_INLINE void write(const std::filesystem::path& folder, Checkpoint checkpoint) {
   const std::filesystem::path path = folder / file_name;
-  const std::string bytes = to_bytes(checkpoint);
+  const std::string bytes = to_bytes(std::move(checkpoint));
   replace_file(path, bytes, folder / predecessor_name);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <trophic/checkpoint/keeper.hpp>
 #include <trophic/support/version.hpp>
+#include <utility>
 
 namespace trophic::checkpoint {
 
@@ -21,7 +22,7 @@ inline void same(const std::string& what, const std::string& there, const std::s
 [[nodiscard]] inline Section section_of(const Part& part) {
   Archive archive;
   part.persist(archive);
-  return {std::string{part.section}, archive.bytes()};
+  return {std::string{part.section}, std::move(archive).bytes()};
 }
 
 inline void read_section(const Checkpoint& from, const Part& part) {

@@ -22,8 +22,9 @@ namespace trophic::observe {
 inline constexpr double default_replay_hz = 5.0;
 
 /// Writes a recording: root poses to 1 mm and 2e-3 rad, joint angles to 2e-3 rad. What happened is in the run's tables. A block
-/// of 20 s is written as soon as it is full, so that a killed run loses no more than that. Watches one call of run_until. Errors
-/// are std::runtime_error naming the file.
+/// of 20 s, or of as many frames as have `most_block_values` numbers, is written as soon as it is full, so that a killed run
+/// loses no more than that, and a large one holds no more. Watches one call of run_until. Errors are std::runtime_error naming
+/// the file.
 class Recording {
  public:
   /// Makes the file at once. `hz`: frames a simulated second, >= 0; at 0 there is no file and nothing is asked of the run.
@@ -37,6 +38,8 @@ class Recording {
   /// The rate, the file's length and the frames that wait for their block. Reading throws std::invalid_argument if the run had a
   /// recording and the folder has none.
   void persist(Archive& archive);
+
+  static constexpr std::size_t most_block_values = std::size_t{1} << 22U;
 
   [[nodiscard]] double frame_hz() const { return hz_; }
   void on_start(const RunDescription& run, const View& view);

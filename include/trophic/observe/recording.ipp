@@ -90,7 +90,8 @@ TROPHIC_INLINE void Recording::write_head(const Frame& frame) {
   channels_ = recording::pose_channels + joints;
   const std::int64_t per_tick = frame.times.per_tick(hz_);
   const double simulated_s = frame.times.tick_s * frame.times.clock_scale;
-  block_frames_ = static_cast<std::size_t>(std::max(1.0, std::round(20.0 / simulated_s * static_cast<double>(per_tick))));
+  const auto wanted = static_cast<std::size_t>(std::round(20.0 / simulated_s * static_cast<double>(per_tick)));
+  block_frames_ = std::clamp<std::size_t>(most_block_values / (channels_ * robots_), 1, std::max<std::size_t>(wanted, 1));
   auto& head = file_->head;
   head["first_time_s"] = frame.time_s;
   head["tick_s"] = frame.times.tick_s;

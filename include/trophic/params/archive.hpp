@@ -83,7 +83,8 @@ class Archive {
   }
 
   /// What has been written.
-  [[nodiscard]] const std::string& bytes() const { return written_; }
+  [[nodiscard]] const std::string& bytes() const& { return written_; }
+  [[nodiscard]] std::string bytes() && { return std::move(written_); }
 
   /// Whether all bytes have been read.
   [[nodiscard]] bool at_end() const { return left_.empty(); }

@@ -42,6 +42,35 @@ TEST_CASE("a recording is new, and its rate is a number that makes sense") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "other.trp"));
 }
 
+TEST_CASE("a recording of many robots holds few frames back, and is where its robots were") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "replay.trp";
+  Experiment<rules::Paper, backend::Kinematic> numbers;
+  numbers.ecology.robots = 40000;
+  numbers.ecology.arena = "walled_by_density";
+  Ecology<rules::Paper, backend::Kinematic> ecology{numbers};
+  Recording recording{path, 5.0};
+  ecology.run_until(8.0, recording);
+  const std::string bytes = bytes_of(path);
+  std::vector<std::uint32_t> frames_of_blocks;
+  for (std::size_t at = observe::recording::magic.size(); at < bytes.size();) {
+    if (bytes.substr(at + 4, 4) == observe::recording::frames_kind) {
+      frames_of_blocks.push_back(observe::recording::u32_at(bytes, at + 12));
+    }
+    at += 12 + observe::recording::u32_at(bytes, at);
+  }
+  const std::uint32_t most = Recording::most_block_values / (40000 * 6);
+  CHECK(frames_of_blocks == std::vector<std::uint32_t>{most, most, 41 - 2 * most});
+  const RecordingReader reader{path};
+  REQUIRE(reader.frames() == 41);
+  const double far_m = ecology.view().arena.half_side_m;
+  for (std::size_t body = 0; body < 40000; body += 997) {
+    const Eigen::Vector3d at_m = reader.root(40, body).position_m;
+    CHECK(at_m.x() == doctest::Approx(ecology.view().poses[body].x_m).epsilon(1e-3 * far_m));
+    CHECK(at_m.y() == doctest::Approx(ecology.view().poses[body].y_m).epsilon(1e-3 * far_m));
+  }
+}
+
 TEST_CASE("a recorded run has the bytes of one that is not, and the recording is where its tables say") {
   using Kinematics = Ecology<rules::Paper, backend::Kinematic>;
   const test::TemporaryFolder folder;

@@ -158,10 +158,10 @@ TEST_CASE("A claim whose owner's file is not one of this program's is another pr
   const fs::path claim = folder.path() / "5.0";
   fs::create_directory(claim);
   for (const char* text :
-       {"", "[1]", "{\"process\": 1}", R"({"host": "h", "process": "1", "space": "s"})", R"({"host": 1, "process": 1, "space": "s"})",
-        R"({"host": "h", "process": 1, "space": 2})", R"({"host": "h", "process": -1, "space": "s"})",
-        R"({"host": "h", "process": 0, "space": "s"})", R"({"host": "h", "process": 1e300, "space": "s"})",
-        R"({"host": "h", "process": 4294967297, "space": "s"})"}) {
+       {"", "[1]", "{\"process\": 1}", R"({"host": "h", "process": "1", "space": "s"})",
+        R"({"host": 1, "process": 1, "space": "s"})", R"({"host": "h", "process": 1, "space": 2})",
+        R"({"host": "h", "process": -1, "space": "s"})", R"({"host": "h", "process": 0, "space": "s"})",
+        R"({"host": "h", "process": 1e300, "space": "s"})", R"({"host": "h", "process": 4294967297, "space": "s"})"}) {
     CAPTURE(text);
     std::ofstream{claim / "owner.json"} << text;
     CHECK(sweep::claimant_of(folder.path(), 5, 60.0) == "another program");
