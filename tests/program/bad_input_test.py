@@ -48,13 +48,28 @@ class BadInput(InFolder):
             ("--checkpoint-s=0x10", "decimal digits"),
             ("--checkpoint-s=-1", ">= 0"),
             ("--checkpoint-s=nan", ">= 0"),
+            ("--lease-s=-1", "need --sweep"),
         ]:
             with self.subTest(argument=argument):
                 self.assertIn(must, self.run_refused(argument))
-        done = subprocess.run(
-            [PREDATOR_PREY, "--backend", "kinematic", "--duration=0x10", "--out", "out"], cwd=self.folder, capture_output=True, text=True
-        )
-        self.assertEqual((done.returncode, "decimal digits" in done.stderr), (2, True), done.stderr)
+        for duration, must in [("0x10", "decimal digits"), ("1e13", "<= 1e+12")]:
+            with self.subTest(duration=duration):
+                said = self.refused(PREDATOR_PREY, "--backend", "kinematic", f"--duration={duration}", "--out", "out")
+                self.assertIn(must, said)
+
+    def test_texts_that_are_empty(self):
+        texts = ["--config", "--from", "--sweep", "--shard", "--save-mjcf", "--robot", "--rules", "--backend", "--set", "--print-table"]
+        for option in [*texts, "--completion"]:
+            with self.subTest(option=option):
+                self.assertIn(f"{option}: must not be empty", self.run_refused(option, ""))
+        for arguments in [("analyze", ""), ("analyze", "run", "--out", ""), ("show", "run", "-o", ""), ("film", "")]:
+            with self.subTest(arguments=arguments):
+                self.assertIn(": must not be empty", self.refused(TROPHIC, *arguments))
+
+    def test_texts_of_several_lines_are_shown_in_one(self):
+        self.assertIn("no robot \"a\\x0ab\\x1b[2J\"", self.run_refused("--robot", "a\nb\x1b[2J", code=1))
+        self.assertIn("--seed 7\\x0a: must be", self.run_refused("--seed", "7\n"))
+        self.assertIn("a\\x0ab", self.refused(TROPHIC, "analyze", "a\nb", code=1))
 
     def test_a_key_of_a_million_dots(self):
         dots = "a" + ".a" * 1_000_000

@@ -182,7 +182,9 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     }
   }
   if (!options.sweep.empty()) return run_sweep(options, pairings, team);
-  if (!options.shard.empty() || options.dry_run) throw std::invalid_argument{"--shard and --dry-run: need --sweep"};
+  if (!options.shard.empty() || options.dry_run || options.lease_s) {
+    throw std::invalid_argument{"--shard, --dry-run and --lease-s: need --sweep"};
+  }
   if (team != nullptr && team->size() > 1) {
     if (!team->leads()) return usage_error;
     throw std::invalid_argument{"mpirun: only with --sweep; each of its " + std::to_string(team->size()) +

@@ -49,7 +49,7 @@ struct ExperimentOptions {
   std::string sweep;  ///< file of a grid of settings
   std::string shard;  ///< "I/N"; empty: all of it
   bool dry_run = false;
-  double lease_s = sweep::default_lease_s;
+  std::optional<double> lease_s;
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
   observe::Provenance provenance;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
@@ -41,9 +42,31 @@ TROPHIC_INLINE const char* what_of(const std::exception& error) {
   return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "there is not enough memory" : error.what();
 }
 
+namespace detail {
+
+/// "NAME: WHAT" in one line on standard error: control characters, which a file's name may have, are written as \x0a. Takes no
+/// memory.
+TROPHIC_INLINE void complain(std::string_view name, std::string_view what) {
+  std::array<char, 1024> line{};
+  std::size_t used = 0;
+  const auto write_out = [&] { std::fwrite(line.data(), 1, std::exchange(used, 0), stderr); };
+  for (const std::string_view part : {name, std::string_view{": "}, what}) {
+    for (const char character : part) {
+      if (used + 8 > line.size()) write_out();
+      const auto byte = static_cast<unsigned char>(character);
+      const bool is_control = byte < 0x20 || byte == 0x7f;
+      used += static_cast<std::size_t>(std::snprintf(line.data() + used, 5, is_control ? "\\x%02x" : "%c", unsigned{byte}));
+    }
+  }
+  line[used++] = '\n';
+  write_out();
+}
+
+}  // namespace detail
+
 TROPHIC_INLINE int report_failure(const char* called, const std::exception& error) {
   const char* slash = std::strrchr(called, '/');
-  std::fprintf(stderr, "%s: %s\n", slash == nullptr ? called : slash + 1, what_of(error));
+  detail::complain(slash == nullptr ? called : slash + 1, what_of(error));
   return run_error;
 }
 
@@ -72,6 +95,11 @@ TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::s
   if (!all || (read.ec != std::errc{} && read.ec != std::errc::result_out_of_range)) {
     throw std::invalid_argument{option + " " + text + ": must be a number in decimal digits"};
   }
+}
+
+/// Throws std::invalid_argument for an empty text: `--config "$FILE"` where FILE was never set would run something else.
+TROPHIC_INLINE void check_text(const std::string& option, const std::string& text) {
+  if (text.empty()) throw std::invalid_argument{option + ": must not be empty"};
 }
 
 /// Throws std::invalid_argument for a word that is none of those that an option takes.
@@ -105,6 +133,12 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
     if (added->get_type_name() == "FLOAT") {
       added->check([name = option.name](const std::string& text) {
         check_decimal_number(name, text);
+        return std::string{};
+      });
+    }
+    if (added->get_type_name() == "TEXT") {
+      added->check([name = option.name](const std::string& text) {
+        check_text(name, text);
         return std::string{};
       });
     }
@@ -184,7 +218,7 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
   detail::use_installed_models();
   std::string name = program_name(argv[0]);
   const auto report = [&](const std::string& what, int code) {
-    std::cerr << name << ": " << what << "\n";
+    detail::complain(name, what);
     return code;
   };
   CLI::App app{command.about, name};
@@ -199,7 +233,11 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
     detail::add_options(app, command);
     if (!command.version.empty())
       app.set_version_flag("--version", command.version, "print what this program is made of and stop");
-    app.add_option("--completion", shell, "print the completion for a shell and stop: source <(" + name + " --completion bash)");
+    app.add_option("--completion", shell, "print the completion for a shell and stop: source <(" + name + " --completion bash)")
+        ->check([](const std::string& text) {
+          detail::check_text("--completion", text);
+          return std::string{};
+        });
     for (const Command& subcommand : command.subcommands) {
       added.push_back(app.add_subcommand(subcommand.name, subcommand.about));
       detail::add_options(*added.back(), subcommand);

@@ -267,7 +267,9 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
     throw std::invalid_argument{"--sweep: needs --out, the folder that all who work on it share"};
   }
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
-  if (!(options.lease_s >= 1.0)) throw std::invalid_argument{"--lease-s " + number_text(options.lease_s) + ": must be >= 1"};
+  if (options.lease_s && !(*options.lease_s >= 1.0)) {
+    throw std::invalid_argument{"--lease-s " + number_text(*options.lease_s) + ": must be >= 1"};
+  }
   if (team == nullptr) return;
   refuse(!options.shard.empty(), "--shard", "MPI hands out the runs");
   refuse(options.jobs.has_value(), "--jobs", "under MPI each rank makes one run at a time");
@@ -337,13 +339,14 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector
 
   const std::size_t runs = sweep::longest_first(plan, shard).size();
   observe::JointProgress progress{runs, plan.front().until_s, std::cout};
+  const double lease_s = options.lease_s.value_or(sweep::default_lease_s);
   const auto attempt = [&](const sweep::PlannedRun& run) {
-    return sweep::attempt(options.out, run, options.lease_s,
+    return sweep::attempt(options.out, run, lease_s,
                           [&](const std::filesystem::path& folder) { runner.run(run, folder, progress); });
   };
   const auto go_on = [&] { return stop.keep_running(); };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const sweep::Tally tally = team != nullptr ? team->share_out(plan, options.out, options.lease_s, attempt, go_on)
+  const sweep::Tally tally = team != nullptr ? team->share_out(plan, options.out, lease_s, attempt, go_on)
                                              : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, go_on);
   if (!leads) return 0;
   sweep::remove_claims(options.out, plan);
