@@ -7,6 +7,7 @@ The quick part kills a few runs. scripts/kill-and-resume runs `--long 100`."""
 import argparse
 import filecmp
 import json
+import os
 import random
 import signal
 import subprocess
@@ -107,6 +108,58 @@ class Killed(InFolder):
                 self.assertEqual(again.returncode, 0, again.stderr)
                 self.assertIn("goes on from its checkpoint at", again.stdout)
                 self.assert_same("whole", out)
+
+    def started_and_kept(self, out, preexec=None):
+        """A run that has kept two checkpoints and goes on."""
+        command = self.command(out, 7)
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+        run = subprocess.Popen(command, cwd=self.folder, preexec_fn=preexec, **pipes)
+        while not (self.folder / out / "checkpoint.old.bin").exists() and run.poll() is None:
+            time.sleep(0.001)
+        return run
+
+    def failed(self, run):
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 1, errors)
+        complaint, where = errors.splitlines()
+        self.assertIn(": cannot ", complaint)
+        return where
+
+    def test_a_folder_that_is_no_longer_there(self):
+        self.whole(7)
+        run = self.started_and_kept("here")
+        (self.folder / "here").rename(self.folder / "there")
+        self.assertEqual(self.failed(run), "somebody took away or moved here")
+        self.assertNotEqual(self.manifest("there")["status"], "complete")
+        again = self.finish(*self.command("there", 7, "--resume"))
+        self.assertIn("goes on from its checkpoint at", again.stdout, again.stderr)
+        self.assert_same("whole", "there")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["there", "whole"])
+
+    def test_a_folder_that_can_no_longer_be_written(self):
+        nobody = 65534
+
+        def become_nobody():
+            os.setgid(nobody)
+            os.setuid(nobody)
+
+        preexec = None
+        if os.geteuid() == 0:  # whom no folder refuses anything
+            preexec = become_nobody
+            os.chown(self.folder, nobody, nobody)
+            try:
+                subprocess.run([OPTIONS.program, "--version"], cwd=self.folder, preexec_fn=preexec, capture_output=True, check=True)
+            except (OSError, subprocess.SubprocessError):
+                self.skipTest("nobody may not run the program here")
+        self.whole(7)
+        run = self.started_and_kept("run", preexec)
+        (self.folder / "run").chmod(0o555)
+        self.assertEqual(self.failed(run), "what was written before is in run")
+        (self.folder / "run").chmod(0o755)
+        self.assertNotEqual(self.manifest("run")["status"], "complete")
+        again = self.finish(*self.command("run", 7, "--resume"))
+        self.assertIn("goes on from its checkpoint at", again.stdout, again.stderr)
+        self.assert_same("whole", "run")
 
     def test_a_complete_run_is_left_as_it_is(self):
         self.whole(3)

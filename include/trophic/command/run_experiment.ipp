@@ -12,6 +12,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/command/config.hpp>
@@ -200,9 +201,11 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
       checkpoint::run_kept(ecology, until_s, options.out, schedule, standing.from, folder, progress, stop);
     }
   } catch (const std::exception& error) {
-    std::cerr << options.program << ": " << what_of(error) << "\nwhat was written before is in " << folder.path().string()
-              << "\n";
-    return run_error;
+    const int code = report_failure(options.program.c_str(), error);
+    std::error_code unknown;
+    const bool is_there = std::filesystem::exists(folder.path(), unknown);
+    std::cerr << (is_there ? "what was written before is in " : "somebody took away or moved ") << folder.path().string() << "\n";
+    return code;
   }
   return report_run(folder, progress, ecology.view(), until_s);
 }

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""options_test.py PREDATOR_PREY TROPHIC [--all]: every option of every command, given texts that nobody means.
+
+Each is refused in one line that leaves nothing behind, or does its work; nothing crashes, hangs or takes all memory. Options are
+those that --help lists. With --all many more texts."""
+
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolderWithSets
+
+PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+ALL = "--all" in sys.argv
+if ALL:
+    sys.argv.remove("--all")
+MEMORY = 4 << 30
+TEXTS = ["", "-1", "nan", "18446744073709551616", "a\nb"]
+MORE_TEXTS = ["0", "-0", "010", "0x10", "+5", " 5", "5 ", "1,5", "1_000", "1.5", "1e3", "1e300", "1e999", "inf", "-inf", "4294967296"]
+MORE_TEXTS += ["99999999999", "99999999999999999999", "٣", "--", "\x01", "\x1b[2J", "a" * 100_000, "/", ".", "/dev/null", "/dev/full", "no/such/place"]
+A_LONG_RUN = [("--duration", "4294967296"), ("--duration", "99999999999")]  # as was asked for
+
+COMMANDS = {
+    "": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new"],
+    "replicates": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new", "--replicates", "2"],
+    "analyze": [TROPHIC, "analyze", "run"],
+    "flip-table": [TROPHIC, "flip-table", "set"],
+    "cross-check": [TROPHIC, "cross-check", "--seconds", "0.2"],
+    "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
+    "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
+    "show": [TROPHIC, "show", "run"],
+    "film": [TROPHIC, "film", "run", "--out", "new.png"],
+    "export": [TROPHIC, "export", "run", "--out", "new.glb"],
+}
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+def options_of(command):
+    """The options that take a value, as --help lists them."""
+    program = command[:2] if command[0] == TROPHIC else command[:1]
+    text = subprocess.run([*program, "--help"], capture_output=True, text=True, check=True).stdout
+    return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (?:UINT|FLOAT|TEXT)", text, re.M)
+
+
+def without(command, option):
+    if option not in command:
+        return command
+    at = command.index(option)
+    return command[:at] + command[at + 2 :]
+
+
+class Options(InFolderWithSets):
+    @classmethod
+    def make_sets(cls):
+        run = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "60", "--out"]
+        for out in (["run"], ["set", "--replicates", "2"]):
+            subprocess.run([*run, *out], cwd=cls.sets, check=True, capture_output=True)
+
+    def setUp(self):
+        super().setUp()
+        for name in ("run", "set"):
+            shutil.copytree(self.sets / name, self.folder / name)
+
+    def files(self):
+        return {path.relative_to(self.folder) for path in self.folder.rglob("*")}
+
+    def try_out(self, command, option, text):
+        before = self.files()
+        done = subprocess.run([*command, option, text], cwd=self.folder, capture_output=True, timeout=60, preexec_fn=limit_memory)
+        new = self.files() - before
+        errors = done.stderr.decode(errors="replace")
+        self.assertIn(done.returncode, (0, 1, 2), errors[-1000:])
+        if text == "":
+            self.assertEqual(done.returncode, 2, "an empty text counts as one that is not given")
+        if done.returncode != 0:
+            self.assertEqual(len(errors.splitlines()), 1, errors[:1000])
+            self.assertEqual(new, set())
+        for path in sorted(new, reverse=True):
+            (os.rmdir if (self.folder / path).is_dir() else os.remove)(self.folder / path)
+
+    def test_every_option(self):
+        there = subprocess.run([TROPHIC, "--help"], capture_output=True, text=True, check=True).stdout
+        tried = 0
+        for name, command in COMMANDS.items():
+            if command[0] == TROPHIC and f"\n  {name} " not in there:
+                continue
+            options = options_of(command)
+            self.assertGreater(len(options), 1, name)
+            for option in options:
+                for text in TEXTS + (MORE_TEXTS if ALL else []):
+                    if (option, text) in A_LONG_RUN:
+                        continue
+                    tried += 1
+                    with self.subTest(name=name, option=option, text=text[:50]):
+                        self.try_out(without(command, option), option, text)
+        print(f"{tried} commands", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
