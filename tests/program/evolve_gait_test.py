@@ -68,6 +68,18 @@ class EvolveGait(InFolder):
         self.assertEqual([float(row["target_angle_rad"]) for row in table], [0.7, 0.0, -0.7] * 2)
         self.assertAlmostEqual(float(table[1]["timestep_s"]), 0.0012)
 
+    def test_one_program_at_a_time_goes_on(self):
+        self.evolve(*SMALL, "--out", "whole")
+        self.interrupt("run", signal.SIGKILL, "checkpoint.toml")
+        pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
+        programs = [subprocess.Popen([*EVOLVE, "--resume", "run"], cwd=self.folder, **pipes) for _ in range(4)]
+        for program in programs:
+            errors = program.communicate(timeout=60)[1]
+            said = "" if program.returncode == 0 else "trophic evolve-gait: run: another program is running in it\n"
+            self.assertEqual(errors, said)
+        self.assertIn(0, [program.returncode for program in programs])
+        self.assert_same_files("whole", "run")
+
     def test_settings_read_back(self):
         printed = self.evolve("--table", "released", "--robot", "gecko", "--set", "variation.weight_limit=3", "--print-config")
         (self.folder / "numbers.toml").write_text(printed.stdout)

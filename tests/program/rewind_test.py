@@ -173,8 +173,8 @@ class Rewind(InFolder):
 
     def test_a_past_that_was_cut_off_is_made_again(self):
         past = self.folder / f"new.past-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
-        past.mkdir()
-        (past / "events.csv").write_text("a part")
+        (past / "run").mkdir(parents=True)
+        (past / "run" / "events.csv").write_text("a part")
         own = self.folder / "new.origin"
         own.mkdir()
         (own / "notes.txt").write_text("mine")
@@ -182,6 +182,24 @@ class Rewind(InFolder):
         self.assertEqual(self.table("new", "events.csv"), self.table("whole", "events.csv"))
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["new", "new.origin", "whole"])
         self.assertEqual((own / "notes.txt").read_text(), "mine")
+
+    def test_several_programs_with_one_folder(self):
+        """One has it; the others leave it, and each other's past, alone."""
+        self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", 5, "--out", "alone")
+        for number, arguments in enumerate([[], ["--resume"], [], ["--resume"]]):
+            out = f"new{number}"
+            begun = [PROGRAM, "--from", "whole", "--at", "700", "--duration", "1500", "--seed", "5", *arguments, "--out", out]
+            pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
+            programs = [subprocess.Popen(begun, cwd=self.folder, **pipes) for _ in range(4)]
+            errors = [program.communicate(timeout=60)[1] for program in programs]
+            with self.subTest(arguments=arguments, errors=errors):
+                for program, error in zip(programs, errors, strict=True):
+                    self.assertEqual(program.returncode != 0, bool(error))
+                    self.assertRegex(error, "^$|^[^\n]*(another program is running in it|exists already; runs are never overwritten)\n$")
+                for name in TABLES:
+                    self.assertEqual(self.table(out, name), self.table("alone", name), name)
+                self.assertEqual(self.manifest(out)["status"], "complete")
+                self.assertEqual([path.name for path in self.folder.glob("new*.*")], [])
 
     def test_a_run_that_is_in_the_way_stays_what_it_is(self):
         there = f"new.past-{self.manifest('whole')['fingerprint']}-seed-7-700-s"

@@ -12,6 +12,7 @@
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic::checkpoint {
@@ -36,8 +37,29 @@ struct Past {
 /// When a run's last checkpoint was taken, seconds of its clock; none without one.
 [[nodiscard]] std::optional<double> last_moment_s(const std::filesystem::path& run);
 
-/// Where to make the past of what begins at a moment and goes to `out`: beside it, by a name that says which moment of which run.
+/// Where to make the past of what begins at a moment and goes to `out`: in a folder beside it, whose name says which moment of
+/// which run.
 [[nodiscard]] std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment);
+
+/// The folder around a past, this program's alone; it goes where nothing is left in it.
+class RoomOfPast {
+ public:
+  /// Makes it where it is not. Throws std::runtime_error where another program has it.
+  explicit RoomOfPast(const Past& past);
+  RoomOfPast(const RoomOfPast&) = delete;
+  RoomOfPast& operator=(const RoomOfPast&) = delete;
+  ~RoomOfPast();
+
+  /// Whether there is one, of this program or another.
+  [[nodiscard]] static bool exists(const Past& past);
+
+  /// Removes what is in it.
+  void clear();
+
+ private:
+  std::filesystem::path folder_;
+  FolderLock lock_;
+};
 
 /// Whether a run to `until_s` that begins at a moment needs the past of it: not one that is complete in its folder or can go on
 /// there.

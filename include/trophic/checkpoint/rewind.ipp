@@ -76,7 +76,32 @@ TROPHIC_INLINE std::optional<double> last_moment_s(const std::filesystem::path& 
 
 TROPHIC_INLINE std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment) {
   return without_slash(out).string() + ".past-" + moment.fingerprint + "-seed-" + std::to_string(moment.seed) + "-" +
-         number_text(moment.at_s) + "-s";
+         number_text(moment.at_s) + "-s/run";
+}
+
+namespace detail {
+
+[[nodiscard]] inline FolderLock make_and_lock(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  return FolderLock{folder};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE RoomOfPast::RoomOfPast(const Past& past)
+    : folder_{past.folder.parent_path()}, lock_{detail::make_and_lock(folder_)} {}
+
+TROPHIC_INLINE RoomOfPast::~RoomOfPast() {
+  std::error_code not_empty;
+  std::filesystem::remove(folder_, not_empty);
+}
+
+TROPHIC_INLINE bool RoomOfPast::exists(const Past& past) {
+  return std::filesystem::exists(past.folder.parent_path());
+}
+
+TROPHIC_INLINE void RoomOfPast::clear() {
+  for (const auto& entry : std::filesystem::directory_iterator{folder_}) std::filesystem::remove_all(entry.path());
 }
 
 TROPHIC_INLINE bool needs_past(const std::filesystem::path& folder, double until_s) {

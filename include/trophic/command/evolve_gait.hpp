@@ -25,6 +25,7 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/support/folder_lock.hpp>
 #include <vector>
 
 namespace trophic::command {
@@ -86,6 +87,9 @@ int run(const Options& options, const Config& config) {
   if (options.resume.empty()) {
     if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
     folder = observe::make_new_folder(options.out);
+  }
+  const FolderLock alone{folder};
+  if (options.resume.empty()) {
     replace_file(folder / "settings.toml", settings_text(numbers));
   } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
     gait_evolution::resume(experiment, folder);

@@ -159,8 +159,10 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   }
   if (!options.resume) observe::check_new_folder(options.out);
   checkpoint::Past past{origin.moment, checkpoint::past_folder(options.out, origin.moment)};
-  if (std::filesystem::exists(past.folder) && std::filesystem::equivalent(past.folder, origin.moment.run)) {
-    throw std::invalid_argument{past.folder.string() + ": is in the way: there the past of " + options.out + " would be made"};
+  for (const std::filesystem::path& place : {past.folder.parent_path(), past.folder}) {
+    if (std::filesystem::exists(place) && std::filesystem::equivalent(place, origin.moment.run)) {
+      throw std::invalid_argument{place.string() + ": is in the way: there the past of " + options.out + " would be made"};
+    }
   }
   return past;
 }
@@ -178,9 +180,14 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   const observe::RunDescription run = ecology.describe(until_s);
   if (!origin) return options.resume ? checkpoint::standing_in(options.out, run) : checkpoint::Standing{};
   const checkpoint::Past past = past_of(options, *origin, run);
+  if (!checkpoint::needs_past(options.out, run.until_s) && !checkpoint::RoomOfPast::exists(past)) {
+    return checkpoint::standing_in(options.out, run, past);
+  }
+  checkpoint::RoomOfPast room{past};
+  if (!options.resume) observe::check_new_folder(options.out);
   if (checkpoint::needs_past(options.out, run.until_s) && !make_past(past, *origin)) return std::nullopt;
   auto standing = checkpoint::standing_in(options.out, run, past);
-  std::filesystem::remove_all(past.folder);
+  room.clear();
   return standing;
 }
 
@@ -249,14 +256,17 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   const MakeSimulation make = experiment.simulations(false);
   const double until_s = experiment.ecology().duration_s;
   replicates::Plan plan = plan_of(options, experiment.seed());
+  std::optional<checkpoint::RoomOfPast> room;
   if (origin) {
     plan.check();
     plan.past = past_of(options, *origin, make(plan.master_seed)->describe(until_s));
+    if (needs_past(plan, options.shadow, until_s) || checkpoint::RoomOfPast::exists(*plan.past)) room.emplace(*plan.past);
+    if (!options.resume) observe::check_new_folder(options.out);
     if (needs_past(plan, options.shadow, until_s) && !make_past(*plan.past, *origin)) return stopped;
   }
   const auto unfinished = replicates::run_with_shadow(make, options.shadow ? experiment.simulations(true) : nullptr, until_s,
                                                       plan, options.provenance, std::cout);
-  if (plan.past && unfinished.empty()) std::filesystem::remove_all(plan.past->folder);
+  if (room && unfinished.empty()) room->clear();
   return report_unfinished(options, unfinished);
 }
 

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,10 +19,11 @@ namespace trophic {
 /// dies. A file system without locks, as some of networks, gives none: then nobody is kept out.
 class FolderLock {
  public:
-  /// Throws std::runtime_error if the folder cannot be opened or is locked.
+  /// Throws std::runtime_error if the folder cannot be opened, is locked, or has just been removed by who had it.
   explicit FolderLock(const std::filesystem::path& folder) : file_{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
     if (file_ < 0) throw std::runtime_error{folder.string() + ": is not a folder that can be opened"};
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    const bool is_taken = ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (is_taken || !is_at(folder)) {
       ::close(file_);
       throw std::runtime_error{folder.string() + ": another program is running in it"};
     }
@@ -38,6 +40,14 @@ class FolderLock {
   }
 
  private:
+  /// Whether the folder has still the name by which it was opened.
+  [[nodiscard]] bool is_at(const std::filesystem::path& folder) const {
+    struct stat opened {};
+    struct stat there {};
+    return ::fstat(file_, &opened) == 0 && ::stat(folder.c_str(), &there) == 0 && opened.st_dev == there.st_dev &&
+           opened.st_ino == there.st_ino;
+  }
+
   int file_;
 };
 
