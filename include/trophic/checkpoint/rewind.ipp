@@ -15,6 +15,7 @@
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/without_slash.hpp>
@@ -25,12 +26,14 @@ namespace trophic::checkpoint {
 
 namespace detail {
 
-/// What a copy that was cut off left behind is set aside.
+/// Copies within the room of the past first, so that a folder has all of it or is not there.
 inline void copy_past(const Past& past, const std::filesystem::path& folder) {
-  const std::filesystem::path part = without_slash(folder).string() + ".part";
-  if (std::filesystem::exists(part)) static_cast<void>(set_aside(part));
+  const std::filesystem::path target = without_slash(folder);
+  const std::filesystem::path part = past.folder.parent_path() / ("part-" + std::to_string(checksum(target.string())));
+  std::filesystem::remove_all(part);
   copy_until(past.folder, std::numeric_limits<double>::infinity(), part);
-  std::filesystem::rename(part, without_slash(folder));
+  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path());
+  std::filesystem::rename(part, target);
 }
 
 /// Whether a clock shows the tick with which those begin that begin at a moment.
