@@ -23,5 +23,6 @@
 #include <trophic/replicates/sweep/work_through.ipp>
 #include <trophic/support/checksum.ipp>
 #include <trophic/support/json.ipp>
+#include <trophic/support/new_file.ipp>
 #include <trophic/support/replace_file.ipp>
 #include <trophic/support/whole_file.ipp>

@@ -289,6 +289,7 @@
 #include <trophic/support/joined_text.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/linkage.hpp>
+#include <trophic/support/new_file.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>

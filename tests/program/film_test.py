@@ -8,6 +8,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 import unittest
 
 import system_python
@@ -93,6 +94,19 @@ class Films(InFolderWithSets):
         asked = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames,codec_name", "-of", "json"]
         stream = json.loads(subprocess.run([*asked, "film.mp4"], capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
         self.assertEqual((stream["codec_name"], stream["width"], stream["height"], stream["nb_read_frames"]), ("h264", 320, 180, "11"))
+
+    def test_a_killed_film_is_none(self):
+        arguments = ["--size", "320x180", "--to", "100", "-o", "film.mp4"]
+        program = subprocess.Popen([TROPHIC, "film", str(self.sets / "run"), *arguments], cwd=self.folder, stderr=subprocess.DEVNULL)
+        part = self.folder / "film.mp4.part"
+        while not (part.exists() and part.stat().st_size > 0) and program.poll() is None:
+            time.sleep(0.001)
+        program.kill()
+        program.wait()
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["film.mp4.part"])
+        done = self.film(*arguments)  # while ffmpeg still ends what the other was given
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["film.mp4"])
 
     def test_without_ffmpeg(self):
         result = self.film("--to", 2, "-o", "film.mp4", env={"PATH": "/nowhere"})

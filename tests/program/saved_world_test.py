@@ -45,7 +45,7 @@ class SavedWorld(InFolder):
 
     def test_a_folder_that_is_not_there(self):
         done = subprocess.run([PROGRAM, "--save-mjcf", "none/world.xml"], capture_output=True, text=True, cwd=self.folder, timeout=120)
-        self.assertEqual((done.returncode, done.stderr), (1, "trophic-predator-prey: none/world.xml: cannot be written\n"))
+        self.assertEqual((done.returncode, done.stderr), (1, "trophic-predator-prey: cannot create none/world.xml: No such file or directory\n"))
 
     @unittest.skipIf(shutil.which("mujoco-simulate") is None or virtual_screen.missing(), "apt-get install libmujoco-samples xvfb xdotool ffmpeg")
     def test_simulate_shows_both_species(self):

@@ -24,9 +24,9 @@
 #include <trophic/command/analyze_sweep.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
-#include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/new_file.hpp>
 #include <trophic/support/version.hpp>
 #include <vector>
 
@@ -99,7 +99,7 @@ inline void write_page(const Options& options, std::span<const analysis::Shadowe
   page.facts.emplace_back("analysed by", "trophic " + std::string{trophic::version});
   if (!options.figures.empty()) page.figures = read_figures(options.figures);
   const std::string html = html_of(page);
-  observe::LineFile{options.html, html};
+  write_new_file(options.html, html);
   std::cout << "page    " << options.html << ": " << page.figures.size() << " figures, " << page.replays.size() << " replays, "
             << megabytes_text(html.size()) << "\n";
 }

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -24,6 +23,7 @@
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/new_file.hpp>
 #include <trophic/support/version.hpp>
 #include <vector>
 
@@ -60,10 +60,7 @@ struct SweepOptions {
 };
 
 inline void write_json(const std::filesystem::path& path, const Json& json) {
-  std::ofstream file{path};
-  file << json_text(json, 2) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error{"cannot write " + path.string()};
+  write_new_file(path, json_text(json, 2) + '\n');
 }
 
 /// Everything that can be known of a sweep without measuring it. Throws std::invalid_argument.

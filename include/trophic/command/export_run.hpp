@@ -13,8 +13,8 @@
 #include <trophic/command/output.hpp>
 #include <trophic/command/replay/gltf_scene.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
-#include <trophic/observe/csv.hpp>
 #include <trophic/observe/progress.hpp>
+#include <trophic/support/new_file.hpp>
 
 namespace trophic::command {
 
@@ -38,7 +38,7 @@ struct Options {
   options.window.check(run.recording);
   const replay::GltfScene scene{run, options.window.start_s(run.recording), options.window.end_s(run.recording), options.follow};
   const std::string content = out.extension() == ".glb" ? scene.file().glb() : scene.file().gltf();
-  observe::LineFile{out, content};
+  write_new_file(out, content);
   std::cout << options.out << ": " << scene.individuals() << (scene.individuals() == 1 ? " robot, " : " robots, ")
             << scene.frames() << (scene.frames() == 1 ? " frame, " : " frames, ")
             << observe::short_text(static_cast<double>(content.size()) / 1e6) << " MB\n";

@@ -8,11 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <trophic/analysis/metrics/run_set.hpp>
@@ -25,6 +25,7 @@
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>
+#include <trophic/support/new_file.hpp>
 #include <utility>
 #include <vector>
 
@@ -121,7 +122,7 @@ inline void write(const Options& options) {
     for (const analysis::FlipEffect& effect : effects) csv.write(analysis::row_of(effect, direction));
     csv.flush();
   };
-  std::ofstream text{out / "flips.md"};
+  std::ostringstream text;
   for (const Direction& direction : directions) {
     write_rows(direction.name, direction.effects);
     text << "## " << direction.name << "\n\n";
@@ -142,8 +143,7 @@ inline void write(const Options& options) {
     analysis::print_shares(text, whole, first->effects, second->effects, groups);
     text << "\n*: decided in its direction. Sums that miss the whole difference show that the groups act on each other.\n";
   }
-  text.close();
-  if (!text) throw std::runtime_error{"cannot write " + (out / "flips.md").string()};
+  write_new_file(out / "flips.md", text.str());
   std::cout << "files   " << out.string() << "/{flips.csv,flips.md}\n";
   flush_output();
 }

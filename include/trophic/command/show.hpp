@@ -14,7 +14,7 @@
 #include <trophic/command/output.hpp>
 #include <trophic/command/replay/page.hpp>
 #include <trophic/command/replay/recorded_run.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/support/new_file.hpp>
 #include <vector>
 
 namespace trophic::command {
@@ -59,7 +59,7 @@ struct Options {
     for (const std::string& remark : runs.back().remarks) std::cerr << "trophic show: " << remark << "\n";
   }
   const std::string page = replay::page_of(runs, options.window);
-  observe::LineFile{options.out, page};
+  write_new_file(options.out, page);
   std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser, without a server\n";
   flush_output();
   return 0;

@@ -18,10 +18,8 @@ extern "C" char** environ;
 
 namespace trophic::film {
 
-Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s) : path_{path} {
-  if (std::filesystem::exists(std::filesystem::symlink_status(path))) {
-    throw std::runtime_error{"cannot create " + path.string() + ": it exists"};
-  }
+Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s)
+    : path_{path}, file_{path} {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
@@ -49,10 +47,10 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
                                  "veryfast",
                                  "-movflags",
                                  "+faststart",
-                                 "-n",
+                                 "-y",
                                  "-f",
                                  "mp4",
-                                 "file:" + path.string()};
+                                 "file:" + file_.part().string()};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -76,8 +74,6 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
 Encoder::~Encoder() {
   if (process_ < 0) return;
   static_cast<void>(wait());
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
 }
 
 int Encoder::wait() {
@@ -102,6 +98,7 @@ void Encoder::add(const Image& image) {
 void Encoder::finish() {
   const int status = wait();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error{"ffmpeg cannot make " + path_.string()};
+  file_.finish();
 }
 
 }  // namespace trophic::film

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/pictures/film/image.hpp>
+#include <trophic/support/new_file.hpp>
 
 namespace trophic::film {
 
@@ -37,7 +38,8 @@ void put(Image& into, const Image& image, std::size_t x, std::size_t y) {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(path.c_str(), "wbx"), &std::fclose};
+  NewFile whole{path};
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(whole.part().c_str(), "wb"), &std::fclose};
   if (!file) throw std::runtime_error{"cannot create " + path.string() + ": " + std::strerror(errno)};
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -48,6 +50,7 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   if (!written || std::fflush(file.get()) != 0) {
     throw std::runtime_error{"cannot write " + path.string() + ": " + (written ? std::strerror(errno) : png.message)};
   }
+  whole.finish();
 }
 
 }  // namespace trophic::film

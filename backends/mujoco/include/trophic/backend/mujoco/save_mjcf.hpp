@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <iterator>
 #include <span>
@@ -16,17 +15,11 @@
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <trophic/support/colour.hpp>
+#include <trophic/support/new_file.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::backend::mujoco {
-
-/// Throws std::runtime_error naming the file if not every byte reached it.
-inline void write_file(const std::filesystem::path& path, const std::string& content) {
-  std::ofstream file{path, std::ios::binary};
-  file << content << std::flush;
-  if (!file) throw std::runtime_error{path.string() + ": cannot be written"};
-}
 
 /// Of robots of which nobody says which colour they have.
 inline constexpr Colour any_robot{0.84F, 0.37F, 0.0F};
@@ -118,8 +111,8 @@ inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot
   std::ostringstream text;
   document.save(text, "  ");
   if (arena.height_field)
-    write_file(std::filesystem::path{path}.replace_extension(".hfield"), height_file_content(*arena.height_field));
-  write_file(path, text.str());
+    write_new_file(std::filesystem::path{path}.replace_extension(".hfield"), height_file_content(*arena.height_field));
+  write_new_file(path, text.str());
 }
 
 }  // namespace trophic::backend::mujoco

@@ -7,10 +7,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <trophic/pictures/film/image.hpp>
+#include <trophic/support/new_file.hpp>
 
 namespace trophic::film {
 
-/// A film in the making: H.264 in a new mp4 file.
+/// A film in the making: H.264 in a new mp4 file, which has its name once it is finished.
 class Encoder {
  public:
   /// `width` and `height` are even. Throws std::runtime_error where ffmpeg cannot be started or the file exists.
@@ -30,6 +31,7 @@ class Encoder {
   [[nodiscard]] int wait();
 
   std::filesystem::path path_;
+  NewFile file_;
   pid_t process_ = -1;
   int pipe_ = -1;
 };

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Definitions of new_file.hpp.
+#pragma once
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/support/new_file.hpp>
+#include <trophic/support/replace_file.ipp>
+#include <utility>
+
+namespace trophic {
+
+namespace detail {
+
+/// Opens a file and locks it. -1, with errno, where the system refuses; EWOULDBLOCK where another program has it.
+[[nodiscard]] inline int open_locked(const std::filesystem::path& path, int more_flags) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | more_flags, 0666);
+  if (file < 0) return -1;
+  struct stat opened {};
+  struct stat there {};
+  const bool is_taken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const bool is_there = ::fstat(file, &opened) == 0 && ::stat(path.c_str(), &there) == 0 && opened.st_ino == there.st_ino;
+  if (!is_taken && is_there) return file;
+  ::close(file);
+  errno = EWOULDBLOCK;
+  return -1;
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(path)}, part_{path_.string() + ".part"} {
+  const auto refuse = [&](const std::string& why) { throw std::runtime_error{"cannot create " + path_.string() + ": " + why}; };
+  const auto reason = [] {
+    return errno == EWOULDBLOCK || errno == EEXIST ? "another program is making it" : std::strerror(errno);
+  };
+  if (std::filesystem::exists(std::filesystem::symlink_status(path_))) refuse("it exists");
+  const int left = detail::open_locked(part_, 0);
+  if (left < 0) refuse(reason());
+  // Not the file itself: a program that a killed one had started may still write into it.
+  if (::unlink(part_.c_str()) == 0) file_ = detail::open_locked(part_, O_EXCL);
+  const std::string why = file_ < 0 ? reason() : "";
+  ::close(left);
+  if (file_ < 0) refuse(why);
+}
+
+TROPHIC_INLINE NewFile::~NewFile() {
+  if (file_ < 0) return;
+  ::unlink(part_.c_str());
+  ::close(file_);
+}
+
+TROPHIC_INLINE void NewFile::finish() {
+  if (::fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) {
+    throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
+  }
+  ::close(std::exchange(file_, -1));
+}
+
+TROPHIC_INLINE void write_new_file(const std::filesystem::path& path, std::string_view text) {
+  NewFile file{path};
+  if (!detail::write_onto_disk(file.part(), text)) {
+    throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(errno)};
+  }
+  file.finish();
+}
+
+}  // namespace trophic

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <support/temporary_folder.hpp>
+#include <trophic/support/new_file.hpp>
+#include <trophic/support/whole_file.hpp>
+
+using namespace trophic;
+using test::message_of;
+
+TEST_CASE("a new file has its name once it is finished, and what is not finished goes") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "film.mp4";
+  {
+    const NewFile file{path};
+    std::ofstream{file.part()} << "half";
+    CHECK_FALSE(std::filesystem::exists(path));
+    CHECK(message_of<std::runtime_error>([&] { NewFile{path}; }).ends_with("film.mp4: another program is making it"));
+    CHECK(read_whole_file(file.part()) == "half");
+  }
+  CHECK(std::filesystem::is_empty(folder.path()));
+  std::ofstream{folder.path() / "film.mp4.part"} << "what a killed program left there";
+  write_new_file(path, "whole");
+  CHECK(read_whole_file(path) == "whole");
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "film.mp4.part"));
+  CHECK(message_of<std::runtime_error>([&] { write_new_file(path, "other"); }).ends_with("film.mp4: it exists"));
+  CHECK(read_whole_file(path) == "whole");
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "film.mp4.part"));
+}
+
+TEST_CASE("a new file is not the one into which what a killed program started may still write") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "film.mp4";
+  std::ofstream still_written{folder.path() / "film.mp4.part"};
+  const NewFile file{path};
+  still_written << "of another film" << std::flush;
+  CHECK(read_whole_file(file.part()) == "");
+}
+
+TEST_CASE("a new file is made neither in a folder that is not there nor in a pipe") {
+  const test::TemporaryFolder folder;
+  const auto refusal = [&](const char* name) {
+    return message_of<std::runtime_error>([&] { write_new_file(folder.path() / name, "text"); });
+  };
+  CHECK(refusal("none/x").ends_with("none/x: No such file or directory"));
+  REQUIRE(::mkfifo((folder.path() / "pipe.part").c_str(), 0600) == 0);
+  CHECK(refusal("pipe").ends_with("pipe: No such device or address"));
+}
