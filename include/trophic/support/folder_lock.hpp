@@ -15,6 +15,15 @@
 
 namespace trophic {
 
+/// Locks what was opened by a name. False where another program has it, or has meanwhile taken its name away.
+[[nodiscard]] inline bool lock_named(int file, const std::filesystem::path& name) {
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+  struct stat opened {};
+  struct stat there {};
+  return ::fstat(file, &opened) == 0 && ::stat(name.c_str(), &there) == 0 && opened.st_dev == there.st_dev &&
+         opened.st_ino == there.st_ino;
+}
+
 /// While it lives, no other FolderLock on the folder can be made, in this program or another; the system drops it when a program
 /// dies. A file system without locks, as some of networks, gives none: then nobody is kept out.
 class FolderLock {
@@ -22,8 +31,7 @@ class FolderLock {
   /// Throws std::runtime_error if the folder cannot be opened, is locked, or has just been removed by who had it.
   explicit FolderLock(const std::filesystem::path& folder) : file_{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
     if (file_ < 0) throw std::runtime_error{folder.string() + ": is not a folder that can be opened"};
-    const bool is_taken = ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (is_taken || !is_at(folder)) {
+    if (!lock_named(file_, folder)) {
       ::close(file_);
       throw std::runtime_error{folder.string() + ": another program is running in it"};
     }
@@ -40,14 +48,6 @@ class FolderLock {
   }
 
  private:
-  /// Whether the folder has still the name by which it was opened.
-  [[nodiscard]] bool is_at(const std::filesystem::path& folder) const {
-    struct stat opened {};
-    struct stat there {};
-    return ::fstat(file_, &opened) == 0 && ::stat(folder.c_str(), &there) == 0 && opened.st_dev == there.st_dev &&
-           opened.st_ino == there.st_ino;
-  }
-
   int file_;
 };
 

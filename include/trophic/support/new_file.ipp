@@ -3,8 +3,6 @@
 #pragma once
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/support/folder_lock.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/replace_file.ipp>
 #include <utility>
@@ -25,12 +24,7 @@ namespace detail {
 /// Opens a file and locks it. -1, with errno, where the system refuses; EWOULDBLOCK where another program has it.
 [[nodiscard]] inline int open_locked(const std::filesystem::path& path, int more_flags) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | more_flags, 0666);
-  if (file < 0) return -1;
-  struct stat opened {};
-  struct stat there {};
-  const bool is_taken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  const bool is_there = ::fstat(file, &opened) == 0 && ::stat(path.c_str(), &there) == 0 && opened.st_ino == there.st_ino;
-  if (!is_taken && is_there) return file;
+  if (file < 0 || lock_named(file, path)) return file;
   ::close(file);
   errno = EWOULDBLOCK;
   return -1;
