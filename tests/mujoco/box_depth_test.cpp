@@ -219,7 +219,7 @@ TEST_CASE("a saved world keeps the request, and the default makes none") {
   const RobotModel robot = compare::brick({0.3, 0.3, 0.1}, 0.5, 1.0);
   const std::vector<Pose> starts{{.position_m = {0.0, 0.0, 1.0}}};
   for (const BoxDepth depth : {BoxDepth::engine, BoxDepth::whole}) {
-    const std::filesystem::path file = folder.path() / "world.xml";
+    const std::filesystem::path file = folder.path() / (depth == BoxDepth::whole ? "whole.xml" : "engine.xml");
     Mujoco{robot, load_arena("walled_square"), starts, {}, {.box_depth = depth}}.save_mjcf(file);
     const engine::ModelPtr model{mj_loadXML(file.c_str(), nullptr, nullptr, 0)};
     REQUIRE(model);

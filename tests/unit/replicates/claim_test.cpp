@@ -153,6 +153,27 @@ TEST_CASE("A claim without an owner's file is as old as its folder") {
   CHECK(Claim::take(folder.path(), 5, 60.0));
 }
 
+TEST_CASE("A run is claimed while others who have no more to do take the empty folder of claims away") {
+  const TemporaryFolder folder;
+  const std::vector<PlannedRun> plan = plan_with({1.0});
+  std::atomic<bool> is_over = false;
+  std::jthread others{[&] {
+    while (!is_over) sweep::remove_claims(folder.path(), plan);
+  }};
+  std::string failure;
+  int taken = 0;
+  for (int i = 0; i < 500; ++i) {
+    try {
+      if (Claim::take(folder.path() / sweep::claims_name, 0, long_lease_s)) ++taken;
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+  }
+  is_over = true;
+  CHECK(failure == "");
+  CHECK(taken == 500);
+}
+
 TEST_CASE("A claim whose owner's file is not one of this program's is another program's until its lease is over") {
   const TemporaryFolder folder;
   const fs::path claim = folder.path() / "5.0";

@@ -34,15 +34,17 @@ inline constexpr const char* owner_file = "owner.json";
   return claims / (std::to_string(run) + "." + std::to_string(generation));
 }
 
-/// Makes a folder that nobody else has.
+/// Makes a folder that nobody else has, and that of the claims, which others take away whenever it is empty.
 [[nodiscard]] inline std::filesystem::path new_folder(const std::filesystem::path& claims) {
   const std::string beginning = "new." + host_name() + "." + std::to_string(::gettid()) + ".";
-  for (std::size_t number = 0;; ++number) {
+  for (std::size_t number = 0;;) {
+    std::error_code error;
+    std::filesystem::create_directories(claims, error);
     std::filesystem::path folder = claims / (beginning + std::to_string(number));
     if (::mkdir(folder.c_str(), 0777) == 0) return folder;
-    if (errno != EEXIST) {
-      throw std::runtime_error{"cannot make " + folder.string() + ": " + std::generic_category().message(errno)};
-    }
+    if (errno == EEXIST) ++number;
+    if (errno == EEXIST || (errno == ENOENT && !error)) continue;
+    throw std::runtime_error{"cannot make " + folder.string() + ": " + std::generic_category().message(errno)};
   }
 }
 
@@ -166,8 +168,6 @@ TROPHIC_INLINE Claim::~Claim() {
 }
 
 TROPHIC_INLINE std::optional<Claim> Claim::take(const std::filesystem::path& claims, std::size_t run, double lease_s) {
-  std::error_code error;
-  std::filesystem::create_directories(claims, error);
   const auto last = detail::last_generation(claims, run);
   if (last && !detail::is_stale(detail::claim_folder(claims, run, *last), lease_s)) return std::nullopt;
   const std::size_t generation = last ? *last + 1 : 0;
@@ -175,6 +175,7 @@ TROPHIC_INLINE std::optional<Claim> Claim::take(const std::filesystem::path& cla
   const Json owner{{"host", host_name()}, {"process", ::getpid()}, {"space", detail::process_space()}};
   replace_file(own / detail::owner_file, json_text(owner) + "\n");
   const std::filesystem::path folder = detail::claim_folder(claims, run, generation);
+  std::error_code error;
   std::filesystem::rename(own, folder, error);
   if (error) {
     const std::string why = error.message();

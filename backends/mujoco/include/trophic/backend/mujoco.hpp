@@ -89,7 +89,7 @@ class Mujoco {
 
   /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
   /// `simulate` opens it; the heights of a height field go into a binary file beside it. `colours`: of each robot; those left out
-  /// are orange. Throws std::runtime_error.
+  /// are orange. Throws std::runtime_error, also where there is a file of the name already.
   void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours = {}) const;
 
  private:
