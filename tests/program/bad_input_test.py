@@ -71,6 +71,20 @@ class BadInput(InFolder):
         self.assertIn("--seed 7\\x0a: must be", self.run_refused("--seed", "7\n"))
         self.assertIn("a\\x0ab", self.refused(TROPHIC, "analyze", "a\nb", code=1))
 
+    def test_standard_streams_that_are_closed(self):
+        """What is printed must not go into the tables, whose files would have the streams' numbers."""
+        command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "100", "--seed", "3"]
+        self.assertEqual(subprocess.run([*command, "--out", "open"], cwd=self.folder, capture_output=True).returncode, 0)
+        for number, (closed, code) in enumerate([("<&-", 0), (">&-", 1), ("2>&-", 0), ("<&- >&-", 1), (">&- 2>&-", 1), ("<&- >&- 2>&-", 1)]):
+            with self.subTest(closed=closed):
+                out = f"closed{number}"
+                shell = ["sh", "-c", f'"$0" "$@" {closed}', *command, "--out", out]
+                done = subprocess.run(shell, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+                self.assertEqual(done.returncode, code, done.stderr)
+                for name in ("events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp"):
+                    whole = (self.folder / "open" / name).read_bytes()
+                    self.assertTrue((self.folder / out / name).read_bytes() == whole, name)
+
     def test_a_key_of_a_million_dots(self):
         dots = "a" + ".a" * 1_000_000
         config = self.folder / "dots.toml"

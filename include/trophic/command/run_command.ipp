@@ -2,6 +2,9 @@
 // The definitions of run_command.hpp: the only file that knows CLI11.
 #pragma once
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -195,6 +198,16 @@ TROPHIC_INLINE void use_installed_models() {
   if (!error && std::filesystem::is_directory(models, error)) ::setenv("TROPHIC_MODELS", models.c_str(), 0);
 }
 
+/// Keeps the numbers of standard streams that were closed (`>&-`) from files that the program opens: what it prints would go
+/// into a table. Nothing can be written to what stands there instead, so that it is noticed.
+TROPHIC_INLINE void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    // It takes the lowest number that is free: this stream's.
+    static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
+
 inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate did before
 
 /// Where memory ran out in a place that cannot throw, as in a destructor of a library that needs some: one line and `run_error`,
@@ -214,6 +227,7 @@ inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate
 }  // namespace detail
 
 TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command& command) {
+  detail::occupy_closed_streams();
   if (detail::die_otherwise == nullptr) detail::die_otherwise = std::set_terminate(&detail::give_up);
   detail::use_installed_models();
   std::string name = program_name(argv[0]);
