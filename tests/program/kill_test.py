@@ -9,6 +9,7 @@ import filecmp
 import json
 import os
 import random
+import resource
 import signal
 import subprocess
 import sys
@@ -88,7 +89,7 @@ class Killed(InFolder):
 
     def test_signals_stop_within_a_second_and_lose_nothing(self):
         self.whole(7)
-        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
+        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGXCPU], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
             with self.subTest(signals=signals):
                 out = f"parts{number}"
                 run = self.start(*self.command(out, 7))
@@ -160,6 +161,28 @@ class Killed(InFolder):
         again = self.finish(*self.command("run", 7, "--resume"))
         self.assertIn("goes on from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "run")
+
+    def test_a_file_that_may_grow_no_more(self):
+        self.whole(7)
+        limit = (self.folder / "whole" / "agents.csv").stat().st_size // 2
+        run = subprocess.run(
+            self.command("run", 7), cwd=self.folder, capture_output=True, text=True, timeout=60,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
+        )
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\nwhat was written before is in run\n$")
+        self.assertNotEqual(self.manifest("run")["status"], "complete")
+        again = self.finish(*self.command("run", 7, "--resume"))
+        self.assertIn("goes on from its checkpoint at", again.stdout, again.stderr)
+        self.assert_same("whole", "run")
+
+    def test_replicates_whose_reader_goes_away(self):
+        program = self.start(*self.command("set", 5, "--replicates", "4", "--jobs", "2"))
+        program.stdout.close()
+        errors = program.stderr.read()
+        self.assertEqual((program.wait(timeout=60), errors), (1, "trophic-predator-prey: cannot write to standard output\n"))
+        for number in range(4):
+            self.assertEqual(self.manifest(f"set/replicate-0{number}")["status"], "complete")
 
     def test_a_complete_run_is_left_as_it_is(self):
         self.whole(3)
