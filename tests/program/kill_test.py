@@ -37,8 +37,8 @@ class Killed(InFolder):
         chosen += [word for number in OPTIONS.numbers for word in ("--set", number)]
         return [OPTIONS.program, *chosen, "--seed", str(seed), "--checkpoint-s", OPTIONS.checkpoint_s, "--out", out, *arguments]
 
-    def start(self, *command):
-        return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def start(self, *command, preexec=None):
+        return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=preexec)
 
     def finish(self, *command):
         return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=3600)
@@ -112,9 +112,7 @@ class Killed(InFolder):
 
     def started_and_kept(self, out, preexec=None):
         """A run that has kept two checkpoints and goes on."""
-        command = self.command(out, 7)
-        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-        run = subprocess.Popen(command, cwd=self.folder, preexec_fn=preexec, **pipes)
+        run = self.start(*self.command(out, 7), preexec=preexec)
         while not (self.folder / out / "checkpoint.old.bin").exists() and run.poll() is None:
             time.sleep(0.001)
         return run

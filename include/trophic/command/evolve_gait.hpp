@@ -83,13 +83,11 @@ int run(const Options& options, const Config& config) {
     return print_text(settings_text(numbers));
   }
   gait_evolution::PreExperiment<Table, B> experiment{numbers, load_robot(numbers.robot)};
-  std::filesystem::path folder = options.resume;
-  if (options.resume.empty()) {
-    if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
-    folder = observe::make_new_folder(options.out);
-  }
+  const bool is_new = options.resume.empty();
+  if (is_new && options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
+  const std::filesystem::path folder = is_new ? observe::make_new_folder(options.out) : std::filesystem::path{options.resume};
   const FolderLock alone{folder};
-  if (options.resume.empty()) {
+  if (is_new) {
     replace_file(folder / "settings.toml", settings_text(numbers));
   } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
     gait_evolution::resume(experiment, folder);

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -105,6 +106,15 @@ TROPHIC_INLINE void check_text(const std::string& option, const std::string& tex
   if (text.empty()) throw std::invalid_argument{option + ": must not be empty"};
 }
 
+/// A check that throws, as CLI11 takes it: what it returns would be a complaint.
+TROPHIC_INLINE std::function<std::string(const std::string&)> validator(void (*check)(const std::string&, const std::string&),
+                                                                        std::string option) {
+  return [check, option = std::move(option)](const std::string& text) {
+    check(option, text);
+    return std::string{};
+  };
+}
+
 /// Throws std::invalid_argument for a word that is none of those that an option takes.
 TROPHIC_INLINE void check_word(const Option& option, const std::string& word) {
   if (std::ranges::find(option.words, word) != option.words.end()) return;
@@ -128,22 +138,13 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
     if (option.values > 0) added->expected(static_cast<int>(option.values));
     added->required(option.required);
     if (added->get_type_name() == "UINT") {
-      added->check([name = option.name](const std::string& text) {
-        check_whole_number(name, text);
-        return std::string{};
-      });
+      added->check(validator(check_whole_number, option.name));
     }
     if (added->get_type_name() == "FLOAT") {
-      added->check([name = option.name](const std::string& text) {
-        check_decimal_number(name, text);
-        return std::string{};
-      });
+      added->check(validator(check_decimal_number, option.name));
     }
     if (added->get_type_name() == "TEXT") {
-      added->check([name = option.name](const std::string& text) {
-        check_text(name, text);
-        return std::string{};
-      });
+      added->check(validator(check_text, option.name));
     }
     if (option.use == Words::demanded) {
       added->check([&option](const std::string& text) {
@@ -248,10 +249,7 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
     if (!command.version.empty())
       app.set_version_flag("--version", command.version, "print what this program is made of and stop");
     app.add_option("--completion", shell, "print the completion for a shell and stop: source <(" + name + " --completion bash)")
-        ->check([](const std::string& text) {
-          detail::check_text("--completion", text);
-          return std::string{};
-        });
+        ->check(detail::validator(detail::check_text, "--completion"));
     for (const Command& subcommand : command.subcommands) {
       added.push_back(app.add_subcommand(subcommand.name, subcommand.about));
       detail::add_options(*added.back(), subcommand);

@@ -19,6 +19,8 @@ class NewFile {
   /// What was not finished goes.
   ~NewFile();
 
+  /// Its name.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Where to write until then: an empty file.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
 

@@ -18,8 +18,7 @@ extern "C" char** environ;
 
 namespace trophic::film {
 
-Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s)
-    : path_{path}, file_{path} {
+Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s) : file_{path} {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
@@ -72,8 +71,7 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
 }
 
 Encoder::~Encoder() {
-  if (process_ < 0) return;
-  static_cast<void>(wait());
+  if (process_ >= 0) static_cast<void>(wait());
 }
 
 int Encoder::wait() {
@@ -90,14 +88,14 @@ void Encoder::add(const Image& image) {
   for (std::size_t at = 0; at < image.rgb.size();) {
     const ssize_t taken = ::write(pipe_, image.rgb.data() + at, image.rgb.size() - at);
     if (taken < 0 && errno == EINTR) continue;
-    if (taken <= 0) throw std::runtime_error{"ffmpeg takes no more pictures for " + path_.string()};
+    if (taken <= 0) throw std::runtime_error{"ffmpeg takes no more pictures for " + file_.path().string()};
     at += static_cast<std::size_t>(taken);
   }
 }
 
 void Encoder::finish() {
   const int status = wait();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error{"ffmpeg cannot make " + path_.string()};
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error{"ffmpeg cannot make " + file_.path().string()};
   file_.finish();
 }
 

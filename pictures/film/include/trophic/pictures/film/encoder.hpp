@@ -30,7 +30,6 @@ class Encoder {
  private:
   [[nodiscard]] int wait();
 
-  std::filesystem::path path_;
   NewFile file_;
   pid_t process_ = -1;
   int pipe_ = -1;
