@@ -119,6 +119,7 @@ struct Wanted {
   std::filesystem::path out;
   bool at_rest = false;
   double timestep_s = rules::Paper::physics().timestep_s;
+  double room = 1.0;
 };
 
 template <class Backend>
@@ -132,8 +133,8 @@ bool soak(const Wanted& wanted) {
   numbers.physics.timestep_s = wanted.timestep_s;
   numbers.rules.community.predators = wanted.robots * 14 / 30;
   if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 2;
-  // As crowded as the table's thirty.
-  const double larger = std::sqrt(static_cast<double>(wanted.robots) / static_cast<double>(rules::Paper::ecology().robots));
+  const double larger =
+      std::sqrt(wanted.room * static_cast<double>(wanted.robots) / static_cast<double>(rules::Paper::ecology().robots));
   Habitat habitat = load_habitat(numbers.ecology);
   habitat.arena.half_side_m *= larger;
   habitat.arena.extent_m *= larger;
@@ -175,6 +176,9 @@ int main(int argc, char** argv) try {
   app.add_option("OUT", wanted.out)->required();
   app.add_flag("--rest", wanted.at_rest, "robots that only lie there");
   app.add_option("--timestep-s", wanted.timestep_s, "of MuJoCo's steps")->capture_default_str();
+  app.add_option("--room", wanted.room, "floor for each robot, times that of the table's thirty")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   const bool done = backend == "mujoco" ? soak<backend::Mujoco>(wanted) : soak<backend::Kinematic>(wanted);
   if (!done) return 3;

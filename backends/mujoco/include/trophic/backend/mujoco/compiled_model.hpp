@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A compiled MuJoCo model of k robots, the working memory in which threads step it, and where a robot's numbers are in it.
+// A compiled MuJoCo model of k robots, the working memories in which threads step it, and where a robot's numbers are in it.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -31,9 +32,10 @@ struct Layout {
 /// k robots in one scene. Robot j's numbers are the j-th share of qpos, qvel and ctrl.
 class CompiledModel {
  public:
+  /// `memories`: how many threads can step it at the same time.
   CompiledModel(const RobotModel& robot, const Arena& arena, const Physics& physics, const Scene& scene, std::size_t robots,
-                std::size_t threads)
-      : robots_{robots}, data_(threads), taken_(threads, false) {
+                std::size_t memories)
+      : robots_{robots}, data_(memories), taken_(memories, false) {
     const std::string height_file = "ground.hfield";
     // MuJoCo steps what it compiles once: far enough apart and above the ground nothing touches.
     std::vector<Pose> apart(robots);
@@ -55,9 +57,8 @@ class CompiledModel {
   [[nodiscard]] const mjModel& model() const { return *model_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
-  /// One of the working memories, of which there may be as many as threads, made at its first use. Nobody else may use it
-  /// meanwhile. Most of a crowd's is the square matrix of the dual solvers, which MuJoCo fills with zeros and the Newton solver
-  /// never looks at.
+  /// One of the working memories, made at its first use. Nobody else may use it meanwhile. Most of a crowd's is the square matrix
+  /// of the dual solvers, which MuJoCo fills with zeros and the Newton solver never looks at.
   [[nodiscard]] mjData& data(std::size_t slot) {
     if (!data_[slot]) {
       const EngineGuard guard;
@@ -70,20 +71,29 @@ class CompiledModel {
     return *data_[slot];
   }
 
-  /// For a thread that steps some group next: the first working memory that no other thread holds a turn of. A model of which one
-  /// group is stepped at a time has one, whichever threads do it.
+  /// Working memories that were made.
+  [[nodiscard]] std::size_t memories() const {
+    return static_cast<std::size_t>(std::ranges::count_if(data_, [](const DataPtr& data) { return data != nullptr; }));
+  }
+
+  /// For a thread that steps some group next: the first working memory that no other thread holds a turn of, once there is one.
+  /// A model of which one group is stepped at a time uses one, whichever threads do it.
   class Turn {
    public:
     explicit Turn(CompiledModel& model) : model_{model} {
-      const std::lock_guard lock{model_.taking_};
-      const auto free = std::ranges::find(model_.taken_, false);
-      if (free == model_.taken_.end()) throw std::logic_error{"more threads than working memories"};
+      std::unique_lock lock{model_.taking_};
+      const auto first_free = [&] { return std::ranges::find(model_.taken_, false); };
+      model_.freed_.wait(lock, [&] { return first_free() != model_.taken_.end(); });
+      const auto free = first_free();
       *free = true;
       slot_ = static_cast<std::size_t>(free - model_.taken_.begin());
     }
     ~Turn() {
-      const std::lock_guard lock{model_.taking_};
-      model_.taken_[slot_] = false;
+      {
+        const std::lock_guard lock{model_.taking_};
+        model_.taken_[slot_] = false;
+      }
+      model_.freed_.notify_one();
     }
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
@@ -150,6 +160,7 @@ class CompiledModel {
   std::vector<DataPtr> data_;
   std::vector<bool> taken_;
   std::mutex taking_;
+  std::condition_variable freed_;
 };
 
 }  // namespace trophic::backend::mujoco

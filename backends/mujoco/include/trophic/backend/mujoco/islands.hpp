@@ -30,7 +30,12 @@ class Islands {
   Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast, BoxDepth box_depth)
       : robot_{robot}, arena_{arena}, physics_{physics}, box_depth_{box_depth}, pool_{std::make_unique<ThreadPool>(threads)} {
     if (!fast) return;
-    if (auto constants = kernel::read_model(model_for({1, true}).model())) lanes_.emplace(std::move(*constants), threads);
+    constexpr ModelKey alone_with_walls = {1, true};
+    auto model = make_model(alone_with_walls, 1);
+    auto constants = kernel::read_model(model->model());
+    if (!constants) return;
+    lanes_.emplace(std::move(*constants), threads);
+    models_[alone_with_walls].model = std::move(model);
   }
 
   [[nodiscard]] const Layout& layout() { return model_for({1, false}).layout(); }
@@ -40,6 +45,11 @@ class Islands {
   static constexpr std::uint64_t keeps_idle_models_for = 1000;
 
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< kept now
+  [[nodiscard]] std::size_t memories() const {                         ///< of the models kept now
+    std::size_t sum = 0;
+    for (const auto& [key, kept] : models_) sum += kept.model->memories();
+    return sum;
+  }
 
   /// Takes all steps from the states in `from` to those in `to`; a result that is not `done` leaves `to` undefined.
   [[nodiscard]] GroupResult advance(const RobotStates& from, std::span<const double> targets_rad, std::size_t steps,
@@ -77,16 +87,22 @@ class Islands {
     return key.first > kernel::lane_count && advances_ - kept.last_used > keeps_idle_models_for;
   }
 
+  [[nodiscard]] std::unique_ptr<CompiledModel> make_model(const ModelKey& key, std::size_t memories) const {
+    const auto collisions = key.first <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
+    const Scene scene{.walls = key.second, .collisions = collisions, .servos = Servos::combined, .box_depth = box_depth_};
+    return std::make_unique<CompiledModel>(robot_, arena_, physics_, scene, key.first, memories);
+  }
+
   CompiledModel& model_for(const ModelKey& key) {
     auto& [model, last_used] = models_[key];
     last_used = advances_;
-    if (!model) {
-      const auto collisions = key.first <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
-      const Scene scene{.walls = key.second, .collisions = collisions, .servos = Servos::combined, .box_depth = box_depth_};
-      model = std::make_unique<CompiledModel>(robot_, arena_, physics_, scene, key.first, pool_->threads());
-    }
+    if (!model) model = make_model(key, by_kernel(key.first) ? 1 : pool_->threads());
     return *model;
   }
+
+  /// Whether the kernel steps groups of so many robots. What it leaves to MuJoCo is so little that threads wait for each other
+  /// there: a working memory for each would be used some time or other, so that a long run would hold more and more.
+  [[nodiscard]] bool by_kernel(std::size_t robots) const { return lanes_ && robots <= kernel::lane_count; }
 
   [[nodiscard]] bool near_wall(const Disc& disc) const {
     return !arena_.height_field && std::max(std::abs(disc.x_m), std::abs(disc.y_m)) + disc.radius_m >= arena_.half_side_m;
@@ -104,8 +120,7 @@ class Islands {
     const auto model_of = [&](const std::vector<std::size_t>& group) -> CompiledModel& {
       return model_for({group.size(), std::ranges::any_of(group, [&](std::size_t robot) { return near_wall(discs_[robot]); })});
     };
-    const auto fits = [](const std::vector<std::size_t>& group) { return group.size() <= kernel::lane_count; };
-    const auto first_fitting = lanes_ ? std::ranges::find_if(groups, fits) : groups.end();
+    const auto first_fitting = std::ranges::find_if(groups, [&](const auto& group) { return by_kernel(group.size()); });
     const std::span large{groups.begin(), first_fitting};
     models_of_large_.clear();
     for (const std::vector<std::size_t>& group : large) models_of_large_.push_back(&model_of(group));
