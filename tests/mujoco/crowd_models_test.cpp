@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <mujoco/worlds.hpp>
 #include <numeric>
-#include <stdexcept>
 #include <support/memory.hpp>
+#include <thread>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
@@ -115,7 +117,42 @@ TEST_CASE("threads that step one model at the same time have a working memory ea
     const engine::CompiledModel::Turn second{model};
     CHECK(first.slot() == 0);
     CHECK(second.slot() == 1);
-    CHECK_THROWS_WITH_AS(engine::CompiledModel::Turn{model}, "more threads than working memories", std::logic_error);
   }
   for (int i = 0; i < 3; ++i) CHECK(engine::CompiledModel::Turn{model}.slot() == 0);
+}
+
+TEST_CASE("a thread for which there is no working memory waits for one") {
+  engine::CompiledModel model{spider, square, {}, {}, 1, 1};
+  std::atomic<bool> is_over = false;
+  bool waited = false;
+  std::thread other;
+  {
+    const engine::CompiledModel::Turn first{model};
+    other = std::thread{[&] {
+      const engine::CompiledModel::Turn second{model};
+      waited = is_over;
+    }};
+    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    is_over = true;
+  }
+  other.join();
+  CHECK(waited);
+}
+
+TEST_CASE("what the kernel leaves to MuJoCo takes one working memory a model, what it never steps one for each thread") {
+  constexpr std::size_t threads = 3;
+  const auto memories = [&](bool fast, std::size_t together) {
+    engine::Islands islands{spider, square, {}, threads, fast, engine::BoxDepth::engine};
+    const engine::RobotStates crowd = in_a_row(islands, 1.2 * spider.bounding_radius_m, together);
+    engine::RobotStates next = crowd;
+    const std::vector<double> targets_rad(together * spider.hinges.size(), 0.4);
+    const std::size_t before = islands.memories();
+    REQUIRE(islands.advance(crowd, targets_rad, 1, next).end == engine::GroupResult::End::done);
+    REQUIRE(islands.models() > 1);
+    return islands.memories() - before;
+  };
+  CHECK(memories(true, 2) == 1);
+  CHECK(memories(true, 4) == 1);
+  CHECK(memories(true, 5) == threads);
+  CHECK(memories(false, 2) == threads);
 }

@@ -54,6 +54,7 @@ class CompiledModel {
   }
 
   [[nodiscard]] std::size_t robots() const { return robots_; }
+  [[nodiscard]] std::size_t memories() const { return data_.size(); }  ///< that it can come to have
   [[nodiscard]] const mjModel& model() const { return *model_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
@@ -69,11 +70,6 @@ class CompiledModel {
       give_back_pages(data_[slot]->efc_AR_colind, rows * rows * sizeof(int));
     }
     return *data_[slot];
-  }
-
-  /// Working memories that were made.
-  [[nodiscard]] std::size_t memories() const {
-    return static_cast<std::size_t>(std::ranges::count_if(data_, [](const DataPtr& data) { return data != nullptr; }));
   }
 
   /// For a thread that steps some group next: the first working memory that no other thread holds a turn of, once there is one.

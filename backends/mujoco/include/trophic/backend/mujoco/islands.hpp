@@ -45,7 +45,8 @@ class Islands {
   static constexpr std::uint64_t keeps_idle_models_for = 1000;
 
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< kept now
-  [[nodiscard]] std::size_t memories() const {                         ///< of the models kept now
+  /// Working memories that the models kept now can come to have.
+  [[nodiscard]] std::size_t memories() const {
     std::size_t sum = 0;
     for (const auto& [key, kept] : models_) sum += kept.model->memories();
     return sum;
