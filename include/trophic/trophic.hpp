@@ -39,6 +39,7 @@
 #include <trophic/analysis/report/sweep_rows.hpp>
 #include <trophic/analysis/report/sweep_tables.hpp>
 #include <trophic/analysis/report/sweep_text.hpp>
+#include <trophic/analysis/report/table_file.hpp>
 #include <trophic/analysis/report/text_table.hpp>
 #include <trophic/analysis/statistics/difference.hpp>
 #include <trophic/analysis/statistics/effect_size.hpp>

@@ -65,8 +65,8 @@ class CrossCheck(InFolderWithSets):
                 for part in parts:
                     self.assertIn(part, result.stderr)
                 self.assertFalse((self.folder / "new").exists())
-        self.assertEqual(self.call("--out", "new", "--runs", paper, "nosuch").returncode, 1)
-        self.assertEqual(self.call("--out", "new", "--robot", "nosuch").returncode, 1)
+        self.assertEqual(self.call("--out", "new", "--runs", paper, "nosuch").returncode, 2)
+        self.assertEqual(self.call("--out", "new", "--robot", "nosuch").returncode, 2)
         self.assertFalse((self.folder / "new").exists())
 
 

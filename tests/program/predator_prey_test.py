@@ -325,8 +325,8 @@ class Refusals(PredatorPrey):
     def test_broken_files(self):
         (self.folder / "bad.toml").write_text("[ecology]\nrobots = = 3\n")
         self.assert_refused(self.call("--config", "bad.toml", "--out", "x"), 2, "bad.toml:2")
-        self.assert_refused(self.call("--config", "missing.toml", "--out", "x"), 1, "missing.toml")
-        self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), 1, "nosuch", "searched")
+        self.assert_refused(self.call("--config", "missing.toml", "--out", "x"), 2, "missing.toml")
+        self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), 2, "nosuch", "searched")
         (self.folder / "robot.toml").write_text('name = "x"\n[core.front]\nmodule = "wheel"\n')
         self.assert_refused(self.call("--robot", "./robot.toml", "--out", "x"), 2, "robot.toml", "wheel")
         (self.folder / "numbers.toml").write_text("seed = -1\n")

@@ -120,6 +120,7 @@ struct Wanted {
   bool at_rest = false;
   double timestep_s = rules::Paper::physics().timestep_s;
   double room = 1.0;
+  std::string gait;
 };
 
 template <class Backend>
@@ -130,6 +131,7 @@ bool soak(const Wanted& wanted) {
   }
   Experiment<rules::Paper, Backend> numbers;
   numbers.ecology.robots = wanted.robots;
+  numbers.ecology.gait = wanted.gait;
   numbers.physics.timestep_s = wanted.timestep_s;
   numbers.rules.community.predators = wanted.robots * 14 / 30;
   if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 2;
@@ -179,6 +181,7 @@ int main(int argc, char** argv) try {
   app.add_option("--room", wanted.room, "floor for each robot, times that of the table's thirty")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_option("--gait", wanted.gait, "name or path of a gait file (the spider's own)");
   CLI11_PARSE(app, argc, argv);
   const bool done = backend == "mujoco" ? soak<backend::Mujoco>(wanted) : soak<backend::Kinematic>(wanted);
   if (!done) return 3;

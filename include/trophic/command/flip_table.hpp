@@ -19,10 +19,10 @@
 #include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/analysis/report/flips.hpp>
+#include <trophic/analysis/report/table_file.hpp>
 #include <trophic/command/flips.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
-#include <trophic/observe/csv.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/parallel.hpp>
 #include <trophic/support/new_file.hpp>
@@ -117,10 +117,9 @@ inline void write(const Options& options) {
   if (directions.size() > 2) throw std::invalid_argument{options.runs + ": has more than two folders from_TABLE"};
 
   const auto out = observe::make_new_folder(options.out);
-  observe::CsvFile<analysis::FlipRow> csv{out / "flips.csv"};
+  analysis::TableFile<analysis::FlipRow> csv{out / "flips.csv"};
   const auto write_rows = [&csv](const std::string& direction, std::span<const analysis::FlipEffect> effects) {
     for (const analysis::FlipEffect& effect : effects) csv.write(analysis::row_of(effect, direction));
-    csv.flush();
   };
   std::ostringstream text;
   for (const Direction& direction : directions) {
@@ -143,6 +142,7 @@ inline void write(const Options& options) {
     analysis::print_shares(text, whole, first->effects, second->effects, groups);
     text << "\n*: decided in its direction. Sums that miss the whole difference show that the groups act on each other.\n";
   }
+  csv.finish();
   write_new_file(out / "flips.md", text.str());
   std::cout << "files   " << out.string() << "/{flips.csv,flips.md}\n";
   flush_output();

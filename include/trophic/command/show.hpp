@@ -33,13 +33,9 @@ struct Options {
 [[nodiscard]] inline std::vector<std::filesystem::path> folders_of(const Options& options) {
   std::vector<std::filesystem::path> folders;
   for (const std::string& name : options.runs) {
-    try {
-      std::vector<std::string> remarks;
-      for (const auto& folder : analysis::run_folders(name, remarks)) folders.push_back(folder);
-      for (const std::string& remark : remarks) std::cerr << "trophic show: " << remark << "\n";
-    } catch (const std::runtime_error& error) {
-      throw std::invalid_argument{error.what()};
-    }
+    std::vector<std::string> remarks;
+    for (const auto& folder : analysis::run_folders(name, remarks)) folders.push_back(folder);
+    for (const std::string& remark : remarks) std::cerr << "trophic show: " << remark << "\n";
   }
   if (folders.empty()) throw std::invalid_argument{"runs: no run is there"};
   if (folders.size() > most_runs) {

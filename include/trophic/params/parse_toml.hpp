@@ -36,8 +36,7 @@ class TomlError : public std::invalid_argument {
 /// outside of texts and comments or behind a backslash and blanks.
 [[nodiscard]] toml::table parse_toml(std::string_view text);
 
-/// The same of a file. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, where it cannot be read, std::runtime_error
-/// "FILE: ...".
+/// The same of a file. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, where it cannot be read, "FILE: ...".
 [[nodiscard]] toml::table parse_toml_file(const std::string& path);
 
 }  // namespace trophic

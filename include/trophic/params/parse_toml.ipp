@@ -143,12 +143,7 @@ TROPHIC_INLINE toml::table parse_toml(std::string_view text) {
 }
 
 TROPHIC_INLINE toml::table parse_toml_file(const std::string& path) {
-  std::string text;
-  try {
-    text = read_whole_file(path, detail::most_toml_bytes);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error{error.what()};
-  }
+  const std::string text = read_whole_file(path, detail::most_toml_bytes);
   try {
     return parse_toml(text);
   } catch (const TomlError& error) {

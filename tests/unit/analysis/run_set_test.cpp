@@ -64,9 +64,10 @@ TEST_CASE("a run without manifest is left out, one with a broken table keeps its
   CHECK(*value(1, {"attribution_caught", "prey", "all", "1"}) == 1.0);
   CHECK(*value(0, {"wall_sticking", "prey", "all", "1"}) == 1.0);
   CHECK_FALSE(value(1, {"wall_sticking", "prey", "all", "1"}));
-  CHECK(message_of<std::runtime_error>([&] { static_cast<void>(read_set(Paths{bare})); }).starts_with("no run can be read: "));
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{bare})); }).starts_with("no run can be read: "));
   const auto none = folder.path() / "none";
-  CHECK(message_of<std::runtime_error>([&] { static_cast<void>(read_set(Paths{none})); }) == none.string() + ": is not a folder");
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{none})); }) ==
+        none.string() + ": is not a folder");
 }
 
 TEST_CASE("the shadow in the runs' folder is found, another one can be named") {

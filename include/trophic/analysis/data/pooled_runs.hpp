@@ -23,10 +23,10 @@ struct PooledRuns {
 };
 
 /// The folders of the runs that a path stands for: the path itself, or the replicates that its replicates.json lists. A listed
-/// one that is not there goes to `remarks`. Throws std::runtime_error for a path that is no folder or a broken list.
+/// one that is not there goes to `remarks`. Throws std::invalid_argument for a path that is no folder or a broken list.
 [[nodiscard]] inline std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path,
                                                                     std::vector<std::string>& remarks) {
-  if (!std::filesystem::is_directory(path)) throw std::runtime_error{path.string() + ": is not a folder"};
+  if (!std::filesystem::is_directory(path)) throw std::invalid_argument{path.string() + ": is not a folder"};
   const std::filesystem::path list = path / "replicates.json";
   if (!std::filesystem::exists(list)) return {path};
   std::vector<std::filesystem::path> folders;
@@ -41,9 +41,7 @@ struct PooledRuns {
       }
     }
   } catch (const Json::exception& error) {
-    throw std::runtime_error{list.string() + ": " + error.what()};
-  } catch (const std::invalid_argument& error) {  // what cannot be read
-    throw std::runtime_error{error.what()};
+    throw std::invalid_argument{list.string() + ": " + error.what()};
   }
   return folders;
 }
@@ -85,7 +83,7 @@ struct PooledRuns {
 
 /// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
 /// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, beginning, status,
-/// duration or the ticks in agents.csv, or if one is there twice; std::runtime_error if nothing can be read.
+/// duration or the ticks in agents.csv, if one is there twice, or if nothing can be read.
 [[nodiscard]] inline PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut) {
   PooledRuns pooled;
   std::vector<std::filesystem::path> folders;
@@ -106,7 +104,7 @@ struct PooledRuns {
     pooled.manifests.push_back(std::move(manifest));
   }
   if (pooled.manifests.empty()) {
-    throw std::runtime_error{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
+    throw std::invalid_argument{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
   }
   if (const std::string& begins = pooled.manifests.front().begins; pooled.manifests.size() > 1 && !begins.empty()) {
     pooled.remarks.push_back("all runs begin " + begins +

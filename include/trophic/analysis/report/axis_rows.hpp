@@ -12,9 +12,9 @@
 #include <string>
 #include <trophic/analysis/report/axis_effects.hpp>
 #include <trophic/analysis/report/reading.hpp>
+#include <trophic/analysis/report/table_file.hpp>
 #include <trophic/analysis/report/text_table.hpp>
 #include <trophic/observe/column.hpp>
-#include <trophic/observe/csv.hpp>
 #include <tuple>
 #include <vector>
 
@@ -89,9 +89,9 @@ struct AxisEffectRow {
 
 /// Writes sweep_effects.csv. Throws std::runtime_error if it exists or cannot be written.
 inline void write_axis_effects(const std::filesystem::path& path, std::span<const AxisEffect> effects) {
-  observe::CsvFile<AxisEffectRow> file{path};
+  TableFile<AxisEffectRow> file{path};
   for (const AxisEffect& effect : effects) file.write(row_of(effect));
-  file.flush();
+  file.finish();
 }
 
 /// One line for each axis and metric of which a value is decided, the value with the largest effect.

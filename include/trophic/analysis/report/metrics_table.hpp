@@ -12,8 +12,8 @@
 #include <trophic/analysis/metrics/measurement.hpp>
 #include <trophic/analysis/metrics/run_set.hpp>
 #include <trophic/analysis/report/summary.hpp>
+#include <trophic/analysis/report/table_file.hpp>
 #include <trophic/observe/column.hpp>
-#include <trophic/observe/csv.hpp>
 #include <tuple>
 
 namespace trophic::analysis {
@@ -49,7 +49,7 @@ struct MetricRow {
 
 /// Throws std::runtime_error if the file exists or cannot be written.
 inline void write_metrics(const std::filesystem::path& path, std::span<const ShadowedSet> sets) {
-  observe::CsvFile<MetricRow> file{path};
+  TableFile<MetricRow> file{path};
   const auto write = [&](const std::string& label, const RunSet& set, bool is_shadow) {
     for (std::size_t i = 0; i < set.runs.size(); ++i) {
       std::string run = set.manifests[i].folder.lexically_normal().filename().string();
@@ -82,6 +82,7 @@ inline void write_metrics(const std::filesystem::path& path, std::span<const Sha
     write(set.ours.label, set.ours, false);
     if (set.shadow) write(set.ours.label, *set.shadow, true);
   }
+  file.finish();
 }
 
 }  // namespace trophic::analysis

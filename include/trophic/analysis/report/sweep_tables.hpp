@@ -15,10 +15,12 @@
 #include <trophic/analysis/metrics/sweep_values.hpp>
 #include <trophic/analysis/report/cell_differences.hpp>
 #include <trophic/analysis/report/sweep_rows.hpp>
+#include <trophic/analysis/report/table_file.hpp>
 #include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/support/new_file.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -61,15 +63,15 @@ namespace detail {
 /// Writes cells.csv. `until_s`: as in measure_sweep. Throws std::runtime_error if it exists or cannot be written.
 inline void write_cells(const std::filesystem::path& path, const SweepRuns& sweep, std::optional<double> until_s = {}) {
   std::vector<const Axis*> settings;
-  std::string header = observe::header_of<CellRow>();
-  header.pop_back();
+  std::string text = observe::header_of<CellRow>();
+  text.pop_back();
   for (const Axis& axis : sweep.grid.axes) {
     if (axis.name == "rule_table" || axis.name == "engine") continue;
     settings.push_back(&axis);
-    header += ',';
-    observe::detail::append_cell(header, axis.name);
+    text += ',';
+    observe::detail::append_cell(text, axis.name);
   }
-  observe::LineFile file{path, header + '\n'};
+  text += '\n';
   for (std::size_t i = 0; i < sweep.grid.cells.size(); ++i) {
     const GridCell& cell = sweep.grid.cells[i];
     const sweep::PlannedRun& run = sweep.plan[cell.first];
@@ -81,7 +83,6 @@ inline void write_cells(const std::filesystem::path& path, const SweepRuns& swee
                       .runs_planned = static_cast<std::size_t>(planned),
                       .shadow_runs = detail::runs_there(sweep, cell, &GridReplicate::shadow),
                       .until_s = until_s.value_or(run.until_s)};
-    std::string& text = file.buffer();
     observe::append_row(text, row, FoodWeb{{}, {}});
     text.pop_back();
     for (const Axis* axis : settings) {
@@ -90,12 +91,12 @@ inline void write_cells(const std::filesystem::path& path, const SweepRuns& swee
     }
     text += '\n';
   }
-  file.flush();
+  write_new_file(path, text);
 }
 
 /// Writes runs.csv. Errors as write_cells.
 inline void write_runs(const std::filesystem::path& path, const SweepRuns& sweep, const SweepValues& values) {
-  observe::CsvFile<SweepRunRow> file{path};
+  TableFile<SweepRunRow> file{path};
   for (const sweep::PlannedRun& run : sweep.plan) {
     for (std::size_t m = 0; m < values.names.size(); ++m) {
       const auto value = values.value(run.index, m);
@@ -112,25 +113,27 @@ inline void write_runs(const std::filesystem::path& path, const SweepRuns& sweep
     }
     file.flush();
   }
+  file.finish();
 }
 
 /// Writes sweep_metrics.csv. Errors as write_cells.
 inline void write_sweep_metrics(const std::filesystem::path& path, const SweepGrid& grid, const SweepValues& values) {
-  observe::CsvFile<SweepMetricRow> file{path};
+  TableFile<SweepMetricRow> file{path};
   for (const GridCell& cell : grid.cells) {
     for (std::size_t m = 0; m < values.names.size(); ++m) {
       file.write(detail::metric_row(cell.number, values.names[m], cell_values(cell, values, m)));
     }
     file.flush();
   }
+  file.finish();
 }
 
 /// Writes sweep_differences.csv. Errors as write_cells.
 inline void write_sweep_differences(const std::filesystem::path& path, const CellDifferences& differences,
                                     std::size_t reference) {
-  observe::CsvFile<SweepDifferenceRow> file{path};
+  TableFile<SweepDifferenceRow> file{path};
   for (const CellDifference& each : differences.all) file.write(row_of(each, reference));
-  file.flush();
+  file.finish();
 }
 
 }  // namespace trophic::analysis

@@ -15,8 +15,8 @@ namespace trophic {
 
 /// The arena of a file, by name ("walled_square") or path: `side_m` for a plane with four walls, or `robots_per_m2` for one whose
 /// side follows the number of `robots`, or `half_extent_m` and the rows `height_m` for a height field, whose floor then reaches
-/// as far as its heights are 0. Throws std::runtime_error for a file that cannot be found, read or parsed and
-/// std::invalid_argument "FILE: KEY = VALUE: must be ..." for its content.
+/// as far as its heights are 0. Throws std::invalid_argument for a file that cannot be found, read or parsed, and "FILE: KEY =
+/// VALUE: must be ..." for its content.
 [[nodiscard]] Arena load_arena(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR,
                                std::size_t robots = 1);
 

@@ -12,8 +12,8 @@ namespace trophic {
 
 class TomlWriter;
 
-/// The gait of a file, by name ("spider_published") or path (format: models/README.md). Throws std::runtime_error for a file that
-/// cannot be found, read or parsed and std::invalid_argument "FILE: KEY = VALUE: must be ..." for its content.
+/// The gait of a file, by name ("spider_published") or path (format: models/README.md). Throws std::invalid_argument for a file
+/// that cannot be found, read or parsed, and "FILE: KEY = VALUE: must be ..." for its content.
 [[nodiscard]] Gait load_gait(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR);
 
 /// Writes what `load_gait` reads back as exactly the same gait (but pairs with weight 0 are left out).

@@ -10,8 +10,8 @@
 
 namespace trophic {
 
-/// Loads and checks the three models. Throws std::runtime_error for a file that is missing or broken and std::invalid_argument
-/// for content that does not fit, each naming file and key.
+/// Loads and checks the three models. Throws std::invalid_argument for a file that is missing or broken, or whose content does
+/// not fit, naming file and key.
 [[nodiscard]] Habitat load_habitat(const EcologyParams& ecology, std::string_view installed = TROPHIC_MODEL_DIR);
 
 }  // namespace trophic

@@ -21,7 +21,7 @@ enum class ModelKind { robot, arena, gait };
 [[nodiscard]] std::vector<std::filesystem::path> model_folders(std::string_view installed = TROPHIC_MODEL_DIR);
 
 /// The file of a model. A text with a '/' or ending in ".toml" is a path and taken as it is; any other is a name:
-/// FOLDER/robots/NAME.toml and so on. Throws std::runtime_error listing every place that was searched.
+/// FOLDER/robots/NAME.toml and so on. Throws std::invalid_argument listing every place that was searched.
 [[nodiscard]] std::filesystem::path find_model(ModelKind kind, std::string_view name_or_path,
                                                std::string_view installed = TROPHIC_MODEL_DIR);
 

@@ -36,8 +36,8 @@ TROPHIC_INLINE std::filesystem::path find_model(ModelKind kind, std::string_view
     if (std::filesystem::is_regular_file(place, ignored)) return place;
     searched += (searched.empty() ? "" : ", ") + place.string();
   }
-  throw std::runtime_error{"no " + std::string{folder.substr(0, folder.size() - 1)} + " \"" + std::string{name_or_path} +
-                           "\"; searched: " + (searched.empty() ? "nowhere (set TROPHIC_MODELS)" : searched)};
+  throw std::invalid_argument{"no " + std::string{folder.substr(0, folder.size() - 1)} + " \"" + std::string{name_or_path} +
+                              "\"; searched: " + (searched.empty() ? "nowhere (set TROPHIC_MODELS)" : searched)};
 }
 
 }  // namespace trophic

@@ -10,8 +10,8 @@
 
 namespace trophic {
 
-/// Reads a robot's design. Throws std::runtime_error for a file that cannot be found, read or parsed (two modules on one face are
-/// a repeated TOML table, so they are among these) and std::invalid_argument "FILE: KEY = VALUE: must be ..." for its content.
+/// Reads a robot's design. Throws std::invalid_argument for a file that cannot be found, read or parsed (two modules on one face
+/// are a repeated TOML table, so they are among these), and "FILE: KEY = VALUE: must be ..." for its content.
 [[nodiscard]] body::Design load_design(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR);
 
 /// The robot of a design file, by name ("spider") or path; errors as load_design and build.

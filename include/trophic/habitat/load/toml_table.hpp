@@ -22,24 +22,16 @@ namespace trophic::detail {
 /// A table of a TOML file. Remembers which keys were asked for, so that `no_other_keys` can reject the rest.
 class TomlTable {
  public:
-  /// Throws std::runtime_error "FILE: ..." for what cannot be read or "FILE:LINE:COLUMN: ..." for malformed TOML.
-  [[nodiscard]] static TomlTable read(const std::filesystem::path& file) {
-    std::string text;
-    try {
-      text = read_whole_file(file);
-    } catch (const std::invalid_argument& error) {
-      throw std::runtime_error{error.what()};
-    }
-    return parse(text, file.string());
-  }
+  /// Throws std::invalid_argument "FILE: ..." for what cannot be read or "FILE:LINE:COLUMN: ..." for malformed TOML.
+  [[nodiscard]] static TomlTable read(const std::filesystem::path& file) { return parse(read_whole_file(file), file.string()); }
 
   /// The same from a text; `file` is what errors call it.
   [[nodiscard]] static TomlTable parse(std::string_view text, const std::string& file) {
     try {
       return {file, "", parse_toml(text)};
     } catch (const TomlError& error) {
-      throw std::runtime_error{file + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
-                               error.what()};
+      throw std::invalid_argument{file + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
+                                  error.what()};
     }
   }
 
