@@ -3,19 +3,11 @@
 #pragma once
 
 #include <trophic/backend/mujoco/kernel/coupled.hpp>
-#include <trophic/backend/mujoco/kernel/mass_matrix.hpp>
 #include <trophic/backend/mujoco/kernel/motion.hpp>
 #include <trophic/backend/mujoco/kernel/proximity.hpp>
 #include <trophic/backend/mujoco/kernel/search.hpp>
 
 namespace trophic::backend::kernel {
-
-/// Bit i set: lane i of a mask is all ones.
-[[nodiscard]] TROPHIC_LANES_INLINE Mask mask_of(unsigned lanes) {
-  constexpr Mask bits = {1, 2, 4, 8};
-  const Mask all = Mask{} + static_cast<long long>(lanes);
-  return (all & bits) != 0;
-}
 
 /// Copies the trial point as MuJoCo's qacc in the lanes of `taken`.
 TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, LaneArray& acceleration) {
@@ -43,9 +35,7 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
   lanes = complete(work, lanes & ~lane_bits(work.doubtful));
   if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, work, apart);
   if (const unsigned together = lanes & coupled; together != 0) {
-    compose_links(model, work);
     lanes &= ~minimise_coupled(model, state, work, together);
-    if (model.damped) spread_trial(model, work);
   }
 
   const LinkWork& root = work.links[0];

@@ -5,15 +5,19 @@
 #include <array>
 #include <bit>
 #include <trophic/backend/mujoco/kernel/contact.hpp>
+#include <trophic/backend/mujoco/kernel/search.hpp>
+#include <trophic/backend/mujoco/kernel/solver.hpp>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
 
 namespace trophic::backend::kernel {
 
 // The problem is that of solver.hpp, but a contact between links adds to the inertia of two links at once, so that there is no
-// tree to recurse over. In the unknowns x, joint accelerations from the leaves inwards, then the roots' motions,
-//   (M + sum J_c' W_c J_c) x = tau - sum J_c' W_c offset_c,
-// where J_c maps x to the acceleration of one side of contact c seen from the other along its normal and tangents, and W_c is the
-// sum of D e e' over its pushing rows e = (1, +-mu, 0), (1, 0, +-mu).
+// tree to recurse over. Its hinges are those between a touching link and the root; all others are eliminated as in solver.hpp,
+// with the contacts of planes and the joint limits. In the unknowns x, accelerations of those hinges from the leaves inwards,
+// then the roots' motions,
+//   (A + sum J_c' W_c J_c) x = b - sum J_c' W_c offset_c,
+// where A and b are what is left of the trees, J_c maps x to the acceleration of one side of contact c seen from the other along
+// its normal and tangents, and W_c is the sum of D e e' over its pushing rows e = (1, +-mu, 0), (1, 0, +-mu).
 
 /// The search of some robots: their problem is written down once, then solved for one set of pushing rows after the other.
 class CoupledSearch {
@@ -22,37 +26,29 @@ class CoupledSearch {
       : model_{model}, work_{work}, own_{work.coupled}, lanes_{lanes} {
     std::size_t robots = 0;
     for_each_lane([&](std::size_t lane) { rank_[lane] = robots++; });
-    hinges_ = model.hinges.size();
-    first_root_ = robots * hinges_;
+    choose_hinges();
+    first_root_ = robots * own_.kept.size();
     own_.contacts.clear();
     own_.coordinates.clear();
     own_.jacobians.clear();
     own_.x.assign(first_root_ + 6 * robots, 0.0);
     own_.system.reset(own_.x.size());
-    own_.limits.assign(first_root_, {});
-    for_each_lane([&](std::size_t lane) {
-      add_plane_contacts(lane);
-      add_limits(lane);
-    });
-    for (const LinkContact& contact : work.link_contacts) {
-      if ((lanes & (1u << contact.lane[0])) != 0) add_link_contact(contact);
-    }
-    for (const FieldContact& contact : work.field_contacts) {
-      if ((lanes & (1u << contact.lane)) != 0) add_field_contact(contact);
-    }
+    for_each_contact([&](const auto& contact) { add(contact); });
   }
 
-  /// Full Newton steps from the warm start until the pushing rows no longer change; the minimum becomes the trial point of the
-  /// robots. False where they go on changing: MuJoCo's line search must do it.
+  /// Full Newton steps until the pushing rows no longer change, at first with those of planes that pushed last, those of links at
+  /// the warm start; the minimum becomes the trial point of all links. False where rows go on changing: MuJoCo's line search must
+  /// do it.
   [[nodiscard]] bool minimise(const LaneState& state) {
+    recall_rows(work_);
     read_warm_start(state);
-    evaluate();
+    evaluate_contacts();
     for (int step = 0; step < most_steps; ++step) {
-      solve_active();
-      if (!evaluate()) {
-        write_trial();
-        return true;
-      }
+      solve();
+      const bool changed = evaluate_contacts();
+      if ((lane_bits(evaluate_trial(model_, work_)) & lanes_) != 0 || changed) continue;
+      remember_rows(work_, lanes_);
+      return true;
     }
     return false;
   }
@@ -67,9 +63,43 @@ class CoupledSearch {
     }
   }
 
-  /// Index in x of the hinge that a link hangs on; leaves come first.
+  /// Contacts between links of these robots, and with the height field.
+  template <class Visit>
+  void for_each_contact(const Visit& visit) const {
+    for (const LinkContact& contact : work_.link_contacts) {
+      if ((lanes_ & (1u << contact.lane[0])) != 0) visit(contact);
+    }
+    for (const FieldContact& contact : work_.field_contacts) {
+      if ((lanes_ & (1u << contact.lane)) != 0) visit(contact);
+    }
+  }
+
+  [[nodiscard]] static std::array<std::size_t, 2> links_of(const LinkContact& contact) { return contact.link; }
+  [[nodiscard]] static std::array<std::size_t, 1> links_of(const FieldContact& contact) { return {contact.link}; }
+
+  /// Those between a link that touches and the root, in any of the robots.
+  void choose_hinges() {
+    constexpr std::size_t chosen = 0;
+    const std::size_t none = model_.links.size();
+    own_.order.assign(none, none);
+    const auto choose = [&](std::size_t link) {
+      for (; link > 0 && own_.order[link] != chosen; link = model_.links[link].parent) own_.order[link] = chosen;
+    };
+    for_each_contact([&](const auto& contact) {
+      for (const std::size_t link : links_of(contact)) choose(link);
+    });
+    own_.kept.clear();
+    for (std::size_t link = none - 1; link > 0; --link) {
+      if (own_.order[link] == none) continue;
+      own_.order[link] = own_.kept.size();
+      own_.kept.push_back(link);
+    }
+  }
+  [[nodiscard]] bool is_kept(std::size_t link) const { return own_.order[link] < own_.kept.size(); }
+
+  /// Index in x of the hinge that a link hangs on.
   [[nodiscard]] std::size_t hinge_index(std::size_t lane, std::size_t link) const {
-    return rank_[lane] * hinges_ + hinges_ - link;
+    return rank_[lane] * own_.kept.size() + own_.order[link];
   }
   /// Index in x of a root's angular acceleration; the linear one follows.
   [[nodiscard]] std::size_t root_index(std::size_t lane) const { return first_root_ + 6 * rank_[lane]; }
@@ -129,29 +159,6 @@ class CoupledSearch {
     }
   }
 
-  void add_plane_contacts(std::size_t lane) {
-    for (std::size_t g = 0; g < work_.group_count; ++g) {
-      const ContactGroup& group = work_.groups[g];
-      const Plane& plane = model_.planes[group.plane];
-      const auto axis = static_cast<std::size_t>(plane.axis);
-      std::array<std::array<double, 3>, 3> frame{};
-      frame[0][axis] = plane.sign;
-      frame[1][(axis + 1) % 3] = 1.0;
-      frame[2][(axis + 2) % 3] = 1.0;
-      for (std::size_t c = group.first; c < group.first + group.count; ++c) {
-        const ContactWork& from = work_.contacts[c];
-        if (!(from.depth[lane] < 0.0)) continue;
-        CoupledContact contact = new_contact();
-        contact.weight = from.weight[lane];
-        contact.mu = model_.friction;
-        contact.offset = {plane.sign * from.offset[0][lane], from.offset[1][lane], from.offset[2][lane]};
-        add_hinges(contact, lane, group.link, 1.0, pick(from.point, lane), frame);
-        add_root(contact, lane, 1.0, pick(from.point, lane), frame);
-        own_.contacts.push_back(contact);
-      }
-    }
-  }
-
   /// As make_rows in contact.hpp, for a relative velocity at the contact and its inverse weight.
   [[nodiscard]] CoupledContact rows_of(double depth_m, const Frame& frame, const std::array<double, 3>& velocity, double mu,
                                        double inverse_weight_per_kg) {
@@ -164,7 +171,7 @@ class CoupledSearch {
     return contact;
   }
 
-  void add_field_contact(const FieldContact& from) {
+  void add(const FieldContact& from) {
     const auto& [point_m, frame, depth_m] = from.contact;
     const std::array<double, 3> velocity = at_point(work_.links[from.link].velocity, from.lane, point_m);
     CoupledContact contact = rows_of(depth_m, frame, velocity, model_.friction, model_.links[from.link].inverse_weight_per_kg);
@@ -174,7 +181,7 @@ class CoupledSearch {
   }
 
   /// Of the second link's motion seen from the first.
-  void add_link_contact(const LinkContact& from) {
+  void add(const LinkContact& from) {
     const double inverse_weight_per_kg =
         model_.links[from.link[0]].own_inverse_weight_per_kg + model_.links[from.link[1]].own_inverse_weight_per_kg;
     const std::array<double, 3> before = at_point(work_.links[from.link[0]].velocity, from.lane[0], from.point_m[0]);
@@ -202,14 +209,6 @@ class CoupledSearch {
     }
   }
 
-  void add_limits(std::size_t lane) {
-    for (std::size_t j = 0; j < hinges_; ++j) {
-      const HingeWork& from = work_.hinges[j];
-      own_.limits[hinge_index(lane, j + 1)] = {
-          .weight = from.limit_weight[lane], .side = from.limit_side[lane], .offset = from.limit_offset[lane]};
-    }
-  }
-
   void read_warm_start(const LaneState& state) {
     const LaneArray& warm = state.acceleration;
     for_each_lane([&](std::size_t lane) {
@@ -221,12 +220,12 @@ class CoupledSearch {
         }
         own_.x[root + 3 + i] = warm[i][lane];
       }
-      for (std::size_t j = 0; j < hinges_; ++j) own_.x[hinge_index(lane, j + 1)] = warm[6 + j][lane];
+      for (const std::size_t link : own_.kept) own_.x[hinge_index(lane, link)] = warm[5 + link][lane];
     });
   }
 
-  /// Which rows push at x; true where the answer differs from the last one.
-  bool evaluate() {
+  /// Which rows of contacts push at x; true where the answer differs from the last one.
+  bool evaluate_contacts() {
     bool changed = false;
     const auto update = [&](bool& active, double residual) {
       changed |= active != (residual < 0.0);
@@ -243,64 +242,67 @@ class CoupledSearch {
         update(contact.active[2 * k - 1], y[0] - contact.mu * y[k]);
       }
     }
-    for (std::size_t i = 0; i < first_root_; ++i) {
-      CoupledLimit& limit = own_.limits[i];
-      if (limit.weight > 0.0) update(limit.active, limit.offset - limit.side * own_.x[i]);
-    }
     return changed;
   }
 
-  /// x becomes the minimum of the quadratic of the rows that push now.
-  void solve_active() {
-    own_.system.reset(own_.x.size());
-    for_each_lane([&](std::size_t lane) { add_masses(lane); });
-    for (std::size_t i = 0; i < first_root_; ++i) {
-      const CoupledLimit& limit = own_.limits[i];
-      if (!limit.active) continue;
-      own_.system(i, i) += limit.weight;
-      own_.x[i] += limit.side * limit.weight * limit.offset;
+  /// x and the trial point become the minimum of the quadratic of the rows that push now.
+  void solve() {
+    gather_active(model_, work_);
+    for (std::size_t i = model_.links.size() - 1; i > 0; --i) {
+      LinkWork& link = work_.links[i];
+      LinkWork& parent = work_.links[model_.links[i].parent];
+      if (!is_kept(i)) {
+        eliminate_hinge(link, parent);
+        continue;
+      }
+      link.reach = link.articulated * link.axis;
+      link.torque -= kernel::dot(link.axis, link.force);
+      kernel::add(link.articulated, parent.articulated);
+      parent.force = parent.force + link.force;
     }
-    for (const CoupledContact& contact : own_.contacts) add_contact(contact);
+    write_down_trees();
+    for (const CoupledContact& contact : own_.contacts) add_rows(contact);
     own_.system.solve(own_.x);
+    spread();
   }
 
-  /// Mass matrix and generalised forces of one robot.
-  void add_masses(std::size_t lane) {
+  /// A and b: a hinge's inertia is U = inertia S of all that hangs on it, with a hinge further in S_k' U, with the root U itself.
+  void write_down_trees() {
     SymmetricSystem& system = own_.system;
-    const auto both = [lane](const Spatial& a, const Spatial& b) {
-      return dot(pick(a.angular, lane), pick(b.angular, lane)) + dot(pick(a.linear, lane), pick(b.linear, lane));
-    };
-    const std::size_t root = root_index(lane);
-    for (std::size_t i = 1; i < model_.links.size(); ++i) {
-      const std::size_t row = hinge_index(lane, i);
-      const CompositeWork& composite = work_.composites[i];
+    system.reset(own_.x.size());
+    for (const std::size_t i : own_.kept) {
+      const LinkWork& link = work_.links[i];
       for (std::size_t k = i; k > 0; k = model_.links[k].parent) {
-        system(row, hinge_index(lane, k)) = both(work_.links[k].axis, composite.momentum);
+        const Real inertia = kernel::dot(work_.links[k].axis, link.reach) + (k == i ? link.load : Real{});
+        for_each_lane([&](std::size_t lane) { system(hinge_index(lane, i), hinge_index(lane, k)) = inertia[lane]; });
       }
-      const std::array<double, 3> angular = pick(composite.momentum.angular, lane);
-      const std::array<double, 3> linear = pick(composite.momentum.linear, lane);
-      for (std::size_t k = 0; k < 3; ++k) {
-        system(row, root + k) = angular[k];
-        system(row, root + 3 + k) = linear[k];
-      }
-      own_.x[row] = work_.hinges[i - 1].torque[lane] - both(work_.links[i].axis, composite.bias);
+      for_each_lane([&](std::size_t lane) {
+        const std::size_t row = hinge_index(lane, i);
+        for (int k = 0; k < 3; ++k) {
+          system(row, root_index(lane) + static_cast<std::size_t>(k)) = link.reach.angular[k][lane];
+          system(row, root_index(lane) + 3 + static_cast<std::size_t>(k)) = link.reach.linear[k][lane];
+        }
+        own_.x[row] = link.torque[lane];
+      });
     }
-    const CompositeWork& whole = work_.composites[0];
-    const std::array<double, 3> h = pick(whole.inertia.moment, lane);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = i; k < 3; ++k) {
-        system(root + i, root + k) = whole.inertia.rotational(static_cast<int>(i), static_cast<int>(k))[lane];
+    const LinkWork& whole = work_.links[0];
+    for_each_lane([&](std::size_t lane) {
+      const std::size_t root = root_index(lane);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int row = static_cast<int>(i);
+        for (std::size_t k = i; k < 3; ++k) {
+          system(root + i, root + k) = whole.articulated.angular(row, static_cast<int>(k))[lane];
+          system(root + 3 + i, root + 3 + k) = whole.articulated.linear(row, static_cast<int>(k))[lane];
+        }
+        for (std::size_t k = 0; k < 3; ++k) system(root + i, root + 3 + k) = whole.articulated.coupling[i][k][lane];
+        own_.x[root + i] = -whole.force.angular[row][lane];
+        own_.x[root + 3 + i] = -whole.force.linear[row][lane];
       }
-      system(root + 3 + i, root + 3 + i) = whole.inertia.mass_kg;
-      system(root + i, root + 3 + (i + 1) % 3) = -h[(i + 2) % 3];
-      system(root + i, root + 3 + (i + 2) % 3) = h[(i + 1) % 3];
-      own_.x[root + i] = -whole.bias.angular[static_cast<int>(i)][lane];
-      own_.x[root + 3 + i] = -whole.bias.linear[static_cast<int>(i)][lane];
-    }
+    });
   }
 
   /// A += J' W J, b -= J' W offset.
-  void add_contact(const CoupledContact& contact) {
+  void add_rows(const CoupledContact& contact) {
     const std::array<double, 4> d = contact.pushing_weights();
     const double first = d[0] + d[1];
     const double second = d[2] + d[3];
@@ -327,15 +329,23 @@ class CoupledSearch {
     }
   }
 
-  void write_trial() {
+  /// The motions of all links at x.
+  void spread() {
     for_each_lane([&](std::size_t lane) {
       const std::size_t root = root_index(lane);
       for (std::size_t i = 0; i < 3; ++i) {
         work_.links[0].trial.angular[static_cast<int>(i)][lane] = own_.x[root + i];
         work_.links[0].trial.linear[static_cast<int>(i)][lane] = own_.x[root + 3 + i];
       }
-      for (std::size_t j = 0; j < hinges_; ++j) work_.hinges[j].trial[lane] = own_.x[hinge_index(lane, j + 1)];
+      for (const std::size_t link : own_.kept) work_.hinges[link - 1].trial[lane] = own_.x[hinge_index(lane, link)];
     });
+    for (std::size_t i = 1; i < model_.links.size(); ++i) {
+      LinkWork& link = work_.links[i];
+      const Spatial& parent = work_.links[model_.links[i].parent].trial;
+      Real& acceleration = work_.hinges[i - 1].trial;
+      if (!is_kept(i)) acceleration = eliminated_acceleration(link, parent);
+      link.trial = parent + link.axis * acceleration;
+    }
   }
 
   const KernelModel& model_;
@@ -343,7 +353,6 @@ class CoupledSearch {
   CoupledWork& own_;
   unsigned lanes_;
   std::array<std::size_t, lane_count> rank_{};  ///< among the robots of `lanes`
-  std::size_t hinges_ = 0;
   std::size_t first_root_ = 0;
 };
 
@@ -360,17 +369,40 @@ class CoupledSearch {
   return tied;
 }
 
-/// Minimises the cost of the robots in `coupled`, set by set of robots that touch, as `trial` of links and hinges. Returns the
-/// lanes that did not settle.
+/// Keeps the trial point of the lanes of `taken`.
+TROPHIC_LANES_INLINE void keep_trial(Workspace& work, const Mask& taken) {
+  std::vector<TrialPoint>& kept = work.coupled.trials;
+  kept.resize(work.links.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    kept[i].link.angular = select(taken, work.links[i].trial.angular, kept[i].link.angular);
+    kept[i].link.linear = select(taken, work.links[i].trial.linear, kept[i].link.linear);
+    if (i > 0) kept[i].hinge = select(taken, work.hinges[i - 1].trial, kept[i].hinge);
+  }
+}
+
+/// Makes what was kept the trial point of all lanes.
+TROPHIC_LANES_INLINE void take_kept_trial(Workspace& work) {
+  const std::vector<TrialPoint>& kept = work.coupled.trials;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    work.links[i].trial = kept[i].link;
+    if (i > 0) work.hinges[i - 1].trial = kept[i].hinge;
+  }
+}
+
+/// Minimises the cost of the robots in `coupled`, set by set of robots that touch, as `trial` of links and hinges; that of the
+/// other lanes stays. Returns the lanes that did not settle.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned minimise_coupled(const KernelModel& model, const LaneState& state, Workspace& work,
                                                              unsigned coupled) {
   const std::array<unsigned, lane_count> tied = tied_lanes(work);
+  keep_trial(work, mask_of(all_lanes));
   unsigned unsettled = 0;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     const bool first = static_cast<std::size_t>(std::countr_zero(tied[lane])) == lane;
     if ((coupled & (1u << lane)) == 0 || !first) continue;
     if (!CoupledSearch{model, work, tied[lane]}.minimise(state)) unsettled |= tied[lane];
+    keep_trial(work, mask_of(tied[lane]));
   }
+  take_kept_trial(work);
   return unsettled;
 }
 

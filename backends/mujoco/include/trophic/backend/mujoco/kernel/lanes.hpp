@@ -58,6 +58,16 @@ using Mask = long long __attribute__((vector_size(lane_count * sizeof(double)), 
 #endif
 }
 
+/// Bits of all lanes.
+inline constexpr unsigned all_lanes = (1u << lane_count) - 1;
+
+/// Bit i set: lane i of a mask is all ones.
+[[nodiscard]] TROPHIC_LANES_INLINE Mask mask_of(unsigned lanes) {
+  constexpr Mask bits = {1, 2, 4, 8};
+  const Mask all = Mask{} + static_cast<long long>(lanes);
+  return (all & bits) != 0;
+}
+
 [[nodiscard]] TROPHIC_LANES_INLINE Real sqrt(const Real& value) {
 #if defined(__SSE2__)
   const __m128d low = _mm_sqrt_pd(__builtin_shufflevector(value, value, 0, 1));

@@ -103,6 +103,19 @@ TROPHIC_LANES_INLINE void pass_inwards(const LinkWork& child, LinkWork& parent) 
   parent.force = parent.force + child.force + scaled * child.torque;
 }
 
+/// Solves for a hinge, given its parent's motion: its link and all that hangs on it move the parent as an inertia and a force.
+TROPHIC_LANES_INLINE void eliminate_hinge(LinkWork& link, LinkWork& parent) {
+  link.reach = link.articulated * link.axis;
+  link.inverse = 1.0 / (dot(link.axis, link.reach) + link.load);
+  link.torque -= dot(link.axis, link.force);
+  pass_inwards(link, parent);
+}
+
+/// Acceleration of an eliminated hinge.
+[[nodiscard]] TROPHIC_LANES_INLINE Real eliminated_acceleration(const LinkWork& link, const Spatial& parent) {
+  return (link.torque - dot(link.reach, parent)) * link.inverse;
+}
+
 /// Motion x with inertia x = -force: the linear part is eliminated first, both halves by 3x3 inverses.
 [[nodiscard]] TROPHIC_LANES_INLINE Spatial solve_root(const Inertia6& inertia, const Spatial& force) {
   const Sym3 linear = inverse(inertia.linear);
@@ -160,24 +173,20 @@ struct AddContact {
 /// `torque` of all hinges: sets `trial` of all links and hinges.
 TROPHIC_LANES_INLINE void solve_tree(const KernelModel& model, Workspace& work) {
   for (std::size_t i = model.links.size() - 1; i > 0; --i) {
-    LinkWork& link = work.links[i];
-    link.reach = link.articulated * link.axis;
-    link.inverse = 1.0 / (dot(link.axis, link.reach) + link.load);
-    link.torque -= dot(link.axis, link.force);
-    pass_inwards(link, work.links[model.links[i].parent]);
+    eliminate_hinge(work.links[i], work.links[model.links[i].parent]);
   }
   work.links[0].trial = solve_root(work.links[0].articulated, work.links[0].force);
   for (std::size_t i = 1; i < model.links.size(); ++i) {
     LinkWork& link = work.links[i];
     const Spatial& parent = work.links[model.links[i].parent].trial;
-    const Real acceleration = (link.torque - dot(link.reach, parent)) * link.inverse;
+    const Real acceleration = eliminated_acceleration(link, parent);
     work.hinges[i - 1].trial = acceleration;
     link.trial = parent + link.axis * acceleration;
   }
 }
 
-/// The minimum of the quadratic of the rows that push now.
-TROPHIC_LANES_INLINE void solve_active(const KernelModel& model, Workspace& work) {
+/// Inertias, forces and torques of all links with the rows that push now.
+TROPHIC_LANES_INLINE void gather_active(const KernelModel& model, Workspace& work) {
   for (LinkWork& link : work.links) {
     expand(link.inertia, link.articulated);
     link.force = link.bias;
@@ -189,6 +198,11 @@ TROPHIC_LANES_INLINE void solve_active(const KernelModel& model, Workspace& work
     link.load = where(hinge.limit_active, hinge.limit_weight);
     link.torque = hinge.torque + where(hinge.limit_active, hinge.limit_side * hinge.limit_weight * hinge.limit_offset);
   }
+}
+
+/// The minimum of the quadratic of the rows that push now.
+TROPHIC_LANES_INLINE void solve_active(const KernelModel& model, Workspace& work) {
+  gather_active(model, work);
   solve_tree(model, work);
 }
 
@@ -241,14 +255,6 @@ TROPHIC_LANES_INLINE Mask evaluate_trial(const KernelModel& model, Workspace& wo
     hinge.limit_active = now;
   }
   return changed;
-}
-
-/// Motions of all links from the trial accelerations of the root and the hinges.
-TROPHIC_LANES_INLINE void spread_trial(const KernelModel& model, Workspace& work) {
-  for (std::size_t i = 1; i < model.links.size(); ++i) {
-    LinkWork& link = work.links[i];
-    link.trial = work.links[model.links[i].parent].trial + link.axis * work.hinges[i - 1].trial;
-  }
 }
 
 /// Makes the trial point the current one.

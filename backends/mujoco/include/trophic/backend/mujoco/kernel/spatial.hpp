@@ -155,6 +155,16 @@ TROPHIC_LANES_INLINE void expand(const RigidInertia& inertia, Inertia6& to) {
   }
 }
 
+TROPHIC_LANES_INLINE void add(const Inertia6& inertia, Inertia6& to) {
+  for (int i = 0; i < 6; ++i) {
+    to.angular.v[i] += inertia.angular.v[i];
+    to.linear.v[i] += inertia.linear.v[i];
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) to.coupling[i][j] += inertia.coupling[i][j];
+  }
+}
+
 [[nodiscard]] TROPHIC_LANES_INLINE Spatial operator*(const Inertia6& inertia, const Spatial& v) {
   const auto& c = inertia.coupling;
   Spatial f = {inertia.angular * v.angular, inertia.linear * v.linear};

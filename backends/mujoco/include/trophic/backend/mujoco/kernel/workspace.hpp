@@ -128,14 +128,7 @@ struct FieldContact {
   BoxContact contact;  ///< from the origin of the robot's root
 };
 
-/// A link with all links that hang on it.
-struct CompositeWork {
-  RigidInertia inertia;
-  Spatial bias;
-  Spatial momentum;  ///< per unit of the velocity of the hinge that it hangs on
-};
-
-/// A contact of robots that are solved together: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = J x + offset.
+/// A contact between links, or with the height field: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = J x + offset.
 struct CoupledContact {
   std::size_t first = 0;  ///< of the coordinates in x that move it, which ascend
   std::size_t coordinates = 0;
@@ -150,22 +143,22 @@ struct CoupledContact {
   }
 };
 
-/// The limit of a joint of robots that are solved together: row offset - side x.
-struct CoupledLimit {
-  double weight = 0.0;  ///< 0 where no limit is near
-  double side = 0.0;
-  double offset = 0.0;
-  bool active = false;
+/// Where the search stands: a link's motion, and the acceleration of the hinge that it hangs on.
+struct TrialPoint {
+  Spatial link;
+  Real hinge;
 };
 
 /// The problem of robots whose links touch each other.
 struct CoupledWork {
   std::vector<CoupledContact> contacts;
   std::vector<std::size_t> coordinates;
-  std::vector<double> jacobians;     ///< J of each contact: its normal's row and its tangents', as long as columns of `system`
-  std::vector<CoupledLimit> limits;  ///< as the first coordinates of x
+  std::vector<double> jacobians;   ///< J of each contact: its normal's row and its tangents', as long as columns of `system`
+  std::vector<std::size_t> kept;   ///< links whose hinges are unknowns, leaves first
+  std::vector<std::size_t> order;  ///< of each link among them; how many they are for the others
   std::vector<double> x;
   SymmetricSystem system;
+  std::vector<TrialPoint> trials;  ///< of lanes that are not being solved
 
   [[nodiscard]] std::span<const std::size_t> coordinates_of(const CoupledContact& contact) const {
     return {coordinates.data() + contact.first, contact.coordinates};
@@ -196,7 +189,6 @@ struct Workspace {
   std::vector<std::uint8_t> last_gap;   ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
   std::vector<LinkContact> link_contacts;
   std::vector<FieldContact> field_contacts;
-  std::vector<CompositeWork> composites;
   CoupledWork coupled;
   BoxCollider collider;
   std::optional<FieldCollider> field_collider;
@@ -213,7 +205,6 @@ struct Workspace {
         placed_boxes(lane_count * model.boxes.size()),
         box_placed(placed_boxes.size()),
         last_gap(placed_boxes.size() * placed_boxes.size()),
-        composites(model.links.size()),
         collider{model.box_depth},
         stage{model},
         sum{model} {
