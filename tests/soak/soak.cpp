@@ -27,6 +27,7 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/ecology/shadow_of.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/progress.hpp>
@@ -121,20 +122,22 @@ struct Wanted {
   double timestep_s = rules::Paper::physics().timestep_s;
   double room = 1.0;
   std::string gait;
+  bool shadow = false;
 };
 
 template <class Backend>
-bool soak(const Wanted& wanted) {
-  if (wanted.at_rest && wanted.duration_s <= test::Resting::settles_s) {
-    throw std::invalid_argument{"DURATION_S: must be > " + std::to_string(test::Resting::settles_s) +
-                                ", until robots are at rest"};
-  }
+Experiment<rules::Paper, Backend> numbers_of(const Wanted& wanted) {
   Experiment<rules::Paper, Backend> numbers;
   numbers.ecology.robots = wanted.robots;
   numbers.ecology.gait = wanted.gait;
   numbers.physics.timestep_s = wanted.timestep_s;
   numbers.rules.community.predators = wanted.robots * 14 / 30;
   if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 2;
+  return numbers;
+}
+
+template <class Table, class Backend>
+bool run(const Experiment<Table, Backend>& numbers, const Wanted& wanted) {
   const double larger =
       std::sqrt(wanted.room * static_cast<double>(wanted.robots) / static_cast<double>(rules::Paper::ecology().robots));
   Habitat habitat = load_habitat(numbers.ecology);
@@ -142,7 +145,7 @@ bool soak(const Wanted& wanted) {
   habitat.arena.extent_m *= larger;
   if (wanted.at_rest) habitat = test::at_rest(habitat);
 
-  Ecology<rules::Paper, Backend> ecology{numbers, habitat};
+  Ecology<Table, Backend> ecology{numbers, habitat};
   const checkpoint::Standing standing = checkpoint::standing_in(wanted.out, ecology.describe(wanted.duration_s));
   if (standing.complete) return true;
   if (!standing.remark.empty()) std::cerr << wanted.out.string() << " " << standing.remark << "\n";
@@ -151,19 +154,29 @@ bool soak(const Wanted& wanted) {
   Report report{wanted.out.string() + ".csv", standing.opening()};
   test::Invariants invariants{numbers.rules.floor.floor};
   test::Resting resting;
-  const auto run = [&](auto&... more) {
+  const auto go_on = [&](auto&... more) {
     checkpoint::run_kept(ecology, wanted.duration_s, wanted.out, {.every_s = 100.0}, standing.from, folder, invariants, report,
                          stop, more...);
   };
   if (wanted.at_rest) {
-    run(resting);
+    go_on(resting);
     std::cerr << "at rest: gained at most " << resting.gain_J() << " J, moved at most " << resting.drift_m() << " m\n";
   } else {
-    run();
+    go_on();
   }
   std::cerr << invariants.ticks() << " ticks of " << wanted.robots << " robots, " << invariants.deaths()
             << " deaths: all invariants held\n";
   return ecology.time_s() >= wanted.duration_s;
+}
+
+template <class Backend>
+bool soak(const Wanted& wanted) {
+  if (wanted.at_rest && wanted.duration_s <= test::Resting::settles_s) {
+    throw std::invalid_argument{"DURATION_S: must be > " + std::to_string(test::Resting::settles_s) +
+                                ", until robots are at rest"};
+  }
+  const auto numbers = numbers_of<Backend>(wanted);
+  return wanted.shadow ? run(shadow_of(numbers), wanted) : run(numbers, wanted);
 }
 
 }  // namespace
@@ -182,6 +195,7 @@ int main(int argc, char** argv) try {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--gait", wanted.gait, "name or path of a gait file (the spider's own)");
+  app.add_flag("--shadow", wanted.shadow, "no inheritance: what evolves may come to crowd, and crowds take memory");
   CLI11_PARSE(app, argc, argv);
   const bool done = backend == "mujoco" ? soak<backend::Mujoco>(wanted) : soak<backend::Kinematic>(wanted);
   if (!done) return 3;
