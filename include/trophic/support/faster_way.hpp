@@ -46,6 +46,7 @@ class FasterWay {
 
   /// A job was done the first or the second way, in so many seconds for one of its size.
   void note(bool first, double seconds) {
+    seconds = std::max(seconds, shortest_s);
     Way& way = first ? first_ : second_;
     Way& other = first ? second_ : first_;
     if (!way.known) way = {.seconds = seconds, .known = true};
@@ -64,11 +65,13 @@ class FasterWay {
   /// How many jobs pass until the other way is tried. An odd number, as kinds of jobs may alternate.
   [[nodiscard]] std::uint64_t until_other() const {
     if (!first_.known || !second_.known) return 31;
-    const double slower = std::max(first_.seconds, second_.seconds) / std::max(1e-12, std::min(first_.seconds, second_.seconds));
+    const double slower = std::max(first_.seconds, second_.seconds) / std::min(first_.seconds, second_.seconds);
     return 31 + 2 * static_cast<std::uint64_t>(16.0 * (std::min(slower, slowest) - 1.0));
   }
 
   static constexpr double weight = 0.125;
+  /// What a job takes at least: a clock may stand still, or go back where the machine moves on to another.
+  static constexpr double shortest_s = 1e-12;
   /// Times the faster way, beyond which nothing counts as slower, so that a pause is made up for in some thousand jobs.
   static constexpr double slowest = 64.0;
 

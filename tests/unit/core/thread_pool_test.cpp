@@ -75,6 +75,20 @@ TEST_CASE("the faster way is taken, the slower one is tried rarely, and a change
   CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'500);
 }
 
+TEST_CASE("a job in which the clock stood still, or went back, is soon forgotten") {
+  for (const double seconds : {0.0, -1e-9}) {
+    for (const bool first : {true, false}) {
+      CAPTURE(seconds);
+      CAPTURE(first);
+      FasterWay ways;
+      ways.note(first, seconds);
+      first_of(ways, 100, first ? 3.0 : 1.0, first ? 1.0 : 3.0);
+      const int firsts = first_of(ways, 1000, first ? 3.0 : 1.0, first ? 1.0 : 3.0);
+      CHECK((first ? 1000 - firsts : firsts) > 950);
+    }
+  }
+}
+
 TEST_CASE("a pause of an hour in one job, the first or a later one, is soon forgotten") {
   for (const bool at_once : {true, false}) {
     CAPTURE(at_once);

@@ -2,7 +2,7 @@
 // One step of four robots, as MuJoCo 2.2.2's mj_step computes it.
 #pragma once
 
-#include <trophic/backend/mujoco/kernel/coupled.hpp>
+#include <trophic/backend/mujoco/kernel/minimise_coupled.hpp>
 #include <trophic/backend/mujoco/kernel/motion.hpp>
 #include <trophic/backend/mujoco/kernel/proximity.hpp>
 #include <trophic/backend/mujoco/kernel/search.hpp>
