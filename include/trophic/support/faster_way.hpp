@@ -70,7 +70,7 @@ class FasterWay {
   }
 
   static constexpr double weight = 0.125;
-  /// What a job takes at least: a clock may stand still, or go back where the machine moves on to another.
+  /// What a job takes at least, as a clock may stand still or go back.
   static constexpr double shortest_s = 1e-12;
   /// Times the faster way, beyond which nothing counts as slower, so that a pause is made up for in some thousand jobs.
   static constexpr double slowest = 64.0;

@@ -34,9 +34,7 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
   find_contacts(model, state, work);
   lanes = complete(work, lanes & ~lane_bits(work.doubtful));
   if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, work, apart);
-  if (const unsigned together = lanes & coupled; together != 0) {
-    lanes &= ~minimise_coupled(model, state, work, together);
-  }
+  if (const unsigned together = lanes & coupled; together != 0) lanes &= ~minimise_coupled(model, state, work, together);
 
   const LinkWork& root = work.links[0];
   Mask good = mask_of(lanes);

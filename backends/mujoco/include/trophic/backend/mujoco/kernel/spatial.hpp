@@ -155,6 +155,7 @@ TROPHIC_LANES_INLINE void expand(const RigidInertia& inertia, Inertia6& to) {
   }
 }
 
+/// to += inertia.
 TROPHIC_LANES_INLINE void add(const Inertia6& inertia, Inertia6& to) {
   for (int i = 0; i < 6; ++i) {
     to.angular.v[i] += inertia.angular.v[i];

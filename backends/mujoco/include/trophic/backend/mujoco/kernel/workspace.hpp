@@ -155,7 +155,7 @@ struct CoupledWork {
   std::vector<std::size_t> coordinates;
   std::vector<double> jacobians;   ///< J of each contact: its normal's row and its tangents', as long as columns of `system`
   std::vector<std::size_t> kept;   ///< links whose hinges are unknowns, leaves first
-  std::vector<std::size_t> order;  ///< of each link among them; how many they are for the others
+  std::vector<std::size_t> order;  ///< of each link among them; the number of links for the others
   std::vector<double> x;
   SymmetricSystem system;
   std::vector<TrialPoint> trials;  ///< of lanes that are not being solved
