@@ -71,7 +71,9 @@ def _blocks(path, content):
         if zlib.crc32(content[at + 4 : at + 8 + size]) != checksum:
             raise RecordingError(f"{path}: damaged, a wrong checksum of the block at byte {at}")
         if head is None:
-            head = _head(path, kind, data)
+            head = _head(path, kind, {}, data)
+        elif kind == b"HEAD":
+            head = _head(path, kind, head, data)
         elif kind == b"POSE":
             start, count = struct.unpack_from("<II", data) if size > 8 else (0, 0)
             if start != frames or count == 0:
@@ -86,9 +88,9 @@ def _blocks(path, content):
     return head, blocks, False
 
 
-def _head(path, kind, data):
+def _head(path, kind, before, data):
     try:
-        head = json.loads(data) if kind == b"HEAD" else {}
+        head = {**before, **json.loads(data)} if kind == b"HEAD" else {}
         version = head["version"]
         numbers = {name: head[name] for name in ("robots", "joints", "frames_per_tick", "steps_per_tick")}
         numbers = {**head["units"], **numbers, "first_time_s": head["first_time_s"], "tick_s": head["tick_s"]}

@@ -33,6 +33,7 @@ class Recordings(InFolderWithSets):
     @classmethod
     def make_sets(cls):
         cls.make("kinematic", "--backend", "kinematic", "--duration", 100)
+        cls.make("rewound", "--from", cls.sets / "kinematic", "--at", 45, "--duration", 80, "--seed", 9, "--set", "rules.mutation.sd=0.5")
         cls.make("released", "--backend", "kinematic", "--rules", "released", "--duration", 60, "--replay-hz", 10)
         if HAS_MUJOCO:
             cls.make("mujoco", "--backend", "mujoco", "--duration", 12, "--threads", 1)
@@ -71,6 +72,16 @@ class Recordings(InFolderWithSets):
         steps = numpy.diff(read_replay(self.sets / "released").time_s)
         self.assertEqual(read_replay(self.sets / "released").head["clock_scale"] * 10 * 2, read_replay(self.sets / "released").head["frames_per_tick"])
         numpy.testing.assert_allclose(steps, steps[0], rtol=0.1)
+
+    def test_a_rewound_run_has_the_frames_of_its_past_and_is_said_to_be_itself(self):
+        whole, rewound = read_replay(self.sets / "kinematic"), read_replay(self.sets / "rewound")
+        manifest = json.loads((self.sets / "rewound" / "manifest.json").read_text())
+        for key in ("fingerprint", "seed"):
+            self.assertEqual(rewound.head[key], manifest[key])
+            self.assertNotEqual(rewound.head[key], whole.head[key])
+        past = whole.time_s <= 46  # the tick at or after --at
+        numpy.testing.assert_array_equal(rewound.position_m[: past.sum()], whole.position_m[past])
+        self.assertEqual((rewound.time_s[0], rewound.time_s[-1], rewound.complete), (0, 80, True))
 
     @unittest.skipUnless(HAS_MUJOCO, "needs joints")
     def test_joints_move_as_a_gait_does(self):
@@ -174,6 +185,8 @@ class Pages(InFolderWithSets):
     def make_sets(cls):
         for name, seed in (("run", 1), ("other", 2)):
             Recordings.make.__func__(cls, name, "--backend", "kinematic", "--duration", 60, "--seed", seed)
+        Recordings.make.__func__(cls, "rewound", "--from", cls.sets / "run", "--at", 31, "--duration", 50, "--seed", 3)
+        Recordings.make.__func__(cls, "rewound_again", "--from", cls.sets / "rewound", "--at", 50, "--duration", 50, "--seed", 4)
         Recordings.make.__func__(cls, "sensed", "--backend", "kinematic", "--duration", 60, "--senses")
         Recordings.make.__func__(cls, "unrecorded", "--backend", "kinematic", "--duration", 20, "--replay-hz", 0)
         Recordings.make.__func__(cls, "thinned", "--backend", "kinematic", "--duration", 20, "--agents-every", 2)
@@ -206,6 +219,11 @@ class Pages(InFolderWithSets):
         page = (self.folder / "page.html").read_text()
         self.assertEqual(page.count('data-file="replay"'), 3)
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:)[^"]*"', page.split("<script>")[0]), [])
+
+    def test_runs_that_began_at_a_moment_of_another(self):
+        self.assertEqual(self.show(self.sets / "rewound", self.sets / "rewound_again", "-o", "page.html").returncode, 0)
+        part = self.show(self.sets / "rewound", "--from", 10, "--to", 20, "-o", "part.html")
+        self.assertEqual((part.returncode, part.stderr), (0, ""))
 
     def test_nothing_is_overwritten(self):
         (self.folder / "page.html").write_text("mine")

@@ -68,7 +68,7 @@ export class Recording {
       if (at + 12 + size > bytes.length) break;
       const kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
       const data = bytes.subarray(at + 8, at + 8 + size);
-      if (kind === "HEAD") head = JSON.parse(new TextDecoder().decode(data)) as Head;
+      if (kind === "HEAD") head = { ...head, ...(JSON.parse(new TextDecoder().decode(data)) as Head) };
       if (kind === "POSE") {
         this.blocks.push({ first: view.getUint32(at + 8, true), frames: view.getUint32(at + 12, true), bytes: data.subarray(8) });
       }

@@ -15,7 +15,7 @@
 namespace trophic::checkpoint {
 
 /// Of what a checkpoint file holds and how. Another number: another format.
-inline constexpr std::uint32_t format_version = 2;
+inline constexpr std::uint32_t format_version = 3;
 
 inline constexpr std::string_view file_name = "checkpoint.bin";
 /// The one before it, in case that the last one cannot be read.

@@ -79,15 +79,17 @@ namespace detail {
        paths_of(pairings), Words::assigned},
       {"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
       {"--replay-hz", &options.replay_hz,
-       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that goes on keeps its own; nothing else "
-       "of a run depends "
-       "on it"},
+       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that goes on, or begins by --from, keeps "
+       "those that there are; nothing else of a run depends on it"},
       {"--agents-every", &options.agents_every,
-       "agents.csv has the ticks whose number is a multiple of this (1); a run that goes on keeps its own; for large ecologies"},
+       "agents.csv has the ticks whose number is a multiple of this (1); a run that goes on, or begins by --from, keeps "
+       "what there is; for large ecologies"},
       {"--senses", &options.senses,
-       "leave senses.csv too: what every robot touched, was told and answered; a run that goes on keeps to what it began with"},
+       "leave senses.csv too: what every robot touched, was told and answered; a run that goes on, or begins by --from, "
+       "keeps to what there is"},
       {"--states", &options.states,
-       "leave states.csv too: what rules with a State keep for every robot; a run that goes on keeps to what it began with"},
+       "leave states.csv too: what rules with a State keep for every robot; a run that goes on, or begins by --from, "
+       "keeps to what there is"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--watch", &options.watch,

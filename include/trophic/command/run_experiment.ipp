@@ -22,6 +22,7 @@
 #include <trophic/command/toml_of_json.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/observe/progress.hpp>
+#include <trophic/observe/read_recording.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/params/toml.hpp>
@@ -38,16 +39,30 @@ namespace detail {
 
 /// The numbers of a manifest as those of a configuration file. Throws Json::exception for what is no number, text or
 /// switch.
-[[nodiscard]] inline toml::table toml_of(const Json& json) {
+[[nodiscard]] inline toml::table toml_of(const Json& json, std::size_t depth = 0) {
+  constexpr std::size_t most_depth = 64;
+  if (depth > most_depth) throw std::invalid_argument{"params: more than 64 objects within each other"};
   toml::table table;
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
-      table.insert(key, toml_of(value));
+      table.insert(key, toml_of(value, depth + 1));
     } else {
       insert_value(table, key, value);
     }
   }
   return table;
+}
+
+/// Frames of a run's recording in a simulated second; 0 without one, the default where it cannot be read.
+[[nodiscard]] inline double replay_hz_of(const std::filesystem::path& run) {
+  const std::filesystem::path path = run / "replay.trp";
+  if (!std::filesystem::exists(path)) return 0.0;
+  try {
+    const observe::RecordingHead head = observe::RecordingReader{path}.head();
+    return static_cast<double>(head.frames_per_tick) / (head.times.tick_s * head.times.clock_scale);
+  } catch (const std::runtime_error&) {
+    return observe::default_replay_hz;
+  }
 }
 
 /// What --replay-hz, --agents-every, --senses and --states say.
@@ -287,6 +302,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     if (json.contains("agents_every_ticks")) {
       origin.extent.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
     }
+    origin.extent.replay_hz = detail::replay_hz_of(origin.moment.run);
     origin.extent.senses = json.contains("senses");
     origin.extent.states = std::filesystem::exists(origin.moment.run / observe::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));

@@ -16,9 +16,9 @@
 
 namespace trophic::observe {
 
-/// What a recording says of itself before its first frame.
+/// What a recording says of itself before its first frame, and of which run it is by its last head.
 struct RecordingHead {
-  std::string fingerprint;  ///< of the run that it was made of
+  std::string fingerprint;  ///< of the run
   std::uint64_t seed = 0;
   std::string rule_table;
   std::string backend;

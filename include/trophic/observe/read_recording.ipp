@@ -84,18 +84,23 @@ inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
   return arena;
 }
 
-[[nodiscard]] TROPHIC_INLINE RecordingHead head_of(const Json& json) {
+/// Which run a head is of.
+TROPHIC_INLINE void read_run(const Json& json, RecordingHead& head) {
   if (json.at("format") != "trophic recording") throw std::runtime_error{"its format is " + json_text(json.at("format"))};
   if (json.at("version") != version) {
     throw std::runtime_error{"version " + json_text(json.at("version")) + " of the format; this program reads " +
                              std::to_string(version)};
   }
-  RecordingHead head;
   head.fingerprint = json.at("fingerprint").get<std::string>();
   head.seed = whole_number<std::uint64_t>(json, "seed");
   head.rule_table = json.at("rule_table").get<std::string>();
   head.backend = json.at("backend").get<std::string>();
   head.species = json.at("species").get<std::vector<std::string>>();
+}
+
+[[nodiscard]] TROPHIC_INLINE RecordingHead head_of(const Json& json) {
+  RecordingHead head;
+  read_run(json, head);
   head.first_time_s = json.at("first_time_s").get<double>();
   head.times = {.steps = whole_number<std::int64_t>(json, "steps_per_tick", 1, most_steps_per_tick),
                 .tick_s = json.at("tick_s").get<double>(),
@@ -160,6 +165,8 @@ TROPHIC_INLINE void RecordingReader::scan() {
     if (head_.robots == 0) {
       if (kind != recording::head_kind) throw damaged("no head");
       read_head(data);
+    } else if (kind == recording::head_kind) {
+      read_head(data);
     } else if (kind == recording::frames_kind && size > 8) {
       const Block block{
           .first_frame = recording::u32_at(data, 0), .frames = recording::u32_at(data, 4), .at = at + 16, .bytes = size - 8};
@@ -180,7 +187,12 @@ TROPHIC_INLINE void RecordingReader::scan() {
 
 TROPHIC_INLINE void RecordingReader::read_head(const std::string& text) {
   try {
-    head_ = recording::head_of(parse_json(text));
+    const Json json = parse_json(text);
+    if (head_.robots == 0) {
+      head_ = recording::head_of(json);
+    } else {
+      recording::read_run(json, head_);
+    }
   } catch (const std::exception& error) {
     throw std::runtime_error{path_.string() + ": its head cannot be read: " + error.what()};
   }

@@ -23,8 +23,8 @@ inline constexpr double default_replay_hz = 5.0;
 
 /// Writes a recording: root poses to 1 mm and 2e-3 rad, joint angles to 2e-3 rad. What happened is in the run's tables. A block
 /// of 20 s, or of as many frames as have `most_block_values` numbers, is written as soon as it is full, so that a killed run
-/// loses no more than that, and a large one holds no more. Watches one call of run_until. Errors are std::runtime_error naming
-/// the file.
+/// loses no more than that, and a large one holds no more. A run that begins at a moment of another (checkpoint/rewind.hpp) adds
+/// a head of its own. Watches one call of run_until. Errors are std::runtime_error naming the file.
 class Recording {
  public:
   /// Makes the file at once. `hz`: frames a simulated second, >= 0; at 0 there is no file and nothing is asked of the run.
@@ -62,6 +62,8 @@ class Recording {
   std::size_t channels_ = 0;
   std::size_t robots_ = 0;
   std::size_t block_frames_ = 0;
+  std::string fingerprint_;           ///< of the run that the last head names
+  std::uint64_t seed_ = 0;            ///< of that run
   std::uint32_t frames_ = 0;          ///< written or waiting
   std::vector<std::int16_t> values_;  ///< of the frames that wait: frame by frame, robot by robot, channel by channel
 };

@@ -77,10 +77,14 @@ TROPHIC_INLINE Recording::~Recording() = default;
 
 TROPHIC_INLINE void Recording::on_start(const RunDescription& run, const View& view) {
   if (!file_) return;
+  const bool is_same_run = fingerprint_ == run.fingerprint && seed_ == run.seed;
+  fingerprint_ = run.fingerprint;
+  seed_ = run.seed;
   auto& head = file_->head;
   head = {{"format", "trophic recording"}, {"version", recording::version}, {"fingerprint", run.fingerprint}, {"seed", run.seed},
           {"rule_table", run.rules},       {"backend", run.backend},        {"species", Json::array()}};
   for (Species species = 0; species < view.web.size(); ++species) head["species"].push_back(view.web.name(species));
+  if (channels_ > 0 && !is_same_run) write_block(recording::head_kind, json_text(head));
 }
 
 TROPHIC_INLINE void Recording::write_head(const Frame& frame) {
@@ -114,6 +118,9 @@ TROPHIC_INLINE void Recording::on_frame(const Frame& frame) {
   if (!file_) return;
   if (channels_ == 0) write_head(frame);
   const std::size_t joints = channels_ - recording::pose_channels;
+  if (frame.roots.size() != robots_ || frame.joint_angles_rad.size() / robots_ != joints) {
+    throw std::runtime_error{"recording: a frame of other robots or joints than its head has"};
+  }
   for (std::size_t robot = 0; robot < robots_; ++robot) {
     const auto pose = recording::whole(frame.roots[robot], units_);
     values_.insert(values_.end(), pose.begin(), pose.end());
@@ -131,6 +138,7 @@ TROPHIC_INLINE void Recording::on_end(const View&) {
   std::string frames;
   recording::append_u32(frames, frames_);
   write_block(recording::end_kind, frames);
+  file_->file.sync();
 }
 
 TROPHIC_INLINE void Recording::on_failure(std::string_view) {
@@ -172,15 +180,19 @@ TROPHIC_INLINE void Recording::persist(Archive& archive) {
   archive(hz_);
   Archive::require((hz_ > 0.0) == (file_ != nullptr), "a recording of another rate, or none where there was one");
   if (!file_) return;
-  archive(file_->file, units_, channels_, robots_, block_frames_, frames_);
+  archive(file_->file, units_, channels_, robots_, block_frames_, fingerprint_, seed_, frames_);
   std::string bytes = values_.empty() ? std::string{} : waiting();
   archive(bytes);
   if (!archive.reads()) return;
   values_.clear();
+  if (channels_ == 0 && frames_ == 0 && bytes.empty()) return;  // it has not begun
+  Archive::require(channels_ >= recording::pose_channels && robots_ > 0 && block_frames_ > 0, "a recording without channels");
+  Archive::require(block_frames_ == 1 || block_frames_ <= most_block_values / channels_ / robots_, "a recording of large blocks");
   if (bytes.empty()) return;
-  Archive::require(channels_ > 0 && robots_ > 0 && block_frames_ > 0, "a recording without channels");
-  const std::size_t columns = channels_ * robots_;
   const std::size_t frames = frames_ % block_frames_;
+  const std::size_t most = recording::most_values(bytes.size());
+  Archive::require(frames > 0 && frames <= most / channels_ / robots_, "more frames of a recording than their bytes can hold");
+  const std::size_t columns = channels_ * robots_;
   const std::vector<std::int16_t> ordered = recording::unpacked(bytes, columns, frames);
   values_.resize(ordered.size());
   for (std::size_t robot = 0; robot < robots_; ++robot) {

@@ -21,7 +21,7 @@ inline constexpr int version = 1;
 
 /// After the magic come blocks: length of the data (4 bytes), kind (4 letters), data, CRC-32 of kind and data. Whole numbers are
 /// unsigned, 4 bytes, little-endian.
-inline constexpr std::string_view head_kind = "HEAD";    ///< JSON: what is recorded and in which units
+inline constexpr std::string_view head_kind = "HEAD";    ///< JSON: what is recorded and in which units; later ones: of which run
 inline constexpr std::string_view frames_kind = "POSE";  ///< first frame, number of frames, then zlib: see `channels`
 inline constexpr std::string_view end_kind = "DONE";     ///< the number of frames: the run ended; a run that was killed has none
 

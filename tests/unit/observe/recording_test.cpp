@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,6 +18,7 @@
 #include <trophic/observe/read_recording.hpp>
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/run_folder.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/rng.hpp>
@@ -68,6 +70,32 @@ TEST_CASE("a recording of many robots holds few frames back, and is where its ro
     const Eigen::Vector3d at_m = reader.root(40, body).position_m;
     CHECK(at_m.x() == doctest::Approx(ecology.view().poses[body].x_m).epsilon(1e-3 * far_m));
     CHECK(at_m.y() == doctest::Approx(ecology.view().poses[body].y_m).epsilon(1e-3 * far_m));
+  }
+}
+
+TEST_CASE("a checkpoint that tells of a recording that cannot be is refused") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "replay.trp";
+  Ecology<rules::Paper, backend::Kinematic> ecology{Experiment<rules::Paper, backend::Kinematic>{}};
+  Recording recording{path, 5.0};
+  ecology.run_until(10.0, recording);
+  Archive written;
+  recording.persist(written);
+  const auto goes_on = [&](const std::string& bytes) {
+    Recording again{path, 5.0, Opening::gone_on_with};
+    Archive archive{bytes};
+    again.persist(archive);
+  };
+  CHECK_NOTHROW(goes_on(written.bytes()));
+  constexpr std::size_t channels = 8 + 12 + 32;  // after rate, length and checksum of the file, and units
+  for (const std::size_t at : {channels, channels + 8, channels + 16}) {
+    for (const std::uint64_t number : {std::uint64_t{0}, std::uint64_t{1} << 62U}) {
+      CAPTURE(at);
+      CAPTURE(number);
+      std::string bytes = written.bytes();
+      std::memcpy(bytes.data() + at, &number, sizeof(number));
+      CHECK_THROWS_AS(goes_on(bytes), std::invalid_argument);
+    }
   }
 }
 
