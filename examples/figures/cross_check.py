@@ -54,8 +54,8 @@ def draw_paths(axes, paths):
     axes.set_ylabel("to the left, m")
 
 
-def draw_ecology(axes, ecology):
-    """Differences in units of their margins: equivalent where the bar stays within +-1."""
+def draw_ecology(axes, ecology, engines):
+    """Differences in units of their margins: equivalent where the bar stays within +-1. `engines`: of the first set and the second."""
     rows = ecology.iloc[::-1].reset_index(drop=True)
     names = [f"{r.quantity} {r.species}" + ("" if r.group == "all" else f" ({r.group})") for r in rows.itertuples()]
     middle = rows.difference / rows.margin
@@ -64,7 +64,7 @@ def draw_ecology(axes, ecology):
     axes.axvspan(-1, 1, color="#009E73", alpha=0.15)
     axes.axvline(0, color="#555555", linewidth=0.6)
     axes.set_yticks(rows.index, names, fontsize=6)
-    axes.set_xlabel("ODE - MuJoCo, in margins [90 %]")
+    axes.set_xlabel(" - ".join(engine.split()[0] for engine in reversed(engines)) + ", in margins [90 %]")
 
 
 def main():
@@ -86,7 +86,7 @@ def main():
     if ecology.empty:
         panels[1, 1].axis("off")
     else:
-        draw_ecology(panels[1, 1], ecology)
+        draw_ecology(panels[1, 1], ecology, table[table.part == "ecology"].engine.unique())
     for suffix in ("png", "pdf"):
         figure.savefig(folder / f"cross_check.{suffix}", dpi=200)
     print(folder / "cross_check.png")

@@ -76,7 +76,7 @@ class Data:
     @property
     def n(self):
         """How many runs there are, and of the shadow, in words."""
-        shadow = self.metrics[self.metrics.baseline == "shadow"].run.nunique()
+        shadow = self.metrics[self.metrics.baseline == "shadow"].seed.nunique()
         return f"n = {len(self.folders)} runs" + (f" and {shadow} of the shadow" if shadow else "")
 
     def intervals(self, sign, with_shadow=True):
@@ -91,7 +91,7 @@ class Data:
         found = self.rows(metric, species, group, baseline, curve=True)
         if found.empty:
             raise Missing(f"no curve of {metric} of {species}")
-        table = found.pivot_table(index="run", columns="time_s", values="value")
+        table = found.pivot_table(index="seed", columns="time_s", values="value")
         return table.columns.to_numpy(), table.to_numpy()
 
     def table(self, folder, name, columns):
@@ -154,7 +154,7 @@ def attribution(data):
     ax.set_xticklabels(names)
     ax.legend(loc="upper left", ncol=2, columnspacing=1, handlelength=1.6)
     return caption(fig, f"Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
-                        "credited: of the predators that ever caught; catches: of all catches.")
+                        "credited: of all prey deaths, by the last killer in that body; catches: of all catches.")
 
 
 def velocity(data):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads the folders that runs and sets of runs leave, and what `trophic analyze` and `trophic flip-table` made of them, as pandas frames.
+"""Reads the folders that runs and sets of runs leave, and what `trophic analyze` made of them, as pandas frames.
 
 docs/files.md says which files there are, docs/tables.md has the columns. Needs pandas."""
 
@@ -13,7 +13,7 @@ import pandas
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Ids and counts may be absent; what is empty in a text column is an empty text.
-_TEXT = ("event", "species", "cause", "origin", "unit", "metric", "group", "baseline", "set", "flip", "tag_wish")
+_TEXT = ("event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "flip", "tag_wish")
 
 
 class RunError(ValueError):
@@ -140,7 +140,8 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False) -> Runs:
     Raises RunError for a folder without replicates, and for runs of different fingerprints, which are no replicates.
     """
     path = pathlib.Path(path)
-    folders = sorted(folder for folder in path.glob("replicate-*") if folder.name.removeprefix("replicate-").isdigit())
+    numbered = {folder.name.removeprefix("replicate-"): folder for folder in path.glob("replicate-*")}
+    folders = [numbered[number] for number in sorted(filter(str.isdigit, numbered), key=int)]
     runs = [run for folder in folders if (folder / "manifest.json").exists() and ((run := read_run(folder)).complete or incomplete)]
     if not runs:
         raise RunError(f"{path}: no {'' if incomplete else 'complete '}replicates")

@@ -13,6 +13,8 @@
 #include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/analysis/report/metrics_table.hpp>
 #include <trophic/analysis/report/sweep_rows.hpp>
+#include <trophic/command/cross_check/gait_report.hpp>
+#include <trophic/command/cross_check/report.hpp>
 #include <trophic/gait_evolution/history.hpp>
 #include <trophic/observe/column.hpp>
 #include <trophic/observe/tables.hpp>
@@ -104,6 +106,9 @@ std::string document() {
                                                "Each metric of each cell of a sweep beside the reference cell.") +
          section<analysis::AxisEffectRow>("sweep_effects.csv",
                                           "What each value of an axis does to each metric, averaged over the other axes.") +
+         section<command::cross_check::CheckRow>("cross_check.csv",
+                                                 "What `trophic cross-check` measured of gaits and ecologies.") +
+         section<command::cross_check::TrajectoryRow>("trajectories.csv", "Where the robots of a cross-check of gaits went.") +
          section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "A row a generation.") +
          section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
                                            "Every candidate in the ALife data standard, time in generations.");

@@ -140,7 +140,7 @@ class Analyze(InFolderWithSets):
         self.assertEqual({r["until_s"] for r in self.summary()["sets"][0]["runs"]}, {600})
         different = self.analyze("--compare", self.sets / "paper", "longer", "--out", "different")
         self.assertEqual(different.returncode, 2)
-        self.assertIn("longer: 1200 s, but", different.stderr)
+        self.assertIn('longer: status "complete" at 1200 of 1200 s, but', different.stderr)
         self.assertEqual(self.analyze("--compare", self.sets / "paper", "longer", "--until", 1000, "--out", "cut").returncode, 0)
 
     def test_same_runs_same_bytes(self):

@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <trophic/analysis/data/sweep_runs.hpp>
 #include <trophic/analysis/metrics/metric_choice.hpp>
+#include <trophic/analysis/metrics/run_metrics.hpp>
 #include <trophic/analysis/metrics/sweep_values.hpp>
 #include <trophic/analysis/report/axis_effects.hpp>
 #include <trophic/analysis/report/axis_rows.hpp>
@@ -99,6 +101,12 @@ inline void measure_sweep(const std::filesystem::path& folder, const std::filesy
   const analysis::SweepRuns sweep = analysis::read_sweep(folder);
   const auto reference = static_cast<std::size_t>(options.reference.value_or(sweep.grid.cells.front().number));
   check_sweep(sweep, reference, options, until_s);
+  std::set<std::int64_t> thinnings;
+  for (const sweep::PlannedRun& run : sweep.plan) thinnings.insert(run.extent.agents_every_ticks);
+  for (const std::int64_t every : thinnings) {
+    if (const std::string lost = analysis::lost_to_thinning(every); !lost.empty())
+      std::cerr << "trophic analyze: " << lost << "\n";
+  }
   const auto names = analysis::chosen(analysis::metric_names(sweep.webs), options.metrics);
   const auto out = observe::make_new_folder(out_folder);
   analysis::SweepValues values;

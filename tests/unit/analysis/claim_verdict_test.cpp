@@ -40,9 +40,28 @@ TEST_CASE("an undecided claim says how many runs would decide, and they do") {
   CHECK(judge(tags, spread(*far.runs_needed + 1, 0.55, 0.25)).verdict == Reproduction::not_reproduced);
 }
 
-TEST_CASE("exactly between excluded and equivalent no number of runs decides") {
-  CHECK_FALSE(runs_to_decide(0.0, 1.0, 1e-9));
-  CHECK(*runs_to_decide(0.0, 1e-6, 1.0) == runs_for_verdict);
+TEST_CASE("what ten published runs cannot tell apart no number of ours decides") {
+  CHECK_FALSE(runs_to_decide(tags, 0.43 + 0.065, 1.0));
+  CHECK(*runs_to_decide(tags, 0.43, 1e-6) == runs_for_verdict);
+  CHECK(*runs_to_decide(tags, 0.63, 1e-6) == runs_for_verdict);
+}
+
+TEST_CASE("a system that is the published one is called not reproduced in 5 % of cases at most") {
+  Rng rng{4, Stream::user};
+  for (const std::size_t runs : {std::size_t{10}, std::size_t{30}}) {
+    int wrong = 0;
+    constexpr int trials = 4000;
+    for (int trial = 0; trial < trials; ++trial) {
+      Claim claim = tags;
+      claim.value = rng.normal(0.43, tags.margin / std::sqrt(static_cast<double>(published_runs)));
+      std::vector<double> values(runs);
+      for (double& value : values) value = rng.normal(0.43, tags.margin);
+      if (judge(claim, values).verdict == Reproduction::not_reproduced) ++wrong;
+    }
+    CAPTURE(runs);
+    CHECK(wrong > 0);
+    CHECK(wrong < 0.06 * trials);
+  }
 }
 
 TEST_CASE("five runs get numbers and no verdict") {

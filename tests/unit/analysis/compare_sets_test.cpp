@@ -72,10 +72,20 @@ TEST_CASE("sets of different duration are not compared") {
   RunManifest a;
   a.folder = "a";
   a.until_s = 6000.0;
+  a.status = "complete";
   RunManifest b = a;
   CHECK_NOTHROW(check_comparable(a, b));
   b.folder = "b";
   b.until_s = 6500.0;
   CHECK(test::message_of<std::invalid_argument>([&] { check_comparable(a, b); }) ==
-        "b: 6500 s, but a has 6000 s; runs of different length are not compared: use --until");
+        "b: status \"complete\" at 6500 of 6500 s, but a has status \"complete\" at 6000 of 6000 s; runs of different length are "
+        "not compared: use --until");
+  b.until_s = 6000.0;
+  b.status = "stopped";
+  b.reached_s = 4000.0;
+  CHECK(
+      test::message_of<std::invalid_argument>([&] { check_comparable(a, b); }).starts_with("b: status \"stopped\" at 4000 of "));
+  a.status = b.status = "running";
+  a.reached_s = b.reached_s = {};
+  CHECK(test::message_of<std::invalid_argument>([&] { check_comparable(a, b); }).find("an unknown time") != std::string::npos);
 }

@@ -101,12 +101,11 @@ TEST_CASE("a thinned table gives the same velocities from fewer starts, or none 
     CHECK(value(every(ticks), walls) == 0.0);
   }
   CHECK(*value(every(5), stuck) == 0.0);
-  CHECK(lost_to_thinning(every(1).manifest).empty());
-  CHECK(
-      lost_to_thinning(every(3).manifest) ==
-      "run/agents.csv: has the ticks that are multiples of 3: no velocity_stored, which needs every tick, no stuck, which needs "
-      "rows 5 ticks apart");
-  CHECK(lost_to_thinning(every(5).manifest) ==
-        "run/agents.csv: has the ticks that are multiples of 5: no velocity_stored, which needs every tick, no velocity, which "
+  CHECK(lost_to_thinning(1).empty());
+  CHECK(lost_to_thinning(3) ==
+        "agents.csv: has the ticks that are multiples of 3: no velocity_stored, which needs every tick, no stuck, which needs "
+        "rows 5 ticks apart");
+  CHECK(lost_to_thinning(5) ==
+        "agents.csv: has the ticks that are multiples of 5: no velocity_stored, which needs every tick, no velocity, which "
         "needs rows 6 ticks apart");
 }

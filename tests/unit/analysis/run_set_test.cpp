@@ -43,6 +43,15 @@ TEST_CASE("runs of different status or duration are not pooled, unless all are c
   CHECK(message_of<std::invalid_argument>([&] {
           static_cast<void>(read_set(Paths{b, c}));
         }).find("at 200 of 6000 s, but ") != std::string::npos);
+  const auto killed = [&](const std::string& name, int seed) {
+    std::string text = manifest("aa", seed);
+    return write_run(folder.path() / name, text.replace(text.find("complete"), 8, "running"));
+  };
+  const auto d = killed("d", 4);
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(read_set(Paths{d, killed("e", 5)}));
+        }).find("status \"running\" at an unknown time of 6000 s; runs of different length are not pooled") != std::string::npos);
+  CHECK(read_set(Paths{d}).runs.size() == 1);
   CHECK(read_set(Paths{a, b, c}, 100.0).runs.size() == 3);
   CHECK(read_set(Paths{a, b, c}, 100.0).manifests[1].until_s == 100.0);
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b, c}, 150.0)); }).starts_with(b.string()));

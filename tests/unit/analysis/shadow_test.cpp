@@ -36,7 +36,9 @@ TEST_CASE("what is no shadow is refused with what differs") {
   const auto floor = run_of(folder.path() / "floor", "nothing_inherited", 6);
   CHECK(refusal(floor) == floor.string() + from + "params/rules/floor/floor = 6: must be 7");
   const auto stopped = run_of(folder.path() / "stopped", "nothing_inherited", 7, 1, "stopped");
-  CHECK(refusal(stopped) == stopped.string() + from + "it is stopped at 6000 s: must be complete at 6000 s");
+  CHECK(refusal(stopped) == stopped.string() + from +
+                                "it has status \"stopped\" at an unknown time of 6000 s: must be as status "
+                                "\"complete\" at 6000 of 6000 s");
   const auto bare = test::write_run(folder.path() / "bare", test::manifest("cc", 3));
   CHECK(refusal(bare).find("slot heredity is unknown") != std::string::npos);
 }

@@ -108,6 +108,12 @@ TEST_CASE("the exact sum agrees with sampled coins and meets the limit that is u
   CHECK(fair_coin_symmetry(400, 600) ==
         doctest::Approx(std::sqrt(2.0 * (1.0 / 400 + 1.0 / 600) / std::numbers::pi)).epsilon(1e-3));
   CHECK(fair_coin_symmetry(401, 600) == doctest::Approx(fair_coin_symmetry(400, 600)).epsilon(2e-3));
+  CHECK(fair_coin_symmetry(1, 999) == doctest::Approx(1.0));
+  CHECK(fair_coin_symmetry(1000, 1) == doctest::Approx(1.0));  // whatever the thousand show, it is as likely above as below -1
+  for (const std::size_t few : {std::size_t{2}, std::size_t{7}, std::size_t{40}, std::size_t{248}}) {
+    CHECK(fair_coin_symmetry(few, 1002 - few) == doctest::Approx(fair_coin_symmetry(few, 1000 - few)).epsilon(5e-4));
+  }
+  CHECK(fair_coin_symmetry(251, 751) == doctest::Approx(fair_coin_symmetry(249, 749)).epsilon(5e-3));
 }
 
 TEST_CASE("the paper's baseline: 100,000 pairs of uniform numbers give 2/3") {

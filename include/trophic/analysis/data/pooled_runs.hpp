@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/analysis/data/run_manifest.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -70,12 +69,8 @@ struct PooledRuns {
            std::to_string(other.agents_every_ticks) + "; runs that say more and less of their robots are not pooled";
   }
   if (is_cut) return "";
-  const auto lasted = [](const RunManifest& run) {
-    return "status \"" + run.status + "\" at " + (run.reached_s ? number_text(*run.reached_s) : "an unknown time") + " of " +
-           number_text(run.until_s) + " s";
-  };
-  if (manifest.status != other.status || manifest.until_s != other.until_s || manifest.reached_s != other.reached_s) {
-    return here + lasted(manifest) + ", but " + there + " has " + lasted(other) +
+  if (manifest.status != other.status || !lasted_alike(manifest, other)) {
+    return here + lasted_text(manifest) + ", but " + there + " has " + lasted_text(other) +
            "; runs of different length are not pooled: leave some out, or cut all with --until";
   }
   return "";

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/observe/csv.hpp>
+#include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -36,6 +37,40 @@ struct RunManifest {
   FoodWeb web{{}, {}};
   std::map<std::string, observe::TableSum> tables;  ///< by file name; empty for a run that was killed
 };
+
+/// When a run ended; none of one that was killed or is still running.
+[[nodiscard]] inline std::optional<double> end_s(const RunManifest& run) {
+  return run.status == "complete" ? std::optional{run.reached_s.value_or(run.until_s)} : run.reached_s;
+}
+
+/// How a run ended and when, of how much.
+[[nodiscard]] inline std::string lasted_text(const RunManifest& run) {
+  const auto end = end_s(run);
+  return "status \"" + run.status + "\" at " + (end ? number_text(*end) : "an unknown time") + " of " + number_text(run.until_s) +
+         " s";
+}
+
+/// Whether two runs are known to have lasted equally long, of the same time.
+[[nodiscard]] inline bool lasted_alike(const RunManifest& a, const RunManifest& b) {
+  return a.until_s == b.until_s && end_s(a) && end_s(a) == end_s(b);
+}
+
+/// The first value in which two objects differ, as "KEY = THAT OF b: must be THAT OF a", a's keys first; empty where none does.
+[[nodiscard]] inline std::string first_difference(const Json& a, const Json& b) {
+  const Json flat_a = a.flatten();
+  const Json flat_b = b.flatten();
+  const auto text = [](const Json& of, const std::string& key) {
+    return of.contains(key) ? json_text(of[key]) : std::string{"missing"};
+  };
+  for (const Json& one : {flat_a, flat_b}) {
+    for (const auto& [key, value] : one.items()) {
+      const std::string here = text(flat_a, key);
+      const std::string there = text(flat_b, key);
+      if (here != there) return key.substr(1) + " = " + there + ": must be " + here;
+    }
+  }
+  return "";
+}
 
 /// What the text of a manifest says; `path` is what errors call it. Throws std::runtime_error naming file and field.
 [[nodiscard]] inline RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {

@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 #include <trophic/analysis/data/run_manifest.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>
 
@@ -43,22 +42,10 @@ inline void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
     rest["rules"].erase(slot);
     rest["params"].erase("seed");
     if (rest["params"].contains("rules")) rest["params"]["rules"].erase(slot);
-    return rest.flatten();
+    return rest;
   };
-  const Json a = rest_of(ours);
-  const Json b = rest_of(shadow);
-  const auto text = [](const Json& of, const std::string& key) {
-    return of.contains(key) ? json_text(of[key]) : std::string{"missing"};
-  };
-  for (const Json& one : {a, b}) {
-    for (const auto& [key, value] : one.items()) {
-      if (text(a, key) != text(b, key)) refuse(key.substr(1) + " = " + text(b, key) + ": must be " + text(a, key));
-    }
-  }
-  if (ours.until_s != shadow.until_s || ours.status != shadow.status) {
-    refuse("it is " + shadow.status + " at " + number_text(shadow.until_s) + " s: must be " + ours.status + " at " +
-           number_text(ours.until_s) + " s");
-  }
+  if (const std::string why = first_difference(rest_of(ours), rest_of(shadow)); !why.empty()) refuse(why);
+  if (!lasted_alike(ours, shadow)) refuse("it has " + lasted_text(shadow) + ": must be as " + lasted_text(ours));
 }
 
 }  // namespace trophic::analysis

@@ -140,10 +140,9 @@ inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result)
 
 }  // namespace detail
 
-/// What a run does not say because its agents.csv leaves ticks out: a sentence, or nothing. All other metrics are means over
-/// ticks or come from events.
-[[nodiscard]] inline std::string lost_to_thinning(const RunManifest& run) {
-  const std::int64_t every = run.agents_every_ticks;
+/// What runs do not say of which agents.csv has only the ticks that are multiples of `every`: half a sentence, or nothing. All
+/// other metrics are means over ticks or come from events.
+[[nodiscard]] inline std::string lost_to_thinning(std::int64_t every) {
   if (every == 1) return {};
   std::string lost = "no velocity_stored, which needs every tick";
   const auto add = [&](const std::string& metric, std::int64_t apart) {
@@ -151,7 +150,7 @@ inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result)
   };
   add("velocity", velocity_ticks);
   add("stuck", stuck_ticks);
-  return (run.folder / "agents.csv").string() + ": has the ticks that are multiples of " + std::to_string(every) + ": " + lost;
+  return "agents.csv: has the ticks that are multiples of " + std::to_string(every) + ": " + lost;
 }
 
 /// All metrics of a run, for any number of species, in an order that depends only on the food web. A metric whose table is

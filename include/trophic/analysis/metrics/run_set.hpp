@@ -33,8 +33,11 @@ struct RunSet {
     RunData run = read_run(manifest.folder);
     if (until_s) cut_to(run, *until_s);
     manifest.until_s = run.manifest.until_s;
+    if (until_s) manifest.reached_s = run.manifest.until_s;
     set.remarks.insert(set.remarks.end(), run.remarks.begin(), run.remarks.end());
-    if (std::string lost = lost_to_thinning(run.manifest); !lost.empty()) set.remarks.push_back(std::move(lost));
+    if (const std::string lost = lost_to_thinning(manifest.agents_every_ticks); !lost.empty()) {
+      set.remarks.push_back(manifest.folder.string() + "/" + lost);
+    }
     set.runs.push_back(measure_run(run));
   }
   return set;

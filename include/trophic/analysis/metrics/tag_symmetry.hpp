@@ -18,12 +18,14 @@
 namespace trophic::analysis {
 
 /// E|mean of `a` fair coins + mean of `b` fair coins|, coins showing -1 or +1: the tag symmetry that populations of these numbers
-/// have if each robot tosses a coin. Exact for up to 1000 coins in all, beyond that by the normal limit sqrt(2 (1/a + 1/b) / pi),
-/// whose relative error is then below 1e-3. Both must be > 0.
+/// have if each robot tosses a coin. Exact for up to 1000 coins in all. Beyond that the mean of the more is taken as normal, and
+/// of the fewer, too, from 250 on: sqrt(2 (1/a + 1/b) / pi). The relative error is then below 1e-3. Both must be > 0.
 [[nodiscard]] inline double fair_coin_symmetry(std::size_t a, std::size_t b) {
+  if (a > b) std::swap(a, b);
   const auto count_a = static_cast<double>(a);
   const auto count_b = static_cast<double>(b);
-  if (a + b > 1000) return std::sqrt(2.0 * (1.0 / count_a + 1.0 / count_b) / std::numbers::pi);
+  const bool is_large = a + b > 1000;
+  if (is_large && a >= 250) return std::sqrt(2.0 * (1.0 / count_a + 1.0 / count_b) / std::numbers::pi);
   const auto probabilities = [](double coins) {  // of k heads, k = 0, ..., coins
     std::vector<double> probability;
     for (double k = 0.0; k <= coins; k += 1.0) {
@@ -33,8 +35,17 @@ namespace trophic::analysis {
     return probability;
   };
   const auto of_a = probabilities(count_a);
-  const auto of_b = probabilities(count_b);
   double expectation = 0.0;
+  if (is_large) {
+    const double deviation = std::sqrt(1.0 / count_b);
+    for (std::size_t i = 0; i < of_a.size(); ++i) {
+      const double z = (2.0 * static_cast<double>(i) / count_a - 1.0) / deviation;
+      const double folded = std::sqrt(2.0 / std::numbers::pi) * std::exp(-0.5 * z * z) + z * std::erf(z / std::numbers::sqrt2);
+      expectation += of_a[i] * deviation * folded;
+    }
+    return expectation;
+  }
+  const auto of_b = probabilities(count_b);
   for (std::size_t i = 0; i < of_a.size(); ++i) {
     const double mean_a = 2.0 * static_cast<double>(i) / count_a - 1.0;
     for (std::size_t j = 0; j < of_b.size(); ++j) {

@@ -19,7 +19,8 @@
 namespace trophic::analysis {
 
 /// `reproduced`: two one-sided tests at 5 % place our mean within the margin of the published value. `not_reproduced`: they do
-/// not, and our 95 % interval leaves the published value out. `undecided`: neither. `unknown`: too few runs for any of them.
+/// not, and the 95 % interval of our mean less the published one leaves out zero (less_published). `undecided`: neither.
+/// `unknown`: too few runs for any of them.
 enum class Reproduction { unknown, reproduced, not_reproduced, undecided };
 [[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Reproduction) {
   return {"no verdict", "reproduced", "not reproduced", "undecided"};
@@ -33,23 +34,47 @@ struct ClaimVerdict {
   std::optional<std::size_t> runs_needed;  ///< of an undecided one
 };
 
+/// Ours less a published mean, which is itself one of ten runs that spread by the claim's margin: two systems that are the same
+/// must not differ by that alone.
+[[nodiscard]] inline Contrast less_published(const Contrast& ours, const Claim& claim) {
+  const double theirs = claim.margin * claim.margin / static_cast<double>(published_runs);
+  const double own = ours.error * ours.error;
+  const double squares = theirs * theirs / static_cast<double>(published_runs - 1) + own * own / ours.freedom;
+  return {ours.value - claim.value, std::sqrt(own + theirs), (own + theirs) * (own + theirs) / squares};
+}
+
+/// Whether the interval of a contrast leaves out zero.
+[[nodiscard]] inline bool is_apart(const Contrast& off) {
+  const Interval interval = *interval_of(off);
+  return interval.lower > 0.0 || interval.upper < 0.0;
+}
+
+/// Runs that would decide a claim, if our mean and spread stay as they are. None if a thousand would not.
+[[nodiscard]] inline std::optional<std::size_t> runs_to_decide(const Claim& claim, double mean, double deviation) {
+  for (std::size_t runs = runs_for_verdict; runs <= 1000; ++runs) {
+    const auto count = static_cast<double>(runs);
+    const Contrast ours{mean, deviation / std::sqrt(count), count - 1.0};
+    Contrast off = ours;
+    off.value -= claim.value;
+    if (test_equivalence(off, claim.margin).verdict == Equivalence::equivalent) return runs;
+    if (is_apart(less_published(ours, claim))) return runs;
+  }
+  return std::nullopt;
+}
+
 [[nodiscard]] inline ClaimVerdict judge(const Claim& claim, std::span<const double> values) {
   ClaimVerdict result{claim, estimate(values), Reproduction::unknown, {}};
-  auto off = contrast({{1.0, values}});
-  if (!off) return result;
-  off->value -= claim.value;
-  switch (test_equivalence(off, claim.margin).verdict) {
-    case Equivalence::equivalent:
-      result.verdict = Reproduction::reproduced;
-      break;
-    case Equivalence::different:
-      result.verdict = Reproduction::not_reproduced;
-      break;
-    case Equivalence::undecided:
-    case Equivalence::unknown:
-      result.verdict = Reproduction::undecided;
-      result.runs_needed = runs_to_decide(std::abs(off->value), *result.ours.deviation, claim.margin);
-      break;
+  const auto ours = contrast({{1.0, values}});
+  if (!ours) return result;
+  Contrast off = *ours;
+  off.value -= claim.value;
+  if (test_equivalence(off, claim.margin).verdict == Equivalence::equivalent) {
+    result.verdict = Reproduction::reproduced;
+  } else if (is_apart(less_published(*ours, claim))) {
+    result.verdict = Reproduction::not_reproduced;
+  } else {
+    result.verdict = Reproduction::undecided;
+    result.runs_needed = runs_to_decide(claim, ours->value, *result.ours.deviation);
   }
   return result;
 }

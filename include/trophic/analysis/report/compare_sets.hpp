@@ -11,7 +11,6 @@
 #include <trophic/analysis/statistics/difference.hpp>
 #include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
-#include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>
 
@@ -26,11 +25,11 @@ struct SetDifference {
   Difference over_shadow;  ///< (b - shadow of b) - (a - shadow of a); empty unless both have a shadow
 };
 
-/// Throws std::invalid_argument, naming both, if runs of two sets did not last equally long.
+/// Throws std::invalid_argument, naming both, if runs of two sets did not last equally long, or it is not known.
 inline void check_comparable(const RunManifest& a, const RunManifest& b) {
-  if (a.until_s == b.until_s) return;
-  throw std::invalid_argument{b.folder.string() + ": " + number_text(b.until_s) + " s, but " + a.folder.string() + " has " +
-                              number_text(a.until_s) + " s; runs of different length are not compared: use --until"};
+  if (lasted_alike(a, b)) return;
+  throw std::invalid_argument{b.folder.string() + ": " + lasted_text(b) + ", but " + a.folder.string() + " has " +
+                              lasted_text(a) + "; runs of different length are not compared: use --until"};
 }
 
 /// For every metric that both sets measured, in the order of `a`.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,8 +11,9 @@
 
 namespace trophic::analysis {
 
-/// How long the published runs are.
+/// How long the published runs are, and how many.
 inline constexpr double published_duration_s = 6000.0;
+inline constexpr std::size_t published_runs = 10;
 
 /// Where a published number stands.
 enum class Source { text, events };
@@ -19,7 +21,8 @@ enum class Source { text, events };
   return {"paper", "events"};
 }
 
-/// A published mean over ten runs, and the metric of ours that counts what it counts. Within `margin` of it ours shows the same.
+/// A published mean over `published_runs` runs, and the metric of ours that counts what it counts. `margin`: their spread; ours
+/// that is within it of that mean shows the same.
 struct Claim {
   std::string_view metric;
   std::string_view species;

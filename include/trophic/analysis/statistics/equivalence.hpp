@@ -3,14 +3,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string_view>
 #include <trophic/analysis/statistics/interval.hpp>
-#include <trophic/analysis/statistics/student_t.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::analysis {
@@ -54,27 +51,6 @@ struct EquivalenceTest {
   EquivalenceTest test = test_equivalence(contrast({{-1.0, a}, {1.0, b}}), margin, alpha);
   if (!a.empty() && !b.empty()) test.difference = *mean_of(b) - *mean_of(a);
   return test;
-}
-
-/// Runs that would decide about a mean this far from a reference, if mean and spread stay as they are: the fewest whose
-/// intervals show either equivalence or exclusion. None if a million would not.
-[[nodiscard]] inline std::optional<std::size_t> runs_to_decide(double distance, double deviation, double margin) {
-  const auto half_width = [&](std::size_t runs, double level) {
-    const double freedom = static_cast<double>(runs - 1);
-    return student_t_quantile((1.0 + level) / 2.0, freedom) * deviation / std::sqrt(static_cast<double>(runs));
-  };
-  const auto decides = [&](std::size_t runs) {
-    return half_width(runs, 0.90) < margin - distance || half_width(runs, 0.95) < distance;
-  };
-  // Widths shrink with the number of runs: the first number that decides is found by halving.
-  std::size_t decided = 1'000'000;
-  if (!decides(decided)) return std::nullopt;
-  std::size_t too_few = runs_for_verdict - 1;
-  while (decided - too_few > 1) {
-    const std::size_t middle = too_few + (decided - too_few) / 2;
-    (decides(middle) ? decided : too_few) = middle;
-  }
-  return decided;
 }
 
 }  // namespace trophic::analysis

@@ -11,11 +11,13 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/analysis/metrics/run_set.hpp>
+#include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/command/cross_check/report.hpp>
-#include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
 
 namespace trophic::command::cross_check {
 
@@ -40,19 +42,21 @@ struct Ecologies {
   analysis::RunSet second;
 };
 
-/// Reads two folders of replicates. Throws std::invalid_argument if their rule tables or durations differ, and as
-/// analysis::read_set does.
+/// Reads two folders of replicates. Throws std::invalid_argument if their rules, their numbers but for the engine's, or their
+/// durations differ, and as analysis::read_set does.
 [[nodiscard]] inline Ecologies read_ecologies(const std::filesystem::path& first, const std::filesystem::path& second) {
   Ecologies sets{analysis::read_set(std::span{&first, 1}), analysis::read_set(std::span{&second, 1})};
   const auto& a = sets.first.manifests.front();
   const auto& b = sets.second.manifests.front();
-  if (a.rules != b.rules) {
-    throw std::invalid_argument{second.string() + ": rules " + b.rules + ": must be " + a.rules + " as in " + first.string()};
+  const auto of_the_ecology = [](const analysis::RunManifest& manifest) {
+    Json rest{{"rule_table", manifest.rules}, {"rules", manifest.policies}, {"params", manifest.params}};
+    for (const char* own : {"seed", "physics", "backend"}) rest["params"].erase(own);
+    return rest;
+  };
+  if (const std::string why = analysis::first_difference(of_the_ecology(a), of_the_ecology(b)); !why.empty()) {
+    throw std::invalid_argument{second.string() + ": " + why + " as in " + first.string()};
   }
-  if (a.until_s != b.until_s) {
-    throw std::invalid_argument{second.string() + ": " + number_text(b.until_s) + " s: must be " + number_text(a.until_s) +
-                                " s as in " + first.string()};
-  }
+  analysis::check_comparable(a, b);
   return sets;
 }
 

@@ -54,24 +54,26 @@ struct CheckRow {
 
   static constexpr auto columns() {
     using trophic::observe::column;
-    return std::tuple{column("part", &CheckRow::part, "", "gait or ecology"),
-                      column("engine", &CheckRow::engine, "", "name of the physics engine"),
-                      column("settings", &CheckRow::settings, "", "which numbers of the engine; of gaits"),
-                      column("timestep_s", &CheckRow::timestep_s, "s", "of the engine; of gaits"),
-                      column("target_angle_rad", &CheckRow::target_angle_rad, "rad", "that the robots were steered by; of gaits"),
-                      column("quantity", &CheckRow::quantity, "", "what was measured"),
-                      column("species", &CheckRow::species, "", "of metrics"),
-                      column("group", &CheckRow::group, "", "of metrics, as in metrics.csv"),
-                      column("unit", &CheckRow::unit, "", "of mean, margin, difference and intervals"),
-                      column("mean", &CheckRow::mean, "", "over robots or runs"),
-                      column("lower", &CheckRow::lower, "", "of its 95 % interval"),
-                      column("upper", &CheckRow::upper, "", "of its 95 % interval"),
-                      column("n", &CheckRow::n, "", "robots or runs"),
-                      column("margin", &CheckRow::margin, "", "within which engines are equivalent"),
-                      column("difference", &CheckRow::difference, "", "to MuJoCo's mean at its default timestep"),
-                      column("difference_lower", &CheckRow::difference_lower, "", "of its 90 % interval"),
-                      column("difference_upper", &CheckRow::difference_upper, "", "of its 90 % interval"),
-                      column("verdict", &CheckRow::verdict, "", "equivalent, different, undecided or unknown")};
+    return std::tuple{
+        column("part", &CheckRow::part, "", "gait or ecology"),
+        column("engine", &CheckRow::engine, "", "name of the physics engine"),
+        column("settings", &CheckRow::settings, "", "which numbers of the engine; of gaits"),
+        column("timestep_s", &CheckRow::timestep_s, "s", "of the engine; of gaits"),
+        column("target_angle_rad", &CheckRow::target_angle_rad, "rad", "that the robots were steered by; of gaits"),
+        column("quantity", &CheckRow::quantity, "", "what was measured"),
+        column("species", &CheckRow::species, "", "of metrics"),
+        column("group", &CheckRow::group, "", "of metrics, as in metrics.csv"),
+        column("unit", &CheckRow::unit, "", "of mean, margin, difference and intervals"),
+        column("mean", &CheckRow::mean, "", "over robots or runs"),
+        column("lower", &CheckRow::lower, "", "of its 95 % interval"),
+        column("upper", &CheckRow::upper, "", "of its 95 % interval"),
+        column("n", &CheckRow::n, "", "robots or runs"),
+        column("margin", &CheckRow::margin, "", "within which engines are equivalent"),
+        column("difference", &CheckRow::difference, "",
+               "of gaits: to MuJoCo's mean at its default timestep; of ecologies: the second set's less the first's"),
+        column("difference_lower", &CheckRow::difference_lower, "", "of its 90 % interval"),
+        column("difference_upper", &CheckRow::difference_upper, "", "of its 90 % interval"),
+        column("verdict", &CheckRow::verdict, "", "equivalent, different, undecided or unknown")};
   }
 };
 
