@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: MIT
-// What rules must not return: catches of nobody's prey, parents of another species than their offspring.
+// What rules must not return: too few founders or places, catches of nobody's prey, parents of another kind than their offspring.
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <string_view>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/support/linkage.hpp>
+#include <trophic/support/units.hpp>
 
 namespace trophic::detail {
 
 /// Throws RuleError unless the hunter's species eats the victim's.
 void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex victim, Species eaten);
 
-/// A body goes to the species that the rules fix; throws RuleError for a parent of another one.
-void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent);
+/// A body goes to the species that the rules fix; throws RuleError for a parent of another one, or whose genome is none of
+/// `weights` weights.
+void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent, std::size_t weights);
+
+/// Throws RuleError unless a slot's rule returned one of these for each robot.
+void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots);
+
+/// Throws RuleError unless there is a place for each robot, and each is one.
+void check_places(std::span<const GroundPose> places, std::size_t robots);
 
 }  // namespace trophic::detail
 

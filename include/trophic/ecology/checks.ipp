@@ -2,6 +2,7 @@
 // Definitions of checks.hpp.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <trophic/ecology/checks.hpp>
@@ -30,8 +31,29 @@ TROPHIC_INLINE void check_prey(const FoodWeb& web, BodyIndex hunter, Species eat
   return "senescence_parent";
 }
 
-TROPHIC_INLINE void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent) {
+TROPHIC_INLINE void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots) {
+  if (returned == robots) return;
+  throw RuleError{slot, std::to_string(returned) + " " + std::string{what} + ": must be " + std::to_string(robots) +
+                            ", the number of robots"};
+}
+
+TROPHIC_INLINE void check_places(std::span<const GroundPose> places, std::size_t robots) {
+  check_one_each("placement", "places", places.size(), robots);
+  for (std::size_t body = 0; body < places.size(); ++body) {
+    const GroundPose& place = places[body];
+    if (std::isfinite(place.x_m) && std::isfinite(place.y_m) && std::isfinite(place.heading_rad)) continue;
+    throw RuleError{"placement", "a place of body " + std::to_string(body) + " that is not finite"};
+  }
+}
+
+TROPHIC_INLINE void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent,
+                                 std::size_t weights) {
   check_index(parent_slot(vacancy.cause), "a parent of species", parent.species, web.size());
+  if (!parent.genome || parent.genome->weights.size() != weights) {
+    throw RuleError{parent_slot(vacancy.cause), "individual " + std::to_string(parent.id) +
+                                                    " as a parent: must have a genome of " + std::to_string(weights) +
+                                                    " weights"};
+  }
   if (!vacancy.heir || parent.species == *vacancy.heir) return;
   throw RuleError{parent_slot(vacancy.cause), "individual " + std::to_string(parent.id) + ", a " + web.name(parent.species) +
                                                   ", as the parent of a " + web.name(*vacancy.heir) +

@@ -112,7 +112,7 @@ class Ecology final : public Simulation {
                .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
-        population_{rules_, web_, params_.seed, rules_.community.founders(params_.ecology.robots)},
+        population_{rules_, web_, params_.seed, founders()},
         poses_{place()},
         backend_{habitat_.robot, habitat_.arena, standing_poses(poses_, habitat_.robot), params_.physics, params_.backend},
         locomotion_{habitat_.robot,
@@ -144,9 +144,17 @@ class Ecology final : public Simulation {
     }
   }
 
+  [[nodiscard]] std::vector<Species> founders() const {
+    std::vector<Species> species = rules_.community.founders(params_.ecology.robots);
+    detail::check_one_each("community", "founders", species.size(), params_.ecology.robots);
+    return species;
+  }
+
   [[nodiscard]] std::vector<GroundPose> place() const {
     Rng rng{params_.seed, Stream::placement};
-    return rules_.placement.place(params_.ecology.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
+    auto places = rules_.placement.place(params_.ecology.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
+    detail::check_places(places, params_.ecology.robots);
+    return places;
   }
 
   void emit(observe::Audience& audience, observe::EventKind kind, BodyIndex body, std::optional<Cause> cause = {},
@@ -259,10 +267,12 @@ class Ecology final : public Simulation {
 
   void rescue(observe::Audience& audience) {
     Rng rng{params_.seed, Stream::sacrifice, 0, static_cast<std::uint64_t>(tick_)};
+    const IndividualId first_newborn = population_.next_id();
     const auto given_up = states().rescue.all();
     for (const death::Sacrifice& sacrifice : death::ask::sacrifices(rules_.rescue, given_up, view(), rng)) {
       check_index("rescue", "victim", sacrifice.victim, poses_.size());
       check_index("rescue", "heir", sacrifice.heir, web_.size());
+      if (population_[sacrifice.victim].id >= first_newborn) continue;
       if (!rules_.floor.may_die(population_[sacrifice.victim].species, view())) continue;
       hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .heir = sacrifice.heir},
               rules_.rescue_parent, states().rescue_parent);
@@ -279,7 +289,8 @@ class Ecology final : public Simulation {
   /// Where the rules do not fix the heir's species, it is the parent's or, for want of a parent, the first that the dead one ate.
   void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy, const Succession& succession) {
     const Species dead = population_[vacancy.body].species;
-    if (succession.parent) detail::check_parent(web_, vacancy, *succession.parent);
+    const std::size_t weights = population_[vacancy.body].genome->weights.size();
+    if (succession.parent) detail::check_parent(web_, vacancy, *succession.parent, weights);
     auto heir = vacancy.heir;
     if (!heir) heir = succession.parent ? succession.parent->species : web_.first_victim(dead).value_or(dead);
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;

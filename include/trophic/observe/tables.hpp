@@ -35,22 +35,23 @@ struct EventRow {
   double y_m = 0.0;
 
   static constexpr auto columns() {
-    return std::tuple{column("time_s", &EventRow::time_s, "s", "the ecology's clock"),
-                      column("tick", &EventRow::tick, "", "number of the decision step; 0 at the start"),
-                      column("event", &EventRow::kind, "", "what happened"),
-                      column("id", &EventRow::id, "", "the individual it happened to; of a catch the hunter"),
-                      species_column("species", &EventRow::species, "its species"),
-                      column("body", &EventRow::body, "", "the robot body that it lives in"),
-                      column("tag", &EventRow::tag, "", "the tag that it shows; of a switch the new one"),
-                      column("active", &EventRow::active, "", "0 for a newborn that is not yet seen and does not act"),
-                      column("origin", &EventRow::origin, "", "whether its genome is labelled random or inherited"),
-                      column("parent_id", &EventRow::parent, "", "whom it descends from; empty without a parent"),
-                      column("genome_id", &EventRow::genome, "", "its genome, which several share where the rules share genomes"),
-                      column("cause", &EventRow::cause, "", "of a death"),
-                      column("killer_id", &EventRow::killer, "", "of a death by being caught: the hunter"),
-                      column("victim_id", &EventRow::victim, "", "of a catch: who was caught"),
-                      column("x_m", &EventRow::x_m, "m", "where its body stands", micro),
-                      column("y_m", &EventRow::y_m, "m", "where its body stands", micro)};
+    return std::tuple{
+        column("time_s", &EventRow::time_s, "s", "the ecology's clock"),
+        column("tick", &EventRow::tick, "", "number of the decision step; 0 at the start"),
+        column("event", &EventRow::kind, "", "what happened"),
+        column("id", &EventRow::id, "", "the individual it happened to; of a catch the hunter"),
+        species_column("species", &EventRow::species, "its species"),
+        column("body", &EventRow::body, "", "the robot body that it lives in"),
+        column("tag", &EventRow::tag, "", "the tag that it shows; of a switch the new one"),
+        column("active", &EventRow::active, "", "0 for one that hunters neither perceive nor catch yet; it perceives and walks"),
+        column("origin", &EventRow::origin, "", "whether its genome is labelled random or inherited"),
+        column("parent_id", &EventRow::parent, "", "whom it descends from; empty without a parent"),
+        column("genome_id", &EventRow::genome, "", "its genome, which several share where the rules share genomes"),
+        column("cause", &EventRow::cause, "", "of a death"),
+        column("killer_id", &EventRow::killer, "", "of a death by being caught: the hunter"),
+        column("victim_id", &EventRow::victim, "", "of a catch: who was caught"),
+        column("x_m", &EventRow::x_m, "m", "where its body stands", micro),
+        column("y_m", &EventRow::y_m, "m", "where its body stands", micro)};
   }
 };
 
@@ -80,7 +81,7 @@ struct AgentRow {
         column("id", &AgentRow::id, "", "the individual that lives in it"),
         species_column("species", &AgentRow::species, "its species"),
         column("origin", &AgentRow::origin, "", "whether its genome is labelled random or inherited"),
-        column("active", &AgentRow::active, "", "0 for a newborn that is not yet seen and does not act"),
+        column("active", &AgentRow::active, "", "0 for one that hunters neither perceive nor catch yet; it perceives and walks"),
         column("tag", &AgentRow::tag, "", "the tag that it shows"),
         column("x_m", &AgentRow::x_m, "m", "where the body stands", micro),
         column("y_m", &AgentRow::y_m, "m", "where the body stands", micro),

@@ -17,7 +17,7 @@ namespace trophic {
   return {c[0] / 255.0F, c[1] / 255.0F, c[2] / 255.0F};
 }
 
-/// Of a newborn that is not yet seen and does not act.
+/// Of a newborn that hunters neither perceive nor catch yet.
 inline constexpr Colour inactive_colour{0.6F, 0.63F, 0.66F};
 
 }  // namespace trophic

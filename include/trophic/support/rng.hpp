@@ -43,8 +43,9 @@ namespace detail {
 }  // namespace detail
 
 /// A stream of random numbers (Philox 4x64, 10 rounds [salmon2011]).
-/// The same four names give the same numbers on every platform; uniform and normal are the library's own transforms because
-/// those of `<random>` differ between standard libraries. Cheap to make, copy and throw away. Not for cryptography.
+/// The same names give the same bits and uniform numbers on every platform, and normal ones up to the last bit of the C library's
+/// log and cos; both are the library's own transforms because those of `<random>` differ between standard libraries. Cheap to
+/// make, copy and throw away. Not for cryptography.
 class Rng {
  public:
   /// `other` tells streams of one individual and event apart: whom it looks at, which of its sensors.

@@ -87,7 +87,7 @@ typename Kinematics<Rules>::Params scene(std::vector<GroundPose> poses) {
   params.backend.turn_scale = 0.0;
   params.rules.activation.distance_m = 0.1;
   params.rules.floor.floor = 0;
-  params.rules.rescue.below = 0;
+  if constexpr (requires { params.rules.rescue.below; }) params.rules.rescue.below = 0;
   return params;
 }
 
@@ -287,6 +287,69 @@ TEST_CASE("ecology: a policy that returns what does not exist is named") {
   CHECK(message({{.hunter = 1, .victim = 7}}) == "the policy in rules.capture returned victim 7: must be < 2");
   CHECK(message({{.hunter = 0, .victim = 1}}) ==
         "the policy in rules.capture returned hunter 0 and victim 1: species prey does not eat predator");
+}
+
+namespace {
+
+/// Gives up the body in which somebody has just been born, too.
+struct TwiceTheSame {
+  static constexpr std::string_view name = "twice_the_same";
+  [[nodiscard]] std::vector<death::Sacrifice> sacrifices(const View& view, Rng&) const {
+    if (view.tick > 0) return {};
+    return {{.victim = 0, .heir = test::predator}, {.victim = 0, .heir = test::predator}};
+  }
+};
+
+/// One founder too few.
+struct Short {
+  static constexpr std::string_view name = "short";
+  [[nodiscard]] FoodWeb web() const { return test::predator_prey_web(); }
+  [[nodiscard]] std::vector<Species> founders(std::size_t robots) const { return std::vector<Species>(robots - 1, test::prey); }
+};
+
+/// Names a parent without anything to inherit.
+struct Nobody {
+  static constexpr std::string_view name = "nobody";
+  [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy&, const View&, Rng&) const {
+    return Ancestor{.id = 0, .species = test::predator, .genome = nullptr};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("ecology: nobody is given up who was born in the same tick") {
+  using Rules = with_rescue<Scene, TwiceTheSame>;
+  auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
+  params.rules.community.predators = 1;
+  const Lines lines = at_tick(0, events<Rules>(params, 0.0));
+  CHECK(std::ranges::count(lines, "death body 0 id 0 species 0 sacrificed") == 1);
+  CHECK(std::ranges::count_if(lines, [](const std::string& line) { return line.starts_with("death"); }) == 1);
+}
+
+TEST_CASE("ecology: founders and places are as many as robots, and places are somewhere") {
+  using Few = with_community<Scene, Short>;
+  const auto few = scene<Few>({{.x_m = 0.0}, {.x_m = 0.5}});
+  CHECK(rule_error([&] { Kinematics<Few>{few}; }) ==
+        "the policy in rules.community returned 1 founders: must be 2, the number of robots");
+  auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
+  params.rules.community.predators = 1;
+  params.ecology.robots = 3;
+  CHECK(rule_error([&] { Kinematics<Scene>{params}; }) ==
+        "the policy in rules.placement returned 2 places: must be 3, the number of robots");
+  params.ecology.robots = 2;
+  Places::poses[1].y_m = std::numeric_limits<double>::quiet_NaN();
+  CHECK(rule_error([&] { Kinematics<Scene>{params}; }) ==
+        "the policy in rules.placement returned a place of body 1 that is not finite");
+}
+
+TEST_CASE("ecology: a parent without a genome is named") {
+  using Rules = with_capture_parent<with_capture<Scene, Scripted>, Nobody>;
+  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
+  params.rules.community.predators = 1;
+  params.rules.genome_source.random_share = 0.0;
+  Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}};
+  CHECK(rule_error([&] { Kinematics<Rules>{params}.run_until(0.0); }) ==
+        "the policy in rules.capture_parent returned individual 0 as a parent: must have a genome of 15 weights");
 }
 
 TEST_CASE("ecology: only the brain's tags are shown") {

@@ -58,6 +58,18 @@ TEST_CASE("sacrifice random victim: in a food chain one for each species that is
   CHECK(sacrifices(robots, {{.below = 1}}).empty());
 }
 
+TEST_CASE("sacrifice random victim: two species that are short of the same food are given two individuals") {
+  const FoodWeb rivals{{"hare", "wolf", "lynx"}, {{.hunter = 1, .victim = 0}, {.hunter = 2, .victim = 0}}};
+  const HandPopulation robots{{{.species = 0}, {.species = 0}, {.species = 1}, {.species = 2}}, rivals};
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto both = sacrifices(robots, {}, seed);
+    REQUIRE(both.size() == 2);
+    CHECK(both[0].victim != both[1].victim);
+  }
+  const HandPopulation last{{{.species = 0}, {.species = 1}, {.species = 2}}, rivals};
+  CHECK(sacrifices(last) == std::vector<Sacrifice>{{.victim = 0, .heir = 1}});
+}
+
 TEST_CASE("sacrifice random victim: one draw for a sacrifice, none without") {
   Rng rng{1, Stream::sacrifice};
   Rng reference = rng;

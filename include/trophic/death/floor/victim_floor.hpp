@@ -20,7 +20,7 @@ struct VictimFloor {
   struct Params {
     std::size_t floor = 7;
     static constexpr auto fields() {
-      return std::tuple{field("floor", &Params::floor, at_least(0), "a hunted species never falls below this")};
+      return std::tuple{field("floor", &Params::floor, at_least(0), "catches and sacrifices leave so many of a hunted species")};
     }
   };
   Params params;

@@ -2,6 +2,7 @@
 // Predators close to extinction are given a prey's body.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <trophic/death/rescue/contract.hpp>
@@ -13,7 +14,8 @@ namespace trophic::death::rescue {
 
 /// Rule: for each hunting species with fewer than `below` members one individual that it eats, chosen uniformly, inactive
 /// newborn included, is sacrificed and its body becomes a hunter's; one per species and tick (Sec. "Prey Death": fewer than
-/// 7; the released code: 7 or fewer, which is below 8). Reads: species.   Random draws: 1 per sacrifice.
+/// 7; the released code: 7 or fewer, which is below 8). Two species get two individuals. The floor can save the one that is
+/// chosen: then nobody takes its place.   Reads: species.   Random draws: 1 per sacrifice.
 struct SacrificeRandomVictim {
   static constexpr std::string_view name = "sacrifice_random_victim";
   static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";
@@ -32,7 +34,8 @@ struct SacrificeRandomVictim {
       if (!view.web.hunts(hunter) || view.count(hunter) >= params.below) continue;
       std::vector<BodyIndex> victims;
       for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-        if (view.web.eats(hunter, view.robots[body].species)) victims.push_back(body);
+        const bool is_taken = std::ranges::find(result, body, &Sacrifice::victim) != result.end();
+        if (!is_taken && view.web.eats(hunter, view.robots[body].species)) victims.push_back(body);
       }
       if (!victims.empty()) result.push_back({.victim = victims[rng.index(victims.size())], .heir = hunter});
     }
