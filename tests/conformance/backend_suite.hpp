@@ -107,6 +107,22 @@ void check_names() {
   CHECK_FALSE(B::version().empty());
 }
 
+/// Asking for a robot that is not there is an error, not another robot's numbers.
+template <Backend B>
+void check_missing_robots() {
+  const World<B> world{2};
+  B backend = world.make();
+  const std::vector<double> before = observe(backend);
+  CHECK_THROWS_AS(static_cast<void>(backend.pose(2)), std::out_of_range);
+  if constexpr (JointDriven<B>) {
+    CHECK_THROWS_AS(static_cast<void>(backend.joint_angles(2)), std::out_of_range);
+    const std::vector<double> targets_rad(world.robot.hinges.size(), 0.1);
+    CHECK_THROWS_AS(backend.set_joint_targets(2, targets_rad), std::out_of_range);
+  }
+  if constexpr (SteeringDriven<B>) CHECK_THROWS_AS(backend.set_target_angle(2, 0.1), std::out_of_range);
+  CHECK(observe(backend) == before);
+}
+
 template <Backend B>
 void check_starts(const Walker& walker) {
   for (const std::size_t robots : {std::size_t{1}, std::size_t{4}}) {
@@ -348,6 +364,9 @@ TEST_CASE_TEMPLATE_DEFINE("backend conformance", B, trophic_backend_suite) {
   }
   SUBCASE("starts where it is told to") {
     for (const Walker& walker : walkers) check_starts<B>(walker);
+  }
+  SUBCASE("knows its robots") {
+    check_missing_robots<B>();
   }
   SUBCASE("advances by whole steps, never back") {
     check_time<B>();

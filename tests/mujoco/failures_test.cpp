@@ -98,6 +98,28 @@ TEST_CASE("a number that is not finite names its robot") {
   }
 }
 
+TEST_CASE("so does one over a height field") {
+  const Arena slopes = load_arena("height_field");
+  for (const Mujoco::Params& params : all_ways()) {
+    std::vector<Pose> starts = test::lattice(spider, 2, 2.0);
+    for (Pose& start : starts) start.position_m.z() += 1.0;
+    Mujoco backend{spider, slopes, starts, {}, params};
+    const Mujoco::State sound = backend.save();
+    for (const std::size_t column : {std::size_t{0}, std::size_t{2}, std::size_t{4}, std::size_t{8}}) {
+      CAPTURE(column);
+      Mujoco::State broken = sound;
+      broken.robots[sound.robots.size() / 2 + column] = std::numeric_limits<double>::quiet_NaN();
+      backend.restore(broken);
+      try {
+        backend.advance_to(0.1);
+        FAIL("went on with NaN");
+      } catch (const Diverged& diverged) {
+        CHECK(diverged.robot() == 1);
+      }
+    }
+  }
+}
+
 TEST_CASE("robots that start inside one another drive apart and the run goes on") {
   std::vector<Pose> starts = test::lattice(spider, 4, 3.0);
   starts.push_back(starts[0]);                                 // exactly the same place

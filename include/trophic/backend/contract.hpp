@@ -40,7 +40,8 @@ class Diverged : public std::runtime_error {
 ///   rest; throws std::invalid_argument naming field, value and bound
 /// - `advance_to(t)` takes whole steps until the first step time >= t (simulated seconds since the start; 1e-9 s of slack so that
 ///   rounding adds no step); throws Diverged; a t in the past does nothing
-/// - `pose(i)` is the root link's; `joint_angles(i)` in the order of RobotModel::hinges (empty without joints)
+/// - `pose(i)` is the root link's; `joint_angles(i)` in the order of RobotModel::hinges (empty without joints); these and what
+///   drives a robot throw std::out_of_range for one that is not there
 /// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved
 ///   one. State lists its members in saved(), so that checkpoints hold it (trophic/params/archive.hpp)
 /// - results must not depend on the number of threads

@@ -12,7 +12,7 @@ struct RobotModel;
 /// names, parents before children, finite geometry, unit axes and rotations, masses > 0, box masses that sum to the link's mass,
 /// inertias that a rigid body can have (positive definite, no principal moment above the sum of the other two), servo gains >= 0,
 /// ranges and limits > 0, neighbours ascending and mutual, friction >= 0, walk within its bounds, rest height and bounding radius
-/// > 0.
+/// > 0, no box beyond that radius at any angles (trophic/habitat/reach.hpp).
 void validate(const RobotModel& robot);
 
 }  // namespace trophic

@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <trophic/habitat/reach.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <trophic/params/params.hpp>
@@ -52,6 +53,9 @@ TROPHIC_INLINE void validate(const RobotModel& robot) {
     for (const Box& box : link.boxes) {
       check(at + box.part + " mass_kg", box.mass_kg, box.mass_kg > 0.0, "must be > 0");
       check(at + box.part + " half extent_m", box.half_extents_m.minCoeff(), box.half_extents_m.minCoeff() > 0.0, "must be > 0");
+      if (!box.centre_m.allFinite()) fail(at + box.part + " centre_m: must be finite");
+      check(at + box.part + " orientation norm", box.orientation.norm(), std::abs(box.orientation.norm() - 1.0) < 1e-9,
+            "must be 1");
       box_mass_kg += box.mass_kg;
     }
     check(at + "mass_kg", link.mass_kg, std::abs(link.mass_kg - box_mass_kg) <= 1e-9 * link.mass_kg,
@@ -65,6 +69,9 @@ TROPHIC_INLINE void validate(const RobotModel& robot) {
     check(at + "inertia_kgm2 largest principal moment", moments[2], moments[2] <= (moments[0] + moments[1]) * (1.0 + 1e-9),
           "must be <= the sum of the other two");
   }
+  const double reach = reach_m(robot);
+  check("bounding_radius_m", robot.bounding_radius_m, robot.bounding_radius_m >= (1.0 - 1e-9) * reach,
+        "must be >= " + number_text(reach) + ", how far its boxes reach");
 
   std::set<std::string> names;
   for (std::size_t i = 0; i < robot.hinges.size(); ++i) {

@@ -49,6 +49,13 @@ TEST_CASE("each broken invariant names robot, field, value and rule") {
         "robot spider: hinge_neighbours[0] = 0: must be another hinge that lists this one too");
   CHECK(broken([](RobotModel& r) { r.hinge_neighbours[0] = {}; }) ==
         "robot spider: hinge_neighbours[1] = 0: must be another hinge that lists this one too");
+  CHECK(broken([](RobotModel& r) { r.links[1].boxes[0].centre_m.x() = std::numeric_limits<double>::infinity(); }) ==
+        "robot spider: links[1].servo_body centre_m: must be finite");
+  CHECK(broken([](RobotModel& r) { r.links[1].boxes[0].orientation.coeffs() *= 2.0; }) ==
+        "robot spider: links[1].servo_body orientation norm = 2: must be 1");
+  CHECK(broken([](RobotModel& r) {
+          r.bounding_radius_m = 0.19;
+        }).starts_with("robot spider: bounding_radius_m = 0.19: must be >= 0.199"));
   CHECK(broken([](RobotModel& r) { r.friction = -0.1; }) == "robot spider: friction = -0.1: must be >= 0");
   CHECK(broken([](RobotModel& r) { r.rest_height_m = 0.0; }) == "robot spider: rest_height_m = 0: must be > 0");
 }

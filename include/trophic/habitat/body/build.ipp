@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/habitat/body/build.hpp>
+#include <trophic/habitat/reach.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <utility>
 #include <vector>
@@ -47,16 +48,6 @@ inline void sum_boxes(Link& link) {
     link.inertia_kgm2 += rotation * own.asDiagonal() * rotation.transpose() +
                          box.mass_kg * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
   }
-}
-
-/// The eight corners of a box in its link's frame.
-[[nodiscard]] inline std::array<Eigen::Vector3d, 8> corners(const Box& box) {
-  std::array<Eigen::Vector3d, 8> result;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const Eigen::Vector3d sign{i & 1U ? 1.0 : -1.0, i & 2U ? 1.0 : -1.0, i & 4U ? 1.0 : -1.0};
-    result.at(i) = box.centre_m + box.orientation * sign.cwiseProduct(box.half_extents_m);
-  }
-  return result;
 }
 
 /// Depth-first walk over the tree that fills links and hinges.
@@ -143,7 +134,6 @@ class Builder {
 
   void measure() {
     std::vector<Frame> rest(robot_.links.size(), Frame::Identity());  // link frame to root frame, all angles 0
-    std::vector<double> reach_m(robot_.links.size(), 0.0);            // farthest box point beyond the link's anchor
     double lowest_m = 0.0;
     for (std::size_t i = 0; i < robot_.links.size(); ++i) {
       const Link& link = robot_.links[i];
@@ -153,16 +143,11 @@ class Builder {
       for (const Box& box : link.boxes) {
         for (const Eigen::Vector3d& corner : corners(box)) {
           lowest_m = std::min(lowest_m, (rest[i] * corner).z());
-          reach_m[i] = std::max(reach_m[i], corner.norm());
         }
       }
     }
-    for (std::size_t i = robot_.links.size(); i-- > 1;) {
-      double& above_m = reach_m[static_cast<std::size_t>(robot_.links[i].parent)];
-      above_m = std::max(above_m, robot_.links[i].offset_m.norm() + reach_m[i]);
-    }
     robot_.rest_height_m = -lowest_m;
-    robot_.bounding_radius_m = reach_m[0];
+    robot_.bounding_radius_m = reach_m(robot_);
   }
 
   const Design& design_;

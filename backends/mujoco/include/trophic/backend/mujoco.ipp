@@ -65,15 +65,15 @@ class Mujoco::Simulation {
         throw std::invalid_argument{"joint target " + std::to_string(i) + " of robot " + std::to_string(robot) + " = " +
                                     number_text(targets_rad[i]) + ": must be finite"};
       }
-      targets_rad_[robot * hinges + i] = std::clamp(targets_rad[i], -limit_rad, limit_rad);
+      targets_rad_[checked(robot) * hinges + i] = std::clamp(targets_rad[i], -limit_rad, limit_rad);
     }
   }
 
   [[nodiscard]] std::size_t robots() const { return states_.robots(); }
   [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * physics_.timestep_s; }
-  [[nodiscard]] Pose pose(std::size_t robot) const { return states_.root(robot); }
+  [[nodiscard]] Pose pose(std::size_t robot) const { return states_.root(checked(robot)); }
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
-    return std::span{angles_rad_}.subspan(robot * layout_.hinges, layout_.hinges);
+    return std::span{angles_rad_}.subspan(checked(robot) * layout_.hinges, layout_.hinges);
   }
 
   [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_}; }
@@ -101,6 +101,13 @@ class Mujoco::Simulation {
   static constexpr double block_s = 1.0 / 60.0;
   /// Rounding that makes no step.
   static constexpr double slack_s = 1e-9;
+
+  [[nodiscard]] std::size_t checked(std::size_t robot) const {
+    if (robot >= robots()) {
+      throw std::out_of_range{"robot " + std::to_string(robot) + ": must be < " + std::to_string(robots())};
+    }
+    return robot;
+  }
 
   static const RobotModel& checked(const RobotModel& robot) {
     validate(robot);

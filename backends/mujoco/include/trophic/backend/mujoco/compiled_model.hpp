@@ -146,7 +146,7 @@ class CompiledModel {
     const double fixed = 8.0 * nv * (static_cast<double>(model_->nu) + 200.0) + 0x1p24;
     const double per_row = 24.0 * nv + 200.0 + sizeof(mjContact) / 4.0;
     const double room = 0x1p31 - fixed;
-    if (room <= 0.0) throw std::invalid_argument{"MuJoCo: " + std::to_string(robots_) + " robots are too many for one model"};
+    if (room <= 0.0) throw std::runtime_error{"MuJoCo: " + std::to_string(robots_) + " robots are too many for one model"};
     return static_cast<std::size_t>((-per_row + std::sqrt(per_row * per_row + 48.0 * room)) / 24.0);
   }
 

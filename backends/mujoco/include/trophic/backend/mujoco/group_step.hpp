@@ -35,13 +35,31 @@ struct GroupResult {
   return "it is faster than " + number_text(fastest_m_s) + " m/s; too long a physics.timestep_s throws robots about";
 }
 
+/// What a warning of MuJoCo says. Its own sentence is made in a buffer that all threads share.
+[[nodiscard]] inline std::string warning_text(int kind) {
+  switch (kind) {
+    case mjWARN_INERTIA:
+      return "its inertia matrix is nearly singular";
+    case mjWARN_BADQPOS:
+      return "a position is NaN or too large";
+    case mjWARN_BADQVEL:
+      return "a velocity is NaN or too large";
+    case mjWARN_BADQACC:
+      return "an acceleration is NaN or too large";
+    case mjWARN_BADCTRL:
+      return "a servo's target is NaN or too large";
+    default:
+      return "warning " + std::to_string(kind) + " of MuJoCo";
+  }
+}
+
 /// The first warning in MuJoCo's counters, if any, as a result; `robots` are the group's.
 [[nodiscard]] inline GroupResult read_warnings(const CompiledModel& compiled, const mjData& data,
                                                std::span<const std::size_t> robots) {
   for (int kind = 0; kind < mjNWARNING; ++kind) {
     if (data.warning[kind].number == 0) continue;
     const int info = data.warning[kind].lastinfo;
-    GroupResult result{.end = GroupResult::End::diverged, .robot = robots.front(), .what = mju_warningText(kind, info)};
+    GroupResult result{.end = GroupResult::End::diverged, .robot = robots.front(), .what = warning_text(kind)};
     std::size_t share = 0;
     switch (kind) {
       case mjWARN_CONTACTFULL:

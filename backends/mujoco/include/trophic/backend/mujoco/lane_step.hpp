@@ -73,7 +73,10 @@ class LaneStepper {
   [[nodiscard]] GroupResult advance(const LaneSet& set, std::size_t thread, std::span<const double> targets_rad,
                                     std::span<const double> slack_m, std::size_t steps, const RobotStates& from,
                                     RobotStates& to) {
-    if (!scratch_[thread]) scratch_[thread] = std::make_unique<Scratch>(*constants_);
+    if (!scratch_[thread]) {
+      const EngineGuard guard;
+      scratch_[thread] = std::make_unique<Scratch>(*constants_);
+    }
     Scratch& scratch = *scratch_[thread];
     kernel::LaneState& lanes = scratch.lanes;
     const std::span<const std::size_t> robots = set.robots();

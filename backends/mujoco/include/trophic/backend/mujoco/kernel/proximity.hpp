@@ -185,6 +185,10 @@ TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, const LinkOf& 
   const double radius_m = from.sphere_radius_m;
   std::array<double, 3> centre_m = origin_m;
   for (std::size_t k = 0; k < 3; ++k) centre_m[k] += link.sphere_centre[static_cast<int>(k)][at.lane];
+  if (!std::isfinite(centre_m[0] + centre_m[1] + centre_m[2])) {
+    work.doubtful[at.lane] = -1;  // MuJoCo says what is wrong with it
+    return;
+  }
   const double highest_m = work.field_collider->highest_m(centre_m[0], centre_m[1], radius_m) + gap_m;
   if (centre_m[2] - radius_m > highest_m) return;
   for (std::size_t b = from.first_box; b < from.first_box + from.boxes; ++b) {

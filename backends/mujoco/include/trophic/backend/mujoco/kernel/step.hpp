@@ -16,7 +16,8 @@ using StepFunction = unsigned (*)(const KernelModel&, LaneState&, Workspace&, un
 
 [[nodiscard]] unsigned step_portable(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes);
 #if defined(__x86_64__)
-/// The same operations on 256-bit registers; no fused multiply-add, so that the result is the same to the last bit.
+/// The same operations on 256-bit registers; no fused multiply-add, so that the result is the same to the last bit (where
+/// `step_portable` is compiled for a processor that has them: with -ffp-contract=off).
 [[nodiscard]] [[gnu::target("avx2")]] unsigned step_avx2(const KernelModel& model, LaneState& state, Workspace& work,
                                                          unsigned lanes);
 #endif
