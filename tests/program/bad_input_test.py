@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """bad_input_test.py PREDATOR_PREY TROPHIC: what was once mishandled is refused in one line, at once, and leaves nothing behind."""
 
+import json
 import os
 import resource
 import shutil
@@ -13,11 +14,20 @@ import unittest
 from in_folder import InFolder
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+HAS_MUJOCO = ", mujoco" in subprocess.run([PREDATOR_PREY, "--help"], capture_output=True, text=True).stdout
 MEMORY = 2 << 30
 
 
 def limit_memory():
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+def limit_threads():
+    if os.geteuid() == 0:  # whom the limit does not bind
+        os.setgroups([])
+        os.setgid(65534)
+        os.setuid(65534)
+    resource.setrlimit(resource.RLIMIT_NPROC, (4, 4))
 
 
 class BadInput(InFolder):
@@ -88,6 +98,27 @@ class BadInput(InFolder):
         self.assertIn("no robot \"a\\x0ab\\x1b[2J\"", self.run_refused("--robot", "a\nb\x1b[2J"))
         self.assertIn("--seed 7\\x0a: must be", self.run_refused("--seed", "7\n"))
         self.assertIn("a\\x0ab", self.refused(TROPHIC, "analyze", "a\nb"))
+
+    def test_a_folder_whose_name_is_no_utf_8(self):
+        for replicates in ([], ["--replicates", "2"]):
+            out = os.fsencode(self.folder / f"jos{len(replicates)}") + b"\xe9"
+            done = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--duration", "10", *replicates, "--out", out], capture_output=True)
+            self.assertEqual((done.returncode, done.stderr), (0, b""))
+            with open(out + (b"/replicates.json" if replicates else b"/manifest.json")) as file:
+                self.assertIn("\ufffd", json.load(file)["command_line"])
+
+    @unittest.skipUnless(HAS_MUJOCO, "needs threads")
+    def test_more_threads_than_the_system_gives(self):
+        """The run makes do with those that it gets."""
+        self.folder.chmod(0o777)
+        command = [PREDATOR_PREY, "--backend", "mujoco", "--duration", "4", "--threads"]
+        for threads, limit in ((2, None), (20, limit_threads)):
+            try:
+                done = subprocess.run([*command, str(threads), "--out", str(threads)], cwd=self.folder, capture_output=True, text=True, preexec_fn=limit)
+            except (PermissionError, subprocess.SubprocessError) as error:
+                self.skipTest(f"the program cannot be run by a user who has no rights: {error}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.folder / "2/agents.csv").read_bytes(), (self.folder / "20/agents.csv").read_bytes())
 
     def test_standard_streams_that_are_closed(self):
         """What is printed must not go into the tables, whose files would have the streams' numbers."""

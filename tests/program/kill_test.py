@@ -87,6 +87,32 @@ class Killed(InFolder):
         print(f"{OPTIONS.long} runs, killed {killed} times", file=sys.stderr)
         self.assertGreater(killed, 0)
 
+    def test_killed_at_the_end_of_a_time_that_is_no_whole_number_of_ticks(self):
+        """The last checkpoint is then later than the end, and the manifest still says that the run goes on."""
+        self.assertEqual(self.finish(*self.command("whole", 7, duration="301")).returncode, 0)
+        self.assertEqual(self.finish(*self.command("parts", 7, duration="301")).returncode, 0)
+        manifest = self.manifest("parts")
+        manifest["status"] = "running"
+        (self.folder / "parts/manifest.json").write_text(json.dumps(manifest))
+        again = self.finish(*self.command("parts", 7, "--resume", duration="301"))
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assert_same("whole", "parts")
+        self.assertTrue(filecmp.cmp(self.folder / "whole/replay.trp", self.folder / "parts/replay.trp", shallow=False))
+        shorter = self.finish(*self.command("parts", 7, "--resume", duration="300"))
+        self.assertEqual(shorter.returncode, 0, shorter.stderr)  # complete, and longer
+
+    def test_killed_before_a_set_is_listed(self):
+        (self.folder / "set").mkdir()
+        (self.folder / "set/replicates.json.part").write_text("{")
+        done = self.finish(*self.command("set", 7, "--replicates", "2", "--resume", duration="100"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(path.name for path in (self.folder / "set").iterdir()), ["replicate-00", "replicate-01", "replicates.json"])
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine/notes.txt").write_text("mine")
+        done = self.finish(*self.command("mine", 7, "--replicates", "2", "--resume", duration="100"))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("only a folder of replicates can be resumed", done.stderr)
+
     def test_signals_stop_within_a_second_and_lose_nothing(self):
         self.whole(7)
         for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGXCPU], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):

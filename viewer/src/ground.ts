@@ -37,7 +37,7 @@ function slopes(field: NonNullable<Head["arena"]["height_field"]>): Mesh {
   const geometry = new PlaneGeometry(2 * half_extent_m, 2 * half_extent_m, nodes - 1, nodes - 1);
   const position = geometry.getAttribute("position");
   // Slopes of many metres would hide the floor: they are drawn flatter, and the floor itself a little lower than its own plane.
-  const highest = Math.max(...height_m);
+  const highest = height_m.reduce((a, b) => Math.max(a, b));
   const scale = highest > 1.5 ? 1.5 / highest : 1;
   for (let i = 0; i < position.count; ++i) {
     const ix = Math.round(((position.getX(i) + half_extent_m) / (2 * half_extent_m)) * (nodes - 1));

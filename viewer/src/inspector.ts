@@ -5,6 +5,9 @@ import type { Run, Senses } from "./run";
 
 const words: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age" };
 
+/** A text of a run's files as text of a page. */
+const plain = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+
 export class Inspector {
   readonly element = document.createElement("div");
 
@@ -27,9 +30,9 @@ export class Inspector {
     const { agents } = run;
     const link = (other: number): string => (run.individuals.has(other) ? `<a data-id="${other}">${other}</a>` : `${other}`);
     const rows: [string, string][] = [];
-    const end = one.death === Infinity ? "lives at the end" : `${words[one.cause] ?? one.cause} at ${fixed(one.death, 0)} s`;
+    const end = one.death === Infinity ? "lives at the end" : `${words[one.cause] ?? plain(one.cause)} at ${fixed(one.death, 0)} s`;
     rows.push(["life", `${fixed(one.birth, 0)} s, ${end}${Number.isNaN(one.killer) ? "" : ` by ${link(one.killer)}`}`]);
-    rows.push(["parent", Number.isNaN(one.parent) ? `none, genome ${one.origin || "unknown"}` : `${link(one.parent)}, genome ${one.origin}`]);
+    rows.push(["parent", Number.isNaN(one.parent) ? `none, genome ${plain(one.origin) || "unknown"}` : `${link(one.parent)}, genome ${plain(one.origin)}`]);
     if (one.children.length > 0) rows.push(["offspring", `${one.children.length}; ${living} of the branch live now`]);
     else rows.push(["offspring", "0"]);
     if (body >= 0) {
@@ -48,7 +51,7 @@ export class Inspector {
       const angle = (agents.targetAngle[at] * 180) / Math.PI;
       rows.push(["brain says", `${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}, tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
       if (run.senses) rows.push(...sensed(run.senses, at));
-      for (const [name, column] of agents.extra) rows.push([name, column[at] === "" ? "–" : column[at]]);
+      for (const [name, column] of agents.extra) rows.push([plain(name), column[at] === "" ? "–" : plain(column[at])]);
       if (drawn) rows.push(["place", `${fixed(drawn[3 * body], 2)}, ${fixed(drawn[3 * body + 1], 2)} m`]);
       rows.push(["body", `${body}`]);
     } else {
@@ -57,7 +60,7 @@ export class Inspector {
     if (!Number.isNaN(one.mutation) && !Number.isNaN(one.parent)) rows.push(["mutation", `${fixed(one.mutation, 3)} from its parent's genome`]);
     const name = run.index.species[one.species] ?? "?";
     this.element.innerHTML =
-      `<h2><i style="background:${colourOf(one.species)}"></i>${name} ${id}</h2><dl>` +
+      `<h2><i style="background:${colourOf(one.species)}"></i>${plain(name)} ${id}</h2><dl>` +
       rows.map(([term, text]) => `<dt>${term}</dt><dd>${text}</dd>`).join("") +
       "</dl>";
   }
@@ -70,11 +73,11 @@ function sensed(senses: Senses, row: number): [string, string][] {
   const number = (text: string): string => (text === "" ? "–" : fixed(Number(text), 2));
   const told = senses.told(row);
   if (told.length > 0) {
-    rows.push(["brain is told", told.map(([name, value]) => `${name.replaceAll("_", " ")} ${number(value)}`).join(", ")]);
+    rows.push(["brain is told", told.map(([name, value]) => `${plain(name.replaceAll("_", " "))} ${number(value)}`).join(", ")]);
     if (cell("angle_output") !== "") rows.push(["outputs", `angle ${number(cell("angle_output"))}, tag ${number(cell("tag_output"))}`]);
     const became: Record<string, string> = { kept: "as before", switched: "switched now", denied: "denied" };
     const tag = Number(cell("wished_tag"));
-    rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_wish")] ?? cell("tag_wish")}`]);
+    rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_wish")] ?? plain(cell("tag_wish"))}`]);
   } else {
     rows.push(["brain is told", "nothing at this tick"]);
   }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/folder_lock.hpp>
@@ -75,7 +76,9 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
 }  // namespace detail
 
 TROPHIC_INLINE std::string status_of(const std::filesystem::path& folder) {
-  return std::filesystem::exists(folder) ? detail::status_in(detail::manifest_in(folder)) : "missing";
+  std::error_code unknown;
+  if (!std::filesystem::exists(folder, unknown) && !unknown) return "missing";
+  return detail::status_in(detail::manifest_in(folder));
 }
 
 TROPHIC_INLINE std::filesystem::path set_aside(const std::filesystem::path& folder) {
@@ -106,7 +109,8 @@ TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const o
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{folder.string() + ": " + error.what()};
     }
-    if (last->time_s > run.until_s) {
+    // A run ends with the first tick at or after its end.
+    if (last->time_s >= run.until_s + run.tick_s) {
       throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be >= " + number_text(last->time_s) +
                                   ", how far the run in " + folder.string() + " has come"};
     }

@@ -2,8 +2,13 @@
 // Definitions of rewind.hpp.
 #pragma once
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -25,6 +30,15 @@
 namespace trophic::checkpoint {
 
 namespace detail {
+
+/// Sees that a copy is on the disk before the checkpoint that tells of its length.
+inline void sync_copy(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_synced = file >= 0 && ::fsync(file) == 0;
+  const int reason = errno;
+  if (file >= 0) ::close(file);
+  if (!is_synced) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(reason)};
+}
 
 /// Copies within the room of the past first, so that a folder has all of it or is not there.
 inline void copy_past(const Past& past, const std::filesystem::path& folder) {
@@ -129,6 +143,7 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
     if (!entry.is_regular_file() || name.starts_with("checkpoint.") || name.starts_with("manifest.")) continue;
     std::filesystem::copy_file(entry.path(), folder / name, error);
     require(entry.path());
+    detail::sync_copy(folder / name);
   }
   // Last, so that a copy that was cut off has none.
   write(folder, *early);

@@ -173,17 +173,28 @@ class Runner {
   const observe::StopOnSignal& stop_;
 };
 
+/// A folder that goes when this does.
+struct PassingFolder {
+  std::filesystem::path path;
+  explicit PassingFolder(std::filesystem::path folder) : path{std::move(folder)} {}
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+  ~PassingFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+  }
+};
+
 /// Core-seconds for one unit of a run's `work`: a short run into a folder that is removed again, longer until it takes half a
-/// second.
+/// second. Nothing that is true after a signal.
 [[nodiscard]] inline double probe(const Runner& runner, const PlannedRun& run, const std::filesystem::path& beside) {
   std::ofstream nowhere;
   observe::JointProgress quiet{1, run.until_s, nowhere, false};
   for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
-    const std::filesystem::path folder = observe::next_free_folder(beside);
+    const PassingFolder folder{observe::next_free_folder(beside)};
     const observe::Stopwatch watch;
-    runner.run(run, folder, quiet, until_s);
+    runner.run(run, folder.path, quiet, until_s);
     const double wall_s = watch.elapsed_s();
-    std::filesystem::remove_all(folder);
     if (wall_s > 0.5 || until_s >= run.until_s) return wall_s / (run.work * until_s / run.until_s);
   }
 }
@@ -209,6 +220,7 @@ class Runner {
       const std::filesystem::path beside = std::filesystem::temp_directory_path() / (options.program + "-probe");
       rates[kind] +=
           probe(runner, *runs[i * (runs.size() - 1) / std::max<std::size_t>(1, count - 1)], beside) / static_cast<double>(count);
+      if (observe::StopOnSignal::caught() != 0) return stopped;
       ++probes;
     }
   }

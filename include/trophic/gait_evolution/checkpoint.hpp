@@ -84,6 +84,12 @@ inline std::vector<std::pair<std::uint32_t, std::uint32_t>> read_pairs(const Tom
     }
   }
   file.no_other_keys();
+  // At least one is born in each generation, and somebody survives it.
+  bool is_whole = lineage.generations <= lineage.individuals.size();
+  for (std::size_t generation = 0; is_whole && generation < lineage.generations; ++generation) {
+    is_whole = std::ranges::any_of(lineage.individuals, [&](const Individual& one) { return one.survived(generation); });
+  }
+  if (!is_whole) file.fail("generations", " = " + std::to_string(lineage.generations) + ": must be as many as have survivors");
   return lineage;
 }
 

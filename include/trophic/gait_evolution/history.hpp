@@ -22,8 +22,7 @@ namespace trophic::gait_evolution {
 [[nodiscard]] inline std::vector<double> fitness_after(const Lineage& lineage, std::size_t generation) {
   std::vector<double> fitness;
   for (const Individual& individual : lineage.individuals) {
-    const bool alive = individual.born <= generation && (!individual.died || *individual.died > generation);
-    if (alive) fitness.push_back(individual.fitness);
+    if (individual.survived(generation)) fitness.push_back(individual.fitness);
   }
   std::ranges::sort(fitness, std::greater{});
   return fitness;

@@ -20,6 +20,8 @@ struct Individual {
   std::optional<std::size_t> died{};                          ///< generation whose survivor selection it lost; none: it lives
   double fitness = -std::numeric_limits<double>::infinity();  ///< -infinity: its trial diverged
   Genome genome{};
+
+  [[nodiscard]] bool survived(std::size_t generation) const { return born <= generation && (!died || *died > generation); }
   friend bool operator==(const Individual&, const Individual&) = default;
 };
 

@@ -73,7 +73,7 @@ class PreExperiment {
     }
     const std::span newborn = std::span{next.individuals}.subspan(first);
     std::atomic<bool> stopped = false;
-    ThreadPool{std::max<std::size_t>(1, threads)}.run(newborn.size(), [&](std::size_t i, std::size_t) {
+    ThreadPool{std::clamp<std::size_t>(threads, 1, newborn.size())}.run(newborn.size(), [&](std::size_t i, std::size_t) {
       if (!keep_running()) stopped = true;
       if (!stopped) newborn[i].fitness = evaluate(newborn[i].genome);
     });

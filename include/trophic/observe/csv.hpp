@@ -129,6 +129,12 @@ class LineFile {
     buffer_.clear();
   }
 
+  /// Hands everything to the system and sees that it is on the disk.
+  void finish() {
+    flush();
+    file_.sync();
+  }
+
   /// Takes part in checkpoints: see GrowingFile.
   void persist(Archive& archive) {
     if (!archive.reads()) flush();
@@ -155,6 +161,7 @@ class CsvFile {
   void write(const Row& row, const FoodWeb& web) { append_row(file_.buffer(), row, web); }
   void write(const Row& row) { write(row, FoodWeb{{}, {}}); }
   void flush() { file_.flush(); }
+  void finish() { file_.finish(); }
   void persist(Archive& archive) { archive(file_); }
   [[nodiscard]] TableSum sum() const { return file_.sum(); }
 

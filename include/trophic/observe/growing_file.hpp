@@ -30,14 +30,17 @@ class GrowingFile {
   /// Hands the bytes to the system: a program that dies later has written them.
   void append(std::string_view bytes);
 
+  /// Puts all bytes on the disk, so that not even a power failure takes them.
+  void sync();
+
   /// How long the file is, bytes.
   [[nodiscard]] std::uint64_t length() const { return length_; }
 
   /// CRC-32 of all its bytes; of a file that a run goes on with, once `persist` has cut it.
   [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
 
-  /// Writing: puts all bytes on the disk, so that not even a power failure takes them, and notes the length. Reading: cuts the
-  /// file to the length that was noted, which nobody checks the content of. Throws std::runtime_error if it is shorter than that.
+  /// Writing: puts all bytes on the disk and notes the length. Reading: cuts the file to the length that was noted, which nobody
+  /// checks the content of. Throws std::runtime_error if it is shorter than that.
   void persist(Archive& archive);
 
  private:

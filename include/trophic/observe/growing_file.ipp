@@ -62,8 +62,12 @@ TROPHIC_INLINE void GrowingFile::append(std::string_view bytes) {
   }
 }
 
+TROPHIC_INLINE void GrowingFile::sync() {
+  if (::fsync(file_) != 0) fail("write");
+}
+
 TROPHIC_INLINE void GrowingFile::persist(Archive& archive) {
-  if (!archive.reads() && ::fsync(file_) != 0) fail("write");
+  if (!archive.reads()) sync();
   std::uint64_t length = length_;
   std::uint32_t sum = checksum_;
   archive(length, sum);

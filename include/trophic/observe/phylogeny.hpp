@@ -31,7 +31,7 @@ class Phylogeny {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       write(view.robots[body], body, view, {}, {}, {}, {});
     }
-    file_.flush();
+    file_.finish();
   }
 
   void persist(Archive& archive) { archive(file_, tag_at_birth_); }

@@ -66,7 +66,7 @@ class Folder {
       lock_.emplace(plan.out);
     } else {
       lock_.emplace(plan.out);
-      check_same(plan, run);
+      if (!is_bare(plan.out)) check_same(plan, run);
     }
     std::vector<Replicate> incomplete;
     for (Replicate& replicate : plan.all()) {
@@ -90,6 +90,15 @@ class Folder {
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
+  /// Whether whoever made the folder died before it could list what is to be done there.
+  [[nodiscard]] static bool is_bare(const std::filesystem::path& folder) {
+    const std::string part = std::string{list_name} + ".part";
+    for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+      if (entry.path().filename() != part) return false;
+    }
+    return true;
+  }
+
   static void same(const std::filesystem::path& file, const std::string& field, const Json& there, const Json& ours) {
     if (there == ours) return;
     throw std::invalid_argument{file.string() + ": " + field + " = " + json_text(there) + ": must be " + json_text(ours) +

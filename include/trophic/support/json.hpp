@@ -23,7 +23,8 @@ using Json = nlohmann::ordered_json;
 /// The same, but null where it is no JSON.
 [[nodiscard]] Json parse_json_or_null(std::string_view text);
 
-/// As text on one line or, with an indent >= 0, on a line for each value.
+/// As text on one line or, with an indent >= 0, on a line for each value. What is no UTF-8, as in the name of a folder, becomes
+/// U+FFFD.
 [[nodiscard]] std::string json_text(const Json& json, int indent = -1);
 
 /// The whole number at a key, which a plain `get` would make of -1 and of 1e300, too. Throws Json::exception where the key is

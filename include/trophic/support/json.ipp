@@ -19,7 +19,7 @@ TROPHIC_INLINE Json parse_json_or_null(std::string_view text) {
 }
 
 TROPHIC_INLINE std::string json_text(const Json& json, int indent) {
-  return json.dump(indent);
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace trophic

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <trophic/support/faster_way.hpp>
 #include <utility>
@@ -31,20 +32,21 @@ namespace trophic {
 /// of helpers that have not begun 0.50 and 4.9 (one thread: 0.78).
 class ThreadPool {
  public:
+  /// Fewer where the system gives no more threads.
   explicit ThreadPool(std::size_t threads) {
-    for (std::size_t i = 1; i < threads; ++i) helpers_.emplace_back([this, i] { serve(i); });
+    try {
+      for (std::size_t i = 1; i < threads; ++i) helpers_.emplace_back([this, i] { serve(i); });
+    } catch (const std::system_error&) {  // the helpers that there are will do
+    } catch (...) {
+      dismiss();
+      throw;
+    }
   }
 
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  ~ThreadPool() {
-    stopping_ = true;
-    place_.fetch_or(closed);
-    items_.store(0);
-    publish(closed);
-    for (std::thread& helper : helpers_) helper.join();
-  }
+  ~ThreadPool() { dismiss(); }
 
   [[nodiscard]] std::size_t threads() const { return helpers_.size() + 1; }
 
@@ -67,6 +69,14 @@ class ThreadPool {
   static constexpr int spins = 20000;
   /// As the next item: there is none, and the next job is not ready.
   static constexpr std::uint64_t closed = 0xffffffff;
+
+  void dismiss() {
+    stopping_ = true;
+    place_.fetch_or(closed);
+    items_.store(0);
+    publish(closed);
+    for (std::thread& helper : helpers_) helper.join();
+  }
 
   /// Tells the processor that this is a waiting loop.
   static void relax() {
@@ -138,8 +148,9 @@ class ThreadPool {
     std::uint32_t served = 0;
     for (;;) {
       wait_while(job_number_, [served](std::uint32_t number) { return number == served; });
-      if (stopping_) return;
+      // In this order: who reads the number of the end sees that it is one, and does not wait for another.
       served = job_number_.load(std::memory_order_acquire);
+      if (stopping_) return;
       take_items(thread);
     }
   }

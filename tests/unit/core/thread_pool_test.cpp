@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 #include <trophic/support/faster_way.hpp>
 #include <trophic/support/thread_pool.hpp>
@@ -31,6 +32,19 @@ TEST_CASE("a pool that goes while its helpers come up does nothing more") {
     ThreadPool pool{3};
     pool.run(5, [&](std::size_t, std::size_t) { ++done; });
     CHECK(done == 5);
+  }
+}
+
+TEST_CASE("a pool that goes while its helpers wake up for a job does not wait for them for ever") {
+  std::vector<std::jthread> others;  // who take helpers off their processor, the longer the better
+  for (int i = 0; i < 8; ++i) {
+    others.emplace_back([](const std::stop_token& stop) {
+      while (!stop.stop_requested()) std::this_thread::yield();
+    });
+  }
+  for (int i = 0; i < 2000; ++i) {
+    ThreadPool pool{3};
+    for (int job = 0; job < 3; ++job) pool.run(2, [](std::size_t, std::size_t) {});
   }
 }
 

@@ -196,6 +196,15 @@ TEST_CASE("a checkpoint of something else, or a broken one, is refused") {
   std::string changed = text;
   changed.replace(changed.find("born = 0"), 8, "born = -1");
   CHECK(resume_from(changed).find("individual[0].born = -1: must be a whole number >= 0") != std::string::npos);
+  for (const char* generations : {"generations = 2", "generations = 1000000000"}) {
+    changed = text;
+    changed.replace(changed.find("generations = 1"), 15, generations);
+    if (changed.find("generations = 2") != std::string::npos) {  // nobody survived the second
+      for (std::size_t at = 0; (at = changed.find("born = 0", at)) != std::string::npos; at += 20)
+        changed.insert(at, "died = 1\n");
+    }
+    CHECK(resume_from(changed).find(std::string{generations} + ": must be as many as have survivors") != std::string::npos);
+  }
 }
 
 TEST_CASE("history as tables") {

@@ -73,8 +73,7 @@ inline void remove_attempts(const std::filesystem::path& run) {
 }  // namespace detail
 
 TROPHIC_INLINE bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run) {
-  const std::filesystem::path folder = sweep / run.folder;
-  return std::filesystem::exists(folder) && checkpoint::status_of(folder) == "complete";
+  return checkpoint::status_of(sweep / run.folder) == "complete";
 }
 
 TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedRun& run, double lease_s,
@@ -85,8 +84,8 @@ TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedR
     if (is) detail::remove_attempts(folder);
     return is;
   };
-  if (was_complete()) return {Ended::was_complete};
   try {
+    if (was_complete()) return {Ended::was_complete};
     const auto claim = Claim::take(sweep / claims_name, run.index, lease_s);
     if (!claim) return {Ended::elsewhere, claimant_of(sweep / claims_name, run.index, lease_s)};
     // Between the first look and the claim somebody may have come to the end.

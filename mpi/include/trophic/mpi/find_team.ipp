@@ -243,6 +243,7 @@ class Team final : public sweep::Team {
   [[nodiscard]] sweep::Tally share_out(const std::vector<sweep::PlannedRun>& plan, const std::filesystem::path& sweep,
                                        double lease_s, const std::function<sweep::Result(const sweep::PlannedRun&)>& attempt,
                                        const std::function<bool()>& go_on) override {
+    has_lost_workers_ = true;  // until all have said that they are done; not where an error ends the work before
     if (!leads()) {
       work(plan, attempt);
       report({detail::bye, 0, {}});
