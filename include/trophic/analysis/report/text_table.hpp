@@ -150,7 +150,7 @@ inline void print_claims(std::ostream& out, const RunSet& set, std::span<const C
     out << "\n";
   }
   out << "reproduced: two one-sided tests at 5 % place ours within the margin of the published value\n"
-         "not reproduced: they do not, and our 95 % interval leaves the published value out   undecided: neither\n"
+         "not reproduced: they do not, and ours less the published mean of ten runs is not 0 at 5 %   undecided: neither\n"
          "paper: in its text   events: counted in the released logs of its ten runs   or: the same claim, counted another way\n";
   if (set.manifests.front().until_s != published_duration_s) {
     out << "the claims are about runs of " << published_duration_s
