@@ -35,6 +35,7 @@ class Recordings(InFolderWithSets):
         cls.make("kinematic", "--backend", "kinematic", "--duration", 100)
         cls.make("rewound", "--from", cls.sets / "kinematic", "--at", 45, "--duration", 80, "--seed", 9, "--set", "rules.mutation.sd=0.5")
         cls.make("released", "--backend", "kinematic", "--rules", "released", "--duration", 60, "--replay-hz", 10)
+        cls.make("begun_anew", "--from", cls.sets / "released", "--at", 20, "--duration", 30, "--seed", 9)  # its past is made from the beginning
         if HAS_MUJOCO:
             cls.make("mujoco", "--backend", "mujoco", "--duration", 12, "--threads", 1)
 
@@ -72,6 +73,7 @@ class Recordings(InFolderWithSets):
         steps = numpy.diff(read_replay(self.sets / "released").time_s)
         self.assertEqual(read_replay(self.sets / "released").head["clock_scale"] * 10 * 2, read_replay(self.sets / "released").head["frames_per_tick"])
         numpy.testing.assert_allclose(steps, steps[0], rtol=0.1)
+        self.assertEqual(read_replay(self.sets / "begun_anew").head["frames_per_tick"], read_replay(self.sets / "released").head["frames_per_tick"])
 
     def test_a_rewound_run_has_the_frames_of_its_past_and_is_said_to_be_itself(self):
         whole, rewound = read_replay(self.sets / "kinematic"), read_replay(self.sets / "rewound")

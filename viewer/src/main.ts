@@ -34,6 +34,7 @@ class App {
   private drawing = false;
   private last = 0;
   private pictureTimes: number[] = [];
+  private readonly legend = make("ul", "legend");
   private readonly clock = make("output", "clock");
   private readonly playButton = make("button", "play", "Play");
   private readonly speedBox = make("select");
@@ -76,7 +77,13 @@ class App {
 
   private header(): HTMLElement {
     const header = make("header");
-    const legend = make("ul", "legend");
+    header.append(make("h1", "", "trophic"), this.legend);
+    return header;
+  }
+  /** Names the colours and marks of the current run. */
+  private showLegend(): void {
+    const { legend } = this;
+    legend.replaceChildren();
     this.run.index.species.forEach((name, species) => {
       const item = make("li", "", name);
       const dot = make("i");
@@ -90,8 +97,6 @@ class App {
       this.sign("grey", "not yet active"),
       this.sign("caught", "death"),
     );
-    header.append(make("h1", "", "trophic"), legend);
-    return header;
   }
   private tagName(tag: number): string {
     return `tag ${tag > 0 ? "+" : ""}${tag}`;
@@ -175,7 +180,7 @@ class App {
     const world = new World(
       run,
       (body) => {
-        this.setCurrent(number);
+        if (number !== this.current) this.setCurrent(number);
         this.select(body < 0 ? NaN : run.agents.id[run.rowAt(this.time) + body]);
       },
       () => (this.dirty = true),
@@ -185,7 +190,9 @@ class App {
     caption.append(make("b", "", run.index.label), ` ${head.rule_table}, ${head.backend}, seed ${head.seed}`);
     if (run.index.status !== "complete") caption.append(make("em", "", ` ${run.index.status}`));
     frame.append(world.canvas, world.label, caption);
-    frame.addEventListener("pointerdown", () => this.setCurrent(number));
+    frame.addEventListener("pointerdown", () => {
+      if (number !== this.current) this.setCurrent(number);
+    });
     this.views.append(frame);
     this.frames.push(frame);
     this.worlds.push(world);
@@ -195,6 +202,7 @@ class App {
     if (number !== this.current) this.selected = NaN;
     this.current = number;
     this.frames.forEach((frame, i) => frame.classList.toggle("current", this.runs.length > 1 && i === number));
+    this.showLegend();
     this.timebar.show(this.run, this.firstTime, this.lastTime);
     this.phylogeny.show(this.run);
     this.showPlots();
@@ -245,7 +253,8 @@ class App {
   step(ticks: number): void {
     const { tick_s } = this.run.recording.head;
     this.play(false);
-    this.seek((Math.round(this.time / tick_s) + ticks) * tick_s);
+    const now = this.time / tick_s;
+    this.seek((ticks > 0 ? Math.floor(now + 1e-9) + ticks : Math.ceil(now - 1e-9) + ticks) * tick_s);
   }
 
   nextCatch(direction: number): void {

@@ -7,7 +7,7 @@ import type { Run } from "./run";
 /** Curves by species, one value a point of time. */
 export interface Curves {
   time: number[];
-  bySpecies: number[][];
+  bySpecies: (number | null)[][]; // null: nothing is known
 }
 
 export interface Series {
@@ -41,7 +41,7 @@ export function seriesOf(run: Run): Series {
     tags.time.push(time);
     for (let species = 0; species < count; ++species) {
       population.bySpecies[species].push(number[species]);
-      tags.bySpecies[species].push(number[species] ? shown[species] / number[species] : NaN);
+      tags.bySpecies[species].push(number[species] ? shown[species] / number[species] : null);
     }
   }
   return { population, tags, speed: run.tracked ? speedOf(run, count) : null };
@@ -65,7 +65,7 @@ function speedOf(run: Run, count: number): Curves {
       ++number[agents.species[now]];
     }
     curves.time.push((agents.firstTick + tick - window / 2) * recording.head.tick_s);
-    for (let species = 0; species < count; ++species) curves.bySpecies[species].push(number[species] ? sum[species] / number[species] : NaN);
+    for (let species = 0; species < count; ++species) curves.bySpecies[species].push(number[species] ? sum[species] / number[species] : null);
   }
   return curves;
 }
@@ -88,7 +88,7 @@ export class Plot {
     this.plot = null;
     this.element.replaceChildren();
     if (!curves || curves.time.length === 0) {
-      this.element.textContent = `${this.title}: reading the recording …`;
+      this.element.textContent = `${this.title}: ${curves ? "the run is too short" : "reading the recording …"}`;
       return;
     }
     const grid = { stroke: "#e8ecef", width: 1 };

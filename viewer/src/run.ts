@@ -11,6 +11,9 @@ export interface RunIndex {
   species: string[];
   tags: number[];
   hunters: string[];
+  /** The stretch that was asked for; the recording's blocks are longer. */
+  from_s?: number;
+  to_s?: number;
   /** The sensors whose values senses.csv has, in their order. */
   inputs?: string[];
 }
@@ -25,6 +28,8 @@ export interface Event {
   other: number;
   x: number;
   y: number;
+  parent: number; // of whom it happened to; NaN: a founder or an orphan
+  origin: string;
 }
 
 export interface Individual {
@@ -122,9 +127,11 @@ export class Run {
     const y = events.numbers("y_m");
     const species = events.text("species");
     const cause = events.text("cause");
+    const parent = events.numbers("parent_id");
+    const origin = events.text("origin");
     events.text("event").forEach((kind, i) => {
       const other = kind === "catch" ? victim[i] : killer[i];
-      this.events.push({ time: time[i], kind, id: id[i], body: body[i], species: names.get(species[i]) ?? -1, cause: cause[i], other, x: x[i], y: y[i] });
+      this.events.push({ time: time[i], kind, id: id[i], body: body[i], species: names.get(species[i]) ?? -1, cause: cause[i], other, x: x[i], y: y[i], parent: parent[i], origin: origin[i] });
     });
     this.readPhylogeny(phylogeny, names);
   }
@@ -162,8 +169,8 @@ export class Run {
     for (const event of this.events) {
       if (event.kind !== "birth" || this.individuals.has(event.id)) continue;
       this.individuals.set(event.id, {
-        id: event.id, species: event.species, parent: NaN, birth: event.time, death: Infinity, cause: "", killer: NaN,
-        origin: "", body: event.body, genome: "", mutation: NaN, children: [], row: 0,
+        id: event.id, species: event.species, parent: event.parent, birth: event.time, death: Infinity, cause: "", killer: NaN,
+        origin: event.origin, body: event.body, genome: "", mutation: NaN, children: [], row: 0,
       });
     }
     const inOrder = [...this.individuals.values()].sort((a, b) => a.birth - b.birth || a.id - b.id);
@@ -174,10 +181,10 @@ export class Run {
   }
 
   get firstTime(): number {
-    return this.recording.firstTime;
+    return Math.max(this.recording.firstTime, this.index.from_s ?? -Infinity);
   }
   get lastTime(): number {
-    return this.recording.lastTime;
+    return Math.min(this.recording.lastTime, this.index.to_s ?? Infinity);
   }
   get robots(): number {
     return this.recording.head.robots;

@@ -83,6 +83,9 @@ export class World {
     this.view = view;
     this.controls.enableRotate = view !== "top";
     const fit = Math.max(1, 1.25 / this.camera.aspect);
+    this.camera.far = Math.max(400, 12 * half * fit);
+    this.camera.near = this.camera.far / 8000; // so that marks on the floor stay in front of it
+    this.camera.updateProjectionMatrix();
     if (view === "orbit") {
       this.controls.target.set(0, -0.14 * half, 0);
       this.camera.position.set(0, -2.1 * half * fit, 2.3 * half * fit);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <trophic/habitat/arena.hpp>
@@ -33,9 +34,12 @@ struct RecordingHead {
   Arena arena;
 };
 
-/// A recording as a file of frames. Blocks are read when they are asked for; the last one is kept.
+/// A recording as a file of frames. Blocks are read when they are asked for; the last ones are kept, as many as have
+/// `most_kept_values` numbers.
 class RecordingReader {
  public:
+  static constexpr std::size_t most_kept_values = std::size_t{1} << 26U;
+
   /// Reads the head and checks every block. Throws std::runtime_error naming the file for one that cannot be read, is no
   /// recording, is of another version or is damaged. A file that ends early, as a killed run leaves it, has the frames of its
   /// whole blocks.
@@ -75,8 +79,9 @@ class RecordingReader {
   std::vector<Block> blocks_;
   std::size_t frames_ = 0;
   std::string remark_;
-  mutable std::size_t unpacked_ = static_cast<std::size_t>(-1);
-  mutable std::vector<std::int16_t> values_;
+  mutable std::vector<std::vector<std::int16_t>> unpacked_;  ///< by block; those that are not kept are empty
+  mutable std::deque<std::size_t> kept_;                     ///< the blocks that are, the oldest first
+  mutable std::size_t kept_values_ = 0;
 };
 
 }  // namespace trophic::observe

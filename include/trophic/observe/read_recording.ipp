@@ -236,8 +236,8 @@ TROPHIC_INLINE std::int16_t RecordingReader::value(std::size_t frame, std::size_
     throw std::out_of_range{"robot " + std::to_string(robot) + ": must be < " + std::to_string(head_.robots)};
   const auto after = std::ranges::upper_bound(blocks_, frame, {}, &Block::first_frame);
   const auto block = static_cast<std::size_t>(after - blocks_.begin()) - 1;
-  if (block != unpacked_) unpack(block);
-  return values_[(channel * head_.robots + robot) * blocks_[block].frames + frame - blocks_[block].first_frame];
+  if (unpacked_.empty() || unpacked_[block].empty()) unpack(block);
+  return unpacked_[block][(channel * head_.robots + robot) * blocks_[block].frames + frame - blocks_[block].first_frame];
 }
 
 TROPHIC_INLINE void RecordingReader::unpack(std::size_t number) const {
@@ -250,12 +250,20 @@ TROPHIC_INLINE void RecordingReader::unpack(std::size_t number) const {
     return std::runtime_error{path_.string() + ": damaged, the block of frame " + std::to_string(block.first_frame)};
   };
   if (!file) throw damaged();
+  unpacked_.resize(blocks_.size());
   try {
-    values_ = recording::unpacked(bytes, columns(), block.frames);
+    unpacked_[number] = recording::unpacked(bytes, columns(), block.frames);
   } catch (const std::invalid_argument&) {
     throw damaged();
   }
-  unpacked_ = number;
+  kept_.push_back(number);
+  kept_values_ += unpacked_[number].size();
+  while (kept_values_ > most_kept_values && kept_.size() > 2) {
+    std::vector<std::int16_t>& oldest = unpacked_[kept_.front()];
+    kept_values_ -= oldest.size();
+    oldest = {};
+    kept_.pop_front();
+  }
 }
 
 }  // namespace trophic::observe

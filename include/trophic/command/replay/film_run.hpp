@@ -95,8 +95,9 @@ class RecordedFootage {
 
   /// The body in which an individual lives. Throws std::invalid_argument for one that does not live in the stretch.
   [[nodiscard]] std::size_t body_of(IndividualId id) const {
-    for (double time_s = from_s_; time_s <= to_s_ + 1e-9; time_s += tick_s()) {
-      const auto rows = agents_.at(time_s);
+    const auto ticks = static_cast<std::size_t>(std::ceil((to_s_ - from_s_) / tick_s() - 1e-9));
+    for (std::size_t tick = 0; tick <= ticks; ++tick) {
+      const auto rows = agents_.at(std::min(to_s_, from_s_ + static_cast<double>(tick) * tick_s()));
       const auto found = std::ranges::find(rows, id, &observe::AgentRow::id);
       if (found != rows.end()) return static_cast<std::size_t>(found - rows.begin());
     }

@@ -135,7 +135,7 @@ class GltfScene {
       std::size_t next = from + 1;
       while (next <= last_ && row_at(next, body).id == row.id) ++next;
       // The frame of a death is the last one of the dead and the first one of the heir.
-      if (!only || row.id == *only) add_individual(body, row, from, std::min(next, last_));
+      if (!only || row.id == *only) add_individual(body, row, from, next);
       from = next;
     }
   }
@@ -143,8 +143,10 @@ class GltfScene {
     return agents_.at(recording_.time_s(frame))[body];
   }
 
-  void add_individual(std::size_t body, const observe::AgentRow& row, std::size_t from, std::size_t to) {
+  /// `next`: the first frame of whom it is no longer, beyond the last frame for who lives on.
+  void add_individual(std::size_t body, const observe::AgentRow& row, std::size_t from, std::size_t next) {
     ++individuals_;
+    const std::size_t to = std::min(next, last_);
     const auto& robot = recording_.head().robot;
     const Pose start = recording_.root(from, body);
     const std::size_t root =
@@ -162,7 +164,7 @@ class GltfScene {
       }
     }
     if (to > from) add_motion(body, links, from, to);
-    add_lifetime(root, from, to);
+    add_lifetime(root, from, next);
   }
 
   /// How a link stands to its parent.
@@ -200,7 +202,7 @@ class GltfScene {
     for (int i = 0; i < 4; ++i) turns.push_back(static_cast<float>(before.coeffs()[i]));
   }
 
-  void add_lifetime(std::size_t node, std::size_t from, std::size_t to) {
+  void add_lifetime(std::size_t node, std::size_t from, std::size_t next) {
     std::vector<float> times_s;
     std::vector<float> scales;
     const auto add = [&](std::size_t frame, float scale) {
@@ -209,7 +211,7 @@ class GltfScene {
     };
     if (from > first_) add(first_, 0.0F);
     add(from, 1.0F);
-    if (to < last_ && to > from) add(to, 0.0F);
+    if (next <= last_) add(next, 0.0F);
     if (times_s.size() > 1) file_.move(node, "scale", file_.add_times(times_s), scales, true);
   }
 

@@ -125,25 +125,29 @@ template <class Keep>
 [[nodiscard]] inline std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun& run,
                                                                                     const Window& window) {
   const auto in_window = [&](const analysis::CsvReader& csv) { return window.has(csv.get<double>(0)); };
+  const double tick_s = run.recording.head().times.tick_s;
+  const auto ticks = [&](const analysis::CsvReader& csv) { return window.has_tick(csv.get<double>(0), tick_s); };
   const auto always = [](const analysis::CsvReader&) { return true; };
   std::vector<std::pair<std::string_view, std::string>> files;
   files.emplace_back("replay", recording_bytes(run, window));
   files.emplace_back("agents", deflated(table_without(run.folder / "agents.csv",
                                                       {"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"},
-                                                      {"time_s"}, in_window)));
+                                                      {"time_s"}, ticks)));
   files.emplace_back("events", deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"},
                                                       {"time_s"}, in_window)));
   files.emplace_back("phylogeny", deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, always)));
   if (std::filesystem::exists(run.folder / "senses.csv")) {
-    files.emplace_back(
-        "senses", deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, in_window, true)));
+    files.emplace_back("senses",
+                       deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, ticks, true)));
   }
   return files;
 }
 
 /// What the page says of a run before its files.
-[[nodiscard]] inline Json index_of(const RecordedRun& run) {
+[[nodiscard]] inline Json index_of(const RecordedRun& run, const Window& window) {
   Json index;
+  if (window.from_s) index["from_s"] = *window.from_s;
+  if (window.to_s) index["to_s"] = *window.to_s;
   index["label"] = run.folder.filename().empty() ? run.folder.string() : run.folder.filename().string();
   index["status"] = run.manifest.value("status", "unknown");
   index["species"] = run.manifest.at("species");
@@ -161,7 +165,7 @@ template <class Keep>
   for (std::size_t number = 0; number < runs.size(); ++number) {
     const RecordedRun& run = runs[number];
     try {
-      index["runs"].push_back(index_of(run));
+      index["runs"].push_back(index_of(run, window));
       for (const auto& [name, bytes] : files_of(run, window)) {
         files.append("<script type=\"text/plain\" data-run=\"").append(std::to_string(number)).append("\" data-file=\"");
         files.append(name).append("\">").append(base64(bytes)).append("</script>\n");

@@ -90,6 +90,10 @@ struct Window {
     return to_s.value_or(recording.time_s(recording.frames() - 1));
   }
   [[nodiscard]] bool has(double time_s) const { return !(from_s && time_s < *from_s - 1e-9) && !(to_s && time_s > *to_s + 1e-9); }
+  /// Whether a tick tells who lives at a moment of the stretch: from the last one at or before its start on.
+  [[nodiscard]] bool has_tick(double time_s, double tick_s) const {
+    return !(from_s && time_s <= *from_s - tick_s + 1e-9) && !(to_s && time_s > *to_s + 1e-9);
+  }
 };
 
 }  // namespace trophic::command::replay
