@@ -86,6 +86,10 @@ class EvolveGait(InFolder):
         again = self.evolve("--config", "numbers.toml", "--print-config")
         self.assertEqual(again.stdout, printed.stdout)
         self.assertIn("rule_table = 'released'", printed.stdout)
+        for fitness, facing in (("displacement_minus_x", "core_x"), ("steered_displacement", "forward_axis")):
+            numbers = self.evolve("--table", "released", "--fitness", fitness, "--print-config").stdout
+            self.assertIn("robot = 'spider_released'", numbers)
+            self.assertIn(f"facing = '{facing}'", numbers)
 
     def test_refusals(self):
         (self.folder / "taken").mkdir()

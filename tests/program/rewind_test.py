@@ -3,6 +3,7 @@
 """rewind_test.py PREDATOR_PREY: runs that begin at a moment of another run."""
 
 import json
+import pathlib
 import subprocess
 import sys
 import time
@@ -11,6 +12,7 @@ import unittest
 from in_folder import InFolder
 
 PROGRAM = sys.argv.pop(1)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
 
 
@@ -106,6 +108,14 @@ class Rewind(InFolder):
                 self.assertIn(text, done.stderr)
         self.assertEqual(tables, {out: self.table(out, "events.csv") for out in tables})
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["alone", "seed", "whole"])
+
+    def test_a_gait_that_was_named_by_its_path(self):
+        text = (ROOT / "models/gaits/spider_published.toml").read_text()
+        (self.folder / "file.toml").write_text(text.replace('"spider_published"', '"its own name"'))
+        self.run_ok("--backend", "kinematic", "--seed", 7, "--duration", 40, "--set", "ecology.gait=file.toml", "--out", "walked")
+        self.assertEqual(self.manifest("walked")["params"]["ecology"]["gait"], "file.toml")
+        self.run_ok("--from", "walked", "--at", 20, "--duration", 40, "--out", "again")
+        self.assertEqual(self.table("again", "events.csv"), self.table("walked", "events.csv"))
 
     REPLICATES = ["--from", "whole", "--at", 700, "--duration", 1500, "--seed", 5, "--replicates", 3, "--jobs", 2]
 

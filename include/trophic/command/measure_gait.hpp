@@ -49,6 +49,9 @@ void print_walk(const RobotModel& robot, const Gait& gait, double duration_s) {
       std::cout << "# " << robot.name << " with " << gait.name << ", " << B::name << ", " << enum_name(how.integrator) << " "
                 << how.timestep_s << " s\n[walk]\nspeed_m_s = " << walk.speed_m_s
                 << "\nturn_rate_per_rad = " << walk.turn_rate_per_rad << std::endl;
+      if (walk.speed_m_s <= 0.0 || walk.turn_rate_per_rad <= 0.0) {
+        std::cerr << "trophic measure-gait: no robot file can hold these: the gait walks backwards or turns the wrong way\n";
+      }
     } catch (const Diverged& error) {
       complain(how, error);
     }

@@ -38,7 +38,7 @@ template <class Rules, Backend B>
   validate(params, "");
   if constexpr (requires { load_habitat(params.ecology); }) {
     Habitat habitat = load_habitat(params.ecology);
-    params.ecology.gait = habitat.gait.name;
+    if (params.ecology.gait.empty()) params.ecology.gait = habitat.robot.gait;
     return checked<Rules, B>(std::move(params), std::move(habitat));
   } else {
     static_assert(std::same_as<Rules, void>,

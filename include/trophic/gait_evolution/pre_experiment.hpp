@@ -46,6 +46,10 @@ class PreExperiment {
       throw std::invalid_argument{"physics.timestep_s = " + number_text(params_.physics.timestep_s) +
                                   ": must be <= " + number_text(1.0 / params_.trial.control_hz) + ", the control period"};
     }
+    if (params_.trial.steps() <= params_.trial.idle_steps) {
+      throw std::invalid_argument{"trial.duration_s = " + number_text(params_.trial.duration_s) + ": must have more than " +
+                                  std::to_string(params_.trial.idle_steps) + " control steps, trial.idle_steps"};
+    }
     Rng rng{params_.seed, Stream::gait_selection};
     const auto parents = make_policy<typename Table::ParentSelection>(params_.parent_selection);
     static_cast<void>(parents.select(std::vector<double>(plan.population), plan.parents, rng));
@@ -84,7 +88,7 @@ class PreExperiment {
     return true;
   }
 
-  /// The fitness of a genome; -infinity where a trial diverges. May be called from several threads at once.
+  /// The fitness of a genome; -infinity where a trial diverges or it is none. May be called from several threads at once.
   [[nodiscard]] double evaluate(const Genome& genome) const {
     const Gait gait = cppn_gait(genome, robot_);
     const auto steering = make_policy<typename Table::Steering>(params_.steering);
@@ -92,7 +96,8 @@ class PreExperiment {
       return try_out<B>(robot_, gait, steering, params_.trial, params_.physics, params_.backend, pilot, start_turn_rad);
     };
     try {
-      return make_policy<typename Table::Fitness>(params_.fitness).fitness(try_gait);
+      const double fitness = make_policy<typename Table::Fitness>(params_.fitness).fitness(try_gait);
+      return std::isfinite(fitness) ? fitness : -std::numeric_limits<double>::infinity();
     } catch (const Diverged&) {
       return -std::numeric_limits<double>::infinity();
     }

@@ -43,7 +43,7 @@ inline void check_count(std::string_view policy, std::size_t count, std::size_t 
 /// Rule: every individual meets `opponents` others drawn without repetition, or with 0 (the literal
 /// round robin; the paper gives no number) each other one; it wins a meeting where its fitness is higher. Those with the most
 /// wins are selected, each once, in this order; equal wins are ordered by fitness, then by age, older first.
-/// Random draws: none with 0 opponents, else size - 2 shuffling draws an individual.
+/// Random draws: none where everybody is met, else size - 2 shuffling draws an individual.
 struct RoundRobin {
   static constexpr std::string_view name = "round_robin";
 

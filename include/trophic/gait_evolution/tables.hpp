@@ -36,6 +36,7 @@ struct Plan {
 /// What a table states beside its policies, by designated initialisers; a policy's own numbers where it states none.
 template <class Table>
 struct TableParams {
+  std::string robot = "spider";
   Plan plan{};
   ParamsOf<typename Table::ParentSelection> parent_selection{};
   ParamsOf<typename Table::SurvivorSelection> survivor_selection{};
@@ -58,7 +59,9 @@ struct Paper final {
 };
 
 /// The released code's: 20 s an evaluation, timestep 0.0005 s with RK4, tournaments of 2 (two distinct parents for each child),
-/// steering closed on the heading with exponent 4, the core's x-axis along -x at the start, no control in the first period.
+/// steering closed on the heading with exponent 4, the core's x-axis along -x at the start, no control in the first period, the
+/// lighter core. Survivors of its tournaments are out of the next ones; the released code holds one again whose winner was
+/// selected before.
 struct Released final {
   static constexpr std::string_view name = "released";
   using ParentSelection = TournamentCouples;
@@ -67,7 +70,8 @@ struct Released final {
   using Steering = control::steering::TargetedSteering;
 
   static TableParams<Released> params() {
-    return {.plan = {.parents = 40},
+    return {.robot = "spider_released",
+            .plan = {.parents = 40},
             .fitness = {.aim = Aim::minus_x},
             .steering = {.exponent = 4.0},
             .trial = {.duration_s = 20.0, .idle_steps = 1, .facing = Facing::core_x, .cpg_integration = CpgIntegration::rk4},
@@ -75,7 +79,8 @@ struct Released final {
   }
 };
 
-/// The table with another fitness, at that policy's own numbers. It keeps its name.
+/// The table with another fitness, at that policy's own numbers. It keeps its name. A fitness that says how far the robot is
+/// turned at the start means its forward axis.
 template <class Table, gait_evolution::Fitness Policy>
 struct with_fitness final {
   static constexpr std::string_view name = Table::name;
@@ -85,8 +90,10 @@ struct with_fitness final {
   using Steering = typename Table::Steering;
 
   static TableParams<with_fitness> params() {
-    const TableParams<Table> base = Table::params();
-    return {.plan = base.plan,
+    TableParams<Table> base = Table::params();
+    if constexpr (requires(typename Policy::Params params) { params.start_turn_rad; }) base.trial.facing = Facing::forward_axis;
+    return {.robot = base.robot,
+            .plan = base.plan,
             .parent_selection = base.parent_selection,
             .survivor_selection = base.survivor_selection,
             .fitness = {},
@@ -122,7 +129,7 @@ struct Params {
                 detail::made_from_params<typename Table::Fitness>() && detail::made_from_params<typename Table::Steering>());
 
   std::uint64_t seed = 1;
-  std::string robot = "spider";
+  std::string robot = Table::params().robot;
   Plan plan = Table::params().plan;
   ParamsOf<typename Table::ParentSelection> parent_selection = Table::params().parent_selection;
   ParamsOf<typename Table::SurvivorSelection> survivor_selection = Table::params().survivor_selection;

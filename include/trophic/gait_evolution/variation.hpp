@@ -35,7 +35,7 @@ struct Variation {
         field("weight_standard_deviation", &V::weight_standard_deviation, at_least(0), "of the normal perturbation"),
         field("weight_replacement_probability", &V::weight_replacement_probability, between(0, 1),
               "that a mutated weight is drawn anew as a founder's"),
-        field("weight_limit", &V::weight_limit, above(0), "weights are clipped to +- this"),
+        field("weight_limit", &V::weight_limit, above(0), "mutated weights are clipped to +- this"),
         field("add_link_probability", &V::add_link_probability, between(0, 1), "of each child"),
         field("add_node_probability", &V::add_node_probability, between(0, 1), "of each child"),
         field("activation_mutation_probability", &V::activation_mutation_probability, between(0, 1), "of each hidden node")};
