@@ -111,7 +111,7 @@ def draw_shadow(ax, data, metric, species, group="all", label=None, scale=1.0):
 
 def draw_curve(ax, time_s, runs, label, colour_, style="-", average=True, scale=1.0):
     mean, lower, upper = interval(runs * scale)
-    middle_s = time_s - (time_s[0] / 2 if len(time_s) else 0)
+    middle_s = time_s - window_s(time_s) / 2
     ax.fill_between(middle_s, lower, upper, color=colour_, alpha=0.2, linewidth=0)
     ax.plot(middle_s, mean, linestyle=style, color=colour_, label=label)
     if average:
@@ -120,7 +120,9 @@ def draw_curve(ax, time_s, runs, label, colour_, style="-", average=True, scale=
 
 def window_s(time_s):
     """The length of the windows whose ends these are."""
-    return time_s[0] if len(time_s) else 0
+    if len(time_s) == 0:
+        return 0
+    return np.diff(time_s).min() if len(time_s) > 1 else time_s[0]
 
 
 def attribution(data):
@@ -240,7 +242,7 @@ def population(data):
                 continue
             time_s, runs = data.curve("deaths", species, cause)
             mean = np.nanmean(runs, axis=0)
-            axes[2].bar(time_s - time_s[0] / 2, mean, time_s[0] * 0.9, bottom, color=colour(species, data.species), hatch=hatch,
+            axes[2].bar(time_s - window_s(time_s) / 2, mean, window_s(time_s) * 0.9, bottom, color=colour(species, data.species), hatch=hatch,
                         linewidth=0.3, edgecolor="white", label=f"{species}, {cause}")
             bottom = bottom + mean
     axes[2].set(xlabel="time [s]", ylabel=f"deaths per {window_s(time_s):g} s")

@@ -5,6 +5,7 @@ docs/files.md says which files there are, docs/tables.md has the columns. Needs 
 
 import dataclasses
 import functools
+import io
 import json
 import os
 import pathlib
@@ -170,9 +171,19 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
 
+def _whole_lines(path: pathlib.Path) -> pathlib.Path | io.StringIO:
+    """The table; without the part of a line that a program left which was killed."""
+    with open(path, "rb") as file:
+        file.seek(max(0, file.seek(0, os.SEEK_END) - 1))
+        if file.read() == b"\n":
+            return path
+    text = path.read_text()
+    return io.StringIO(text[: text.rfind("\n") + 1])
+
+
 def _table(path: pathlib.Path, columns: list[str] | None = None) -> pandas.DataFrame:
-    header = pandas.read_csv(path, nrows=0).columns
+    header = pandas.read_csv(_whole_lines(path), nrows=0).columns
     texts = {name: str for name in header if name in _TEXT or name == "run"}
     numbers = {name: [""] for name in header if name not in texts}
-    return pandas.read_csv(path, usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
+    return pandas.read_csv(_whole_lines(path), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
                            float_precision="round_trip")  # else the last bit of a number may be another

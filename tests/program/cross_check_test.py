@@ -55,8 +55,8 @@ class CrossCheck(InFolderWithSets):
             (["--out", "new", "--seconds", 11], ["--seconds 11", "even number from 10 to 1000"]),
             (["--out", "new", "--seconds", 0], ["--seconds 0", "nothing is left"]),
             (["--out", "new", "--jobs", 0], ["--jobs 0"]),
-            (["--out", "new", "--runs", paper, self.sets / "released-1200"], ["released", "must be paper"]),
-            (["--out", "new", "--runs", paper, self.sets / "paper-600"], ["600 s", "must be 1200 s"]),
+            (["--out", "new", "--runs", paper, self.sets / "released-1200"], ["released", "must be \"paper\""]),
+            (["--out", "new", "--runs", paper, self.sets / "paper-600"], ["600 of 600 s", "must be as status \"complete\" at 1200 of 1200 s"]),
             (["--out", "new", "--robot", "gecko", "--gait", "spider_published"], ["gait"]),
         ]:
             with self.subTest(arguments=arguments):

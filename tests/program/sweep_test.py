@@ -429,12 +429,15 @@ class Refusals(Sweeps):
 
     def test_dry_run_that_is_stopped_says_nothing_of_time(self):
         self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e9\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
-        run = subprocess.Popen([OPTIONS.program, "--sweep", "long.toml", "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.3)
+        environment = {**os.environ, "TMPDIR": str(self.folder)}
+        run = subprocess.Popen([OPTIONS.program, "--sweep", "long.toml", "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+        while run.poll() is None and not list(self.folder.glob("*-probe*/events.csv")):
+            time.sleep(0.005)
         run.send_signal(signal.SIGINT)
         printed, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 3, errors)
         self.assertNotIn("core-hours", printed)
+        self.assertEqual(list(self.folder.glob("*-probe*")), [])
 
     def test_the_example(self):
         done = self.run_words(OPTIONS.program, "--sweep", OPTIONS.sweeps / "inheritance.toml", "--dry-run")

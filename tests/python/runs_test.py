@@ -147,6 +147,16 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(runs.read_runs(folder)), 5)
         self.assertEqual(len(runs.read_runs(folder, incomplete=True)), 6)
 
+    def test_a_line_that_was_cut_off_is_no_row(self):
+        folder = self.folder / "killed"
+        subprocess.run(["cp", "-r", self.folder / "set/replicate-00", folder], check=True)
+        whole = runs.read_run(folder).agents
+        path = folder / "agents.csv"
+        path.write_bytes(path.read_bytes()[:-9])
+        cut = runs.read_run(folder).agents
+        self.assertEqual(len(cut), len(whole) - 1)
+        self.assertEqual(list(cut.dtypes), list(whole.dtypes))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -109,10 +109,11 @@ TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const o
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{folder.string() + ": " + error.what()};
     }
-    // A run ends with the first tick at or after its end.
-    if (last->time_s >= run.until_s + run.tick_s) {
-      throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be >= " + number_text(last->time_s) +
-                                  ", how far the run in " + folder.string() + " has come"};
+    // A run ends with the first tick at or after its end, by the same arithmetic.
+    const double before_s = static_cast<double>(last->tick - 1) * run.tick_s;
+    if (last->tick > 0 && before_s >= run.until_s) {
+      throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be > " + number_text(before_s) +
+                                  ", beyond which the run in " + folder.string() + " has come"};
     }
     std::string remark = "goes on from its checkpoint at " + number_text(last->time_s) + " s";
     return {.complete = false, .from = std::move(last), .remark = std::move(remark)};

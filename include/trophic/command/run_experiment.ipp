@@ -39,13 +39,11 @@ namespace detail {
 
 /// The numbers of a manifest as those of a configuration file. Throws Json::exception for what is no number, text or
 /// switch.
-[[nodiscard]] inline toml::table toml_of(const Json& json, std::size_t depth = 0) {
-  constexpr std::size_t most_depth = 64;
-  if (depth > most_depth) throw std::invalid_argument{"params: more than 64 objects within each other"};
+[[nodiscard]] inline toml::table toml_of(const Json& json) {
   toml::table table;
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
-      table.insert(key, toml_of(value, depth + 1));
+      table.insert(key, toml_of(value));
     } else {
       insert_value(table, key, value);
     }

@@ -27,12 +27,12 @@ using checkpoint::status_of;
 /// The name of the file that lists a set's replicates.
 inline constexpr const char* list_name = "replicates.json";
 
-/// At which moment of which run they all begin; empty where they begin at their beginning.
+/// At which moment of which run they all begin, as the file has it; empty where they begin at their beginning.
 [[nodiscard]] inline Json origin_of(const Plan& plan) {
   auto origin = Json::object();
   if (!plan.past) return origin;
   for (const auto& [name, text] : checkpoint::provenance_of(plan.past->moment)) origin[name] = text;
-  return origin;
+  return parse_json(json_text(origin));
 }
 
 /// What it says: which runs there are to be, and what they have in common.

@@ -17,7 +17,7 @@ namespace trophic {
 /// Objects keep the order of their keys, in files as in memory.
 using Json = nlohmann::ordered_json;
 
-/// What a text says. Throws Json::exception where it is no JSON.
+/// What a text says. Throws Json::exception where it is no JSON, or of more than 64 brackets within each other.
 [[nodiscard]] Json parse_json(std::string_view text);
 
 /// The same, but null where it is no JSON.

@@ -8,12 +8,37 @@
 
 namespace trophic {
 
+namespace detail {
+
+/// A text up to the bracket that is nested deeper than any of ours: no JSON then. The library copies and takes apart what is
+/// nested by functions that call themselves.
+[[nodiscard]] TROPHIC_INLINE std::string_view as_deep_as_ours(std::string_view text) {
+  constexpr std::size_t most_depth = 64;
+  std::size_t depth = 0;
+  bool in_text = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (in_text && c == '\\') {
+      ++at;
+    } else if (c == '"') {
+      in_text = !in_text;
+    } else if (!in_text && (c == '[' || c == '{')) {
+      if (++depth > most_depth) return text.substr(0, at);
+    } else if (!in_text && (c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return text;
+}
+
+}  // namespace detail
+
 TROPHIC_INLINE Json parse_json(std::string_view text) {
-  return Json::parse(text);
+  return Json::parse(detail::as_deep_as_ours(text));
 }
 
 TROPHIC_INLINE Json parse_json_or_null(std::string_view text) {
-  Json json = Json::parse(text, nullptr, false);
+  Json json = Json::parse(detail::as_deep_as_ours(text), nullptr, false);
   if (json.is_discarded()) json = nullptr;
   return json;
 }

@@ -40,7 +40,7 @@ TEST_CASE("an undecided claim says how many runs would decide, and they do") {
   CHECK(judge(tags, spread(*far.runs_needed + 1, 0.55, 0.25)).verdict == Reproduction::not_reproduced);
 }
 
-TEST_CASE("what ten published runs cannot tell apart no number of ours decides") {
+TEST_CASE("where a thousand runs would not decide no number is named") {
   CHECK_FALSE(runs_to_decide(tags, 0.43 + 0.065, 1.0));
   CHECK(*runs_to_decide(tags, 0.43, 1e-6) == runs_for_verdict);
   CHECK(*runs_to_decide(tags, 0.63, 1e-6) == runs_for_verdict);

@@ -24,6 +24,19 @@ TEST_CASE("what is no JSON throws, or is null") {
   CHECK(parse_json_or_null("[]").is_array());
 }
 
+TEST_CASE("what is nested deeper than anything of ours is no JSON, and takes no stack") {
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  CHECK(parse_json(nested(64)).is_array());
+  CHECK_THROWS_AS(static_cast<void>(parse_json(nested(65))), Json::exception);
+  CHECK(parse_json_or_null(nested(1'000'000)).is_null());
+  CHECK(parse_json_or_null("{\"a\":" + nested(1'000'000) + "}").is_null());
+  const std::string brackets = "\"" + std::string(100, '[') + "\\\"" + std::string(100, '{') + "\"";
+  CHECK(parse_json(brackets).get<std::string>().size() == 201);
+  std::string wide = "[[]";
+  for (int i = 0; i < 1000; ++i) wide += ",[]";
+  CHECK(parse_json(wide + "]").size() == 1001);
+}
+
 TEST_CASE("a whole number of JSON is one, within its bounds, or a sentence") {
   const Json json = parse_json(R"({"seed":18446744073709551615,"low":-3,"half":0.5,"huge":1e300,"text":"7"})");
   CHECK(whole_number<std::uint64_t>(json, "seed") == 18446744073709551615u);

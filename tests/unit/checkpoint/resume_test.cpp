@@ -190,7 +190,7 @@ TEST_CASE("a checkpoint of another run, seed or number is refused, and nothing i
   fewer.ecology.robots = 20;
   CHECK(refusal(fewer).find("fingerprint") != std::string::npos);
   CHECK(refusal(brief<rules::Released>(3)).find("fingerprint") != std::string::npos);
-  CHECK(refusal(brief<rules::Paper>(3, 100.0)).find("until_s = 100: must be >= 200") != std::string::npos);
+  CHECK(refusal(brief<rules::Paper>(3, 100.0)).find("until_s = 100: must be > 198") != std::string::npos);
   CHECK(content(run / "agents.csv") == before);
 }
 

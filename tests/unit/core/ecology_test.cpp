@@ -317,7 +317,7 @@ struct Nobody {
 
 }  // namespace
 
-TEST_CASE("ecology: nobody is given up who was born in the same tick") {
+TEST_CASE("ecology: nobody is given up who was born of the same rescue") {
   using Rules = with_rescue<Scene, TwiceTheSame>;
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;

@@ -21,8 +21,8 @@ enum class Source { text, events };
   return {"paper", "events"};
 }
 
-/// A published mean over `published_runs` runs, and the metric of ours that counts what it counts. `margin`: their spread; ours
-/// that is within it of that mean shows the same.
+/// A published mean over `published_runs` runs, and the metric of ours that counts what it counts. `margin`: their spread,
+/// or what is taken for it; ours that is within it of that mean shows the same.
 struct Claim {
   std::string_view metric;
   std::string_view species;

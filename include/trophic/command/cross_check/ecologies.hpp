@@ -13,7 +13,6 @@
 #include <string_view>
 #include <trophic/analysis/data/run_manifest.hpp>
 #include <trophic/analysis/metrics/run_set.hpp>
-#include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/command/cross_check/report.hpp>
@@ -51,12 +50,16 @@ struct Ecologies {
   const auto of_the_ecology = [](const analysis::RunManifest& manifest) {
     Json rest{{"rule_table", manifest.rules}, {"rules", manifest.policies}, {"params", manifest.params}};
     for (const char* own : {"seed", "physics", "backend"}) rest["params"].erase(own);
+    if (rest["params"].contains("ecology")) rest["params"]["ecology"].erase("duration_s");
     return rest;
   };
   if (const std::string why = analysis::first_difference(of_the_ecology(a), of_the_ecology(b)); !why.empty()) {
     throw std::invalid_argument{second.string() + ": " + why + " as in " + first.string()};
   }
-  analysis::check_comparable(a, b);
+  if (!analysis::lasted_alike(a, b)) {
+    throw std::invalid_argument{second.string() + ": " + analysis::lasted_text(b) + ": must be as " + analysis::lasted_text(a) +
+                                ", as in " + first.string()};
+  }
   return sets;
 }
 

@@ -23,7 +23,7 @@ struct Sacrifice {
   friend bool operator==(const Sacrifice&, const Sacrifice&) = default;
 };
 
-/// `sacrifices(view, rng)`: who is given up at this tick, nobody twice; nor is a newborn of the same tick.
+/// `sacrifices(view, rng)`: who is given up at this tick, nobody twice: who is born of one sacrifice is spared the others.
 template <class P>
 concept Rescue = requires(const P policy, const std::span<const StateOf<P>> states, const View& view, Rng& rng) {
   { ask::sacrifices(policy, states, view, rng) } -> std::same_as<std::vector<Sacrifice>>;
