@@ -99,6 +99,16 @@ class Exports(InFolderWithSets):
                 place = scene.value(robots[robot], "translation", time_s)
                 self.assertLess(numpy.hypot(place[0] - float(row["x_m"]), place[1] - float(row["y_m"])), 0.002)
 
+    def test_who_dies_in_the_last_frame_is_gone_there(self):
+        with open(self.sets / "run/events.csv", newline="") as table:
+            death = next(row for row in csv.DictReader(table) if row["event"] == "death" and float(row["time_s"]) >= 20)
+        end = float(death["time_s"])
+        scene = self.scene("end.glb", "--from", end - 10, "--to", end)
+        alive = {int(row["id"]) for row in self.rows(end)}
+        for robot, node in scene.robots().items():
+            self.assertEqual(scene.value(node, "scale", 10)[0], 1.0 if robot in alive else 0.0, robot)
+        self.assertEqual(scene.value(scene.robots()[int(death["id"])], "scale", 9.7)[0], 1.0)
+
     def test_text_and_bytes_say_the_same(self):
         one, other = (self.scene(name, "--from", 20, "--to", 30) for name in ("a.glb", "a.gltf"))
         self.assertEqual(one.json["nodes"], other.json["nodes"])

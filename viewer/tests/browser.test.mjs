@@ -2,7 +2,7 @@
 // Pages that `trophic show` makes, in a real browser. TROPHIC, PREDATOR_PREY and CHROMIUM name the programs.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -28,6 +28,10 @@ before(async () => {
   show("sensing.html", "sensing");
   show("two.html", "short", "long");
   show("crowd.html", "crowd");
+  execFileSync(process.env.TROPHIC, ["show", at("short"), "--from", "75", "--to", "130.5", "--out", at("part.html")]);
+  writeFileSync(at("wide.toml"), 'name = "wide"\nside_m = 400\n');
+  run("wide", "--duration", 4, "--set", `ecology.arena=${at("wide.toml")}`);
+  show("wide.html", "wide");
   browser = await Browser.start();
 });
 after(async () => {
@@ -54,6 +58,35 @@ test("a run of 6000 s opens within 3 s of work and draws both species", async ()
     assert.ok(pixels > 100, `${pixels} pixels of ${species}`);
   }
   assert.match(await opened.page.title(), /long/);
+  await leave(opened);
+});
+
+test("a stretch begins and ends where it was asked to, with those who live then", async () => {
+  const opened = await browser.open(at("part.html"));
+  assert.deepEqual(await opened.evaluate(() => [window.trophic.firstTime, window.trophic.lastTime]), [75, 130.5]);
+  for (const [time, tick] of [[75, 37], [100, 50], [130.5, 65]]) {
+    const shown = await opened.evaluate((moment) => {
+      const { run } = window.trophic;
+      return [...run.agents.id.slice(run.rowAt(moment), run.rowAt(moment) + run.robots)];
+    }, time);
+    assert.deepEqual(shown, rows("short", "agents.csv").filter((row) => Number(row.tick) === tick).map((row) => Number(row.id)));
+  }
+  await leave(opened);
+});
+
+test("a world of 400 m is drawn as any other, and a press on it leaves the rest alone", async () => {
+  const opened = await browser.open(at("wide.html"));
+  await opened.settle();
+  const pixels = await opened.pixels("#0072b2");
+  assert.ok(pixels > 20, `${pixels} pixels of prey`);
+  await opened.evaluate(() => {
+    window.shownTrees = 0;
+    const { phylogeny } = window.trophic;
+    const before = phylogeny.show.bind(phylogeny);
+    phylogeny.show = (run) => (++window.shownTrees, before(run));
+  });
+  await opened.click(".view canvas", 40, 40);
+  assert.equal(await opened.evaluate(() => window.shownTrees), 0);
   await leave(opened);
 });
 
