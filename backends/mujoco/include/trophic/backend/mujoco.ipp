@@ -59,13 +59,14 @@ class Mujoco::Simulation {
       throw std::invalid_argument{"joint targets of robot " + std::to_string(robot) + ": " + std::to_string(targets_rad.size()) +
                                   " numbers, must be " + std::to_string(hinges)};
     }
+    const auto own = std::span{targets_rad_}.subspan(checked(robot) * hinges, hinges);
     for (std::size_t i = 0; i < hinges; ++i) {
       const double limit_rad = robot_.hinges[i].servo.target_limit_rad;
       if (!std::isfinite(targets_rad[i])) {
         throw std::invalid_argument{"joint target " + std::to_string(i) + " of robot " + std::to_string(robot) + " = " +
                                     number_text(targets_rad[i]) + ": must be finite"};
       }
-      targets_rad_[checked(robot) * hinges + i] = std::clamp(targets_rad[i], -limit_rad, limit_rad);
+      own[i] = std::clamp(targets_rad[i], -limit_rad, limit_rad);
     }
   }
 
