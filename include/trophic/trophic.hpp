@@ -150,6 +150,7 @@
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
+#include <trophic/habitat/phase_at_birth.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
@@ -266,6 +267,7 @@
 #include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/last_killer.hpp>
 #include <trophic/reproduction/parent/last_seen_victim.hpp>
+#include <trophic/reproduction/parent/nearest_active_victim.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>

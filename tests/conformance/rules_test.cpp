@@ -70,7 +70,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, reproduction::genome_sour
                           reproduction::genome_source::RandomOrInheritedInName, reproduction::genome_source::AlwaysInherited);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::LastSeenVictim, reproduction::parent::NearestConspecific,
-                          reproduction::parent::NearestVictim, reproduction::parent::NoParent);
+                          reproduction::parent::NearestActiveVictim, reproduction::parent::NearestVictim,
+                          reproduction::parent::NoParent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heir_parent_suite, reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::NearestConspecific, reproduction::parent::NoParent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,

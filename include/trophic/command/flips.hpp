@@ -88,8 +88,9 @@ template <class Base, class Other>
 
 /// Why a flip changes nothing on an engine that moves no joints; empty where it does.
 [[nodiscard]] inline std::string needs_joints(std::string_view name) {
-  const bool of_engine =
-      name.starts_with("physics.") || name == "ecology.robot" || name == "ecology.gait" || name == "ecology.cpg_integration";
+  const bool of_engine = name.starts_with("physics.") || name == "ecology.robot" || name == "ecology.gait" ||
+                         name == "ecology.cpg_integration" || name == "ecology.idle_control_steps" ||
+                         name == "ecology.phase_at_birth";
   return of_engine ? std::string{name} + ": skipped, it acts through joints and this backend has none" : "";
 }
 

@@ -120,7 +120,8 @@ class Ecology final : public Simulation {
                     rules_.steering,
                     params_.ecology.robots,
                     params_.ecology.control_hz,
-                    params_.ecology.cpg_integration} {}
+                    params_.ecology.cpg_integration,
+                    static_cast<std::int64_t>(params_.ecology.idle_control_steps)} {}
 
   void run(double until_s, observe::Audience& audience) override {
     try {
@@ -296,6 +297,7 @@ class Ecology final : public Simulation {
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;
     emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
     population_.succeed(vacancy.body, *heir, succession, view());
+    if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) locomotion_.reset(vacancy.body);
     tree_.mark(vacancy.body, poses_[vacancy.body], population_[vacancy.body]);
     emit(audience, observe::EventKind::birth, vacancy.body);
   }

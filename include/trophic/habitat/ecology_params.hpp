@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <trophic/habitat/cpg_integration.hpp>
+#include <trophic/habitat/phase_at_birth.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 
@@ -22,6 +23,8 @@ struct EcologyParams {
   std::string arena = "walled_square";  ///< name or path of an arena file
   std::string gait;                     ///< name or path of a gait file; empty: the gait that the robot file names
   CpgIntegration cpg_integration = CpgIntegration::exact;
+  std::size_t idle_control_steps = 0;  ///< control periods before the gait starts; servos rest meanwhile
+  PhaseAtBirth phase_at_birth = PhaseAtBirth::kept;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -34,7 +37,10 @@ struct EcologyParams {
         field("robot", &EcologyParams::robot, "name or path of a robot file"),
         field("arena", &EcologyParams::arena, "name or path of an arena file"),
         field("gait", &EcologyParams::gait, "name or path of a gait file; empty: the robot's own"),
-        field("cpg_integration", &EcologyParams::cpg_integration, "exact or rk4")};
+        field("cpg_integration", &EcologyParams::cpg_integration, "exact or rk4"),
+        field("idle_control_steps", &EcologyParams::idle_control_steps, between(0, 1'000'000),
+              "control periods before the gait starts"),
+        field("phase_at_birth", &EcologyParams::phase_at_birth, "kept or reset: the gait's phase at a birth in the body")};
   }
 };
 

@@ -32,7 +32,7 @@
 #include <trophic/reproduction/initial_genome/uniform_weights.hpp>
 #include <trophic/reproduction/mutation/normal_mutation.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
-#include <trophic/reproduction/parent/nearest_victim.hpp>
+#include <trophic/reproduction/parent/nearest_active_victim.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/table.hpp>
 
@@ -71,8 +71,8 @@ struct Paper final {
   using InitialGenome = reproduction::initial_genome::UniformWeights;
   using GenomeSource = reproduction::genome_source::RandomOrInherited;
   using CaptureParent = reproduction::parent::Killer;
-  using StarvationParent = reproduction::parent::NearestVictim;
-  using RescueParent = reproduction::parent::NoParent;  // silent
+  using StarvationParent = reproduction::parent::NearestActiveVictim;  // silent: activity
+  using RescueParent = reproduction::parent::NoParent;                 // silent
   using Heredity = reproduction::heredity::OwnCopy;
   using Mutation = reproduction::mutation::NormalMutation;
 
@@ -100,9 +100,9 @@ struct Paper final {
         .steering = {.exponent = 2.0},
         .initial_genome = {.limit = 1.0},
         .genome_source = {.random_share = 1.0 / 3.0},
-        .starvation_parent = {.range_m = 4.0},  // silent: an early draft
-        .mutation = {.sd = 0.05},               // silent: width of the released code's
-        .activation = {.distance_m = 5.0},      // silent: released code
+        .starvation_parent = {.range_m = 12.0},  // silent: inherited genomes come near the text's baseline of 2/3
+        .mutation = {.sd = 0.05},                // silent: width of the released code's
+        .activation = {.distance_m = 5.0},       // silent: released code
         .capture = {.reach_m = 1.0, .min_age_s = 0.0},
         .floor = {.floor = 7},
         .starvation_schedule = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 0},
@@ -122,7 +122,9 @@ struct Paper final {
             .robot = "spider",
             .arena = "walled_square",
             .gait = {},
-            .cpg_integration = CpgIntegration::exact};
+            .cpg_integration = CpgIntegration::exact,
+            .idle_control_steps = 0,
+            .phase_at_birth = PhaseAtBirth::kept};  // silent: released code
   }
   static Physics physics() { return {.timestep_s = 0.0012, .integrator = Integrator::semi_implicit_euler, .gravity_m_s2 = 9.81}; }
 };

@@ -97,7 +97,7 @@ struct Released final {
   }
 
   /// All timers of the released code ran on the wall clock, about 1.2 simulated seconds per second. The gait is the published
-  /// one, the robot's own, as in `Paper`.
+  /// one, the robot's own, as in `Paper`. Control is first asked for after one control period.
   static EcologyParams ecology() {
     return {.robots = 30,
             .duration_s = 6500.0,
@@ -108,7 +108,9 @@ struct Released final {
             .robot = "spider_released",
             .arena = "height_field",
             .gait = {},
-            .cpg_integration = CpgIntegration::rk4};
+            .cpg_integration = CpgIntegration::rk4,
+            .idle_control_steps = 1,
+            .phase_at_birth = PhaseAtBirth::kept};
   }
   static Physics physics() { return {.timestep_s = 0.012, .integrator = Integrator::rk4, .gravity_m_s2 = 9.81}; }
 };

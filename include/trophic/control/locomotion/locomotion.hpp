@@ -25,14 +25,16 @@ namespace trophic::locomotion {
 template <control::Steering SteeringRule>
 class Locomotion {
  public:
+  /// The gait starts after `idle_steps` control steps, in which servos keep their targets and, without joints, nothing is idle.
   Locomotion(const RobotModel& robot, const Gait& gait, SteeringRule steering, std::size_t robots, double control_hz,
-             CpgIntegration integration)
+             CpgIntegration integration, std::int64_t idle_steps = 0)
       : steering_{std::move(steering)},
         sides_{sides_of(robot)},
         cpg_{gait, {.integration = integration, .step_s = 1.0 / control_hz}},
         states_{cpg_.initial_states(robots)},
         targets_rad_(robot.hinges.size()),
-        control_hz_{control_hz} {}
+        control_hz_{control_hz},
+        idle_steps_{idle_steps} {}
 
   /// Takes `steps` control steps with these target angles, one per robot. `gives_up()` is asked between the control steps of a
   /// backend with joints; if it says true no more are taken. Returns whether all were.
@@ -44,6 +46,10 @@ class Locomotion {
     if constexpr (JointDriven<B>) {
       for (std::int64_t step = 0; step < steps; ++step) {
         if (gives_up()) return false;
+        if (taken_ < idle_steps_) {
+          wait(backend, 1);
+          continue;
+        }
         cpg_.step(states_);
         for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
           cpg_.outputs(states_, robot, targets_rad_);
@@ -74,6 +80,9 @@ class Locomotion {
     backend.advance_to(time_s());
   }
 
+  /// Starts one robot's rhythm anew.
+  void reset(std::size_t robot) { states_.col(static_cast<Eigen::Index>(robot)) = cpg_.initial_states(); }
+
   /// Simulated time that the control steps taken so far add up to.
   [[nodiscard]] double time_s() const { return static_cast<double>(taken_) / control_hz_; }
 
@@ -101,6 +110,7 @@ class Locomotion {
   Eigen::MatrixXd states_;
   std::vector<double> targets_rad_;
   double control_hz_;
+  std::int64_t idle_steps_;
   std::int64_t taken_ = 0;
 };
 

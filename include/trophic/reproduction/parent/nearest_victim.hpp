@@ -11,12 +11,12 @@
 namespace trophic::reproduction::parent {
 
 /// Rule: when a hunter dies, the closest individual that it could eat, if within range, is the parent of the offspring that
-/// takes its body (Sec. "Reproduction": "within a certain minimum distance away from the predator"). Tags and activity do
-/// not count: the paper says "any prey". The paper gives no number; an early draft used 4 m.   Reads: positions,
-/// species.   Random draws: 0.
+/// takes its body. Tags and activity do not count: the text says "any prey" (Sec. "Reproduction"). So an inactive newborn, which
+/// cannot be caught, may breed beside a predator; NearestActiveVictim excludes it. The paper gives no range; a draft comment says
+/// four units.   Reads: positions, species.   Random draws: 0.
 struct NearestVictim {
   static constexpr std::string_view name = "nearest_victim";
-  static constexpr std::string_view source = "paper, Sec. \"Reproduction\"; silent on the range: an early draft's";
+  static constexpr std::string_view source = "paper, Sec. \"Reproduction\"; silent on activity and range";
 
   struct Params {
     double range_m = 4.0;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The active prey closest to a dying predator reproduces.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/parent/contract.hpp>
+#include <tuple>
+
+namespace trophic::reproduction::parent {
+
+/// Rule: when a hunter dies, the closest active individual that it could eat, if within range, is the parent of the offspring
+/// that takes its body. The paper leaves activity and range open (Sec. "Reproduction"):
+/// - Activity: the text says "any prey". It also calls the newborn's state "a state of inactivity" (Sec. "Prey Death"), and a
+///   draft sentence, left as a comment in the LaTeX source, denies that a newborn "can immediately interact with other robots".
+///   NearestVictim is the other reading: a newborn that cannot be caught may breed beside a predator.
+/// - Range: the text says "within a certain minimum distance" and gives no number; a draft comment says four units. Where no
+/// active
+///   prey is that close the genome is random. `rules::Paper` takes a range at which almost every starved predator has a parent
+///   near, so that inherited genomes come near the text's share of 2/3.
+/// Reads: positions, species, activity.   Random draws: 0.
+struct NearestActiveVictim {
+  static constexpr std::string_view name = "nearest_active_victim";
+  static constexpr std::string_view source = "paper, Sec. \"Reproduction\"; silent on activity and range";
+
+  struct Params {
+    double range_m = 12.0;
+    static constexpr auto fields() {
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "the parent must be this close to the dying hunter")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
+    const Species dying = view.robots[vacancy.body].species;
+    const auto eats = [&](Species other) { return view.web.eats(dying, other); };
+    const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return other.active && eats(other.species); },
+                                      {.within_m = params.range_m, .among = view.marks(eats, {}, true)});
+    if (!closest) return std::nullopt;
+    return view.robots[*closest].as_ancestor();
+  }
+};
+static_assert(Parent<NearestActiveVictim>);
+
+}  // namespace trophic::reproduction::parent
