@@ -76,6 +76,7 @@
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/contract.hpp>
+#include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/capture/catch_closest.hpp>
 #include <trophic/death/capture/catch_within_reach.hpp>
 #include <trophic/death/capture/contract.hpp>

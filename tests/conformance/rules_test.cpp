@@ -9,6 +9,7 @@
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/death/activation/always_active.hpp>
+#include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/capture/no_capture.hpp>
 #include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/reprieve/no_reprieve.hpp>
@@ -80,7 +81,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::Normal
                           reproduction::mutation::NoMutation);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, death::activation::ActiveAwayFromHunters,
-                          death::activation::AgesOnceAwayFromHunters, death::activation::AlwaysActive);
+                          death::activation::FoundersStartActive, death::activation::AgesOnceAwayFromHunters,
+                          death::activation::AlwaysActive);
 TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, death::capture::CatchWithinReach, death::capture::CatchClosest,
                           death::capture::NoCapture);
 TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor, death::floor::NoFloor);

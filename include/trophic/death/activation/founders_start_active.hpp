@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Founders are active from the start; later newborn prey wait until they are away from every predator.
+#pragma once
+
+#include <string_view>
+#include <trophic/death/activation/contract.hpp>
+#include <trophic/death/activation/detail/away_from_hunters.hpp>
+
+namespace trophic::death::activation {
+
+/// Rule: as ActiveAwayFromHunters, but a founder becomes active at the first tick, wherever it stands. Founders have the ids
+/// below the number of bodies, as ids count births from 0. The paper is silent: "a newborn prey must first move a certain
+/// minimum distance away from any predators" (Sec. "Prey Death") does not settle whether a founder is a newborn.
+/// ActiveAwayFromHunters is the other reading.   Reads: positions, species, own id.   Random draws: 0.
+struct FoundersStartActive {
+  static constexpr std::string_view name = "founders_start_active";
+  static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Prey Death\"; distance: released code";
+
+  using Params = detail::SafeDistance;
+  Params params;
+
+  [[nodiscard]] bool activates(BodyIndex body, const View& view) const {
+    return view.robots[body].id < view.robots.size() || detail::away_from_hunters(params, body, view);
+  }
+  [[nodiscard]] bool restarts_age() const { return false; }
+};
+static_assert(Activation<FoundersStartActive>);
+
+}  // namespace trophic::death::activation
