@@ -81,6 +81,7 @@
 #include <trophic/death/capture/catch_within_reach.hpp>
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/capture/no_capture.hpp>
+#include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/contract.hpp>
 #include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/floor/victim_floor.hpp>

@@ -11,6 +11,7 @@
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/capture/no_capture.hpp>
+#include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/reprieve/no_reprieve.hpp>
 #include <trophic/death/rescue/no_rescue.hpp>
@@ -85,7 +86,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, death::activation::ActiveAwa
                           death::activation::AlwaysActive);
 TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, death::capture::CatchWithinReach, death::capture::CatchClosest,
                           death::capture::NoCapture);
-TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor, death::floor::NoFloor);
+TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor, death::floor::ActiveVictimFloor, death::floor::NoFloor);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_schedule_suite, death::starvation_schedule::DelayedCrowdingInterval,
                           death::starvation_schedule::DirectCrowdingInterval, death::starvation_schedule::NeverDue);
 TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, death::reprieve::NearPerceivedVictim, death::reprieve::NearRememberedAdversary,
