@@ -97,6 +97,7 @@
 #include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/contract.hpp>
+#include <trophic/death/starvation/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/hungriest_unspared.hpp>
 #include <trophic/death/starvation/hungriest_unspared_else_hungriest.hpp>
 #include <trophic/death/starvation/nobody_starves.hpp>

@@ -17,6 +17,7 @@
 #include <trophic/death/rescue/no_rescue.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
+#include <trophic/death/starvation/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/nobody_starves.hpp>
 #include <trophic/death/starvation_schedule/never_due.hpp>
 #include <trophic/params/named_params.hpp>
@@ -91,7 +92,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_schedule_suite, death::starvation_s
                           death::starvation_schedule::DirectCrowdingInterval, death::starvation_schedule::NeverDue);
 TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, death::reprieve::NearPerceivedVictim, death::reprieve::NearRememberedAdversary,
                           death::reprieve::NoReprieve);
-TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, death::starvation::HungriestUnspared,
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, death::starvation::HungriestUnspared, death::starvation::HungriestElseOldest,
                           death::starvation::HungriestUnsparedElseHungriest, death::starvation::NobodyStarves);
 TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, death::rescue::SacrificeRandomVictim, death::rescue::NoRescue);
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge,

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The hungriest predator starves; if it is spared, the oldest that is not.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <trophic/death/starvation/contract.hpp>
+#include <trophic/death/starvation/detail/by_hunger.hpp>
+
+namespace trophic::death::starvation {
+
+/// Rule: the hunter with the highest hunger dies (ties: the earlier born) unless it is spared. Then the earliest born of all
+/// hunters that are not spared dies; ids are in order of birth. If all are spared none dies. The paper is silent: in "the next
+/// oldest predator dies" (Sec. "Predator Death") *oldest* is here the age, as written; HungriestUnspared reads it as the longest
+/// without a catch.   Reads: hunger, ids.   Random draws: 0.
+struct HungriestElseOldest {
+  static constexpr std::string_view name = "hungriest_else_oldest";
+  static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Predator Death\"";
+
+  [[nodiscard]] std::optional<BodyIndex> victim(const View& view, const std::function<bool(BodyIndex)>& spared) const {
+    auto hunters = detail::by_hunger(view);
+    if (hunters.empty()) return std::nullopt;
+    std::ranges::sort(hunters.begin() + 1, hunters.end(), {}, [&](BodyIndex body) { return view.robots[body].id; });
+    const auto dying = std::ranges::find_if_not(hunters, spared);
+    return dying != hunters.end() ? std::optional{*dying} : std::nullopt;
+  }
+};
+static_assert(Starvation<HungriestElseOldest>);
+
+}  // namespace trophic::death::starvation
