@@ -222,6 +222,7 @@
 #include <trophic/perception/sensors/tag_ratio_of_active.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_all.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
+#include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/tag_switch/tag_cool_down.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>

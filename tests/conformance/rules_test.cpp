@@ -22,6 +22,7 @@
 #include <trophic/death/starvation_schedule/never_due.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
+#include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
@@ -59,8 +60,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdver
 TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindDecides,
                           perception::blind_rule::BlindKeepsDecision);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
-TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::TagSampling,
-                          perception::tag_switch::FreeTags);
+TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::FirstSwitchFree,
+                          perception::tag_switch::TagSampling, perception::tag_switch::FreeTags);
 TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainZeroRight,
                           control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases,
                           control::brain::HebbianBrain);
