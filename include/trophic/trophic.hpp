@@ -229,6 +229,7 @@
 #include <trophic/perception/visibility/contract.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
 #include <trophic/perception/visibility/same_tag.hpp>
+#include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>

@@ -25,6 +25,7 @@
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
+#include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
@@ -52,8 +53,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, initialization::placement::Sc
                           initialization::placement::UniformSquare);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxisHeading, perception::heading::RootYawHeading);
-TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::Everybody,
-                          perception::visibility::WithinRange);
+TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::SameTagIfActive,
+                          perception::visibility::Everybody, perception::visibility::WithinRange);
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdversary, perception::sensors::SideAwayFromHunter,
                           perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverScale,
                           perception::sensors::TagRatioOfAll, perception::sensors::TagRatioOfActive);
