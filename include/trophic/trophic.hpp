@@ -214,6 +214,7 @@
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/contract.hpp>
+#include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
 #include <trophic/perception/sensors/list.hpp>

@@ -22,6 +22,7 @@
 #include <trophic/death/starvation_schedule/never_due.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
+#include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/everybody.hpp>
@@ -56,8 +57,9 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxi
 TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::SameTagIfActive,
                           perception::visibility::Everybody, perception::visibility::WithinRange);
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdversary, perception::sensors::SideAwayFromHunter,
-                          perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverScale,
-                          perception::sensors::TagRatioOfAll, perception::sensors::TagRatioOfActive);
+                          perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverDiagonal,
+                          perception::sensors::DistanceOverScale, perception::sensors::TagRatioOfAll,
+                          perception::sensors::TagRatioOfActive);
 TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindDecides,
                           perception::blind_rule::BlindKeepsDecision);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
