@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// One of two policies of a slot, chosen by a number: what a screening design over many open choices needs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/params/policy.hpp>
+#include <trophic/rules/slots.hpp>
+#include <trophic/support/joined_text.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::readings {
+
+/// Which reading of an open sentence a run takes.
+enum class Reading { first, second };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Reading) {
+  return {"first", "second"};
+}
+
+/// A policy that answers every question as one of two policies of one slot does, neither of which keeps a State. n open choices
+/// as types are 2^n rule tables; as numbers of one table they are a sweep. A rule table for an experiment names its policies.
+template <class First, class Second>
+struct Either {
+  struct Words {
+    static constexpr std::array<std::string_view, 3> words{First::name, "_or_", Second::name};
+    static constexpr std::string_view separator{};
+  };
+  static constexpr std::string_view name = JoinedText<Words>::view;
+
+  struct Params {
+    Reading reading = Reading::first;
+    ParamsOf<First> first{};
+    ParamsOf<Second> second{};
+    static constexpr auto fields() {
+      return std::tuple{field("reading", &Params::reading, "first or second"), field("first", &Params::first),
+                        field("second", &Params::second)};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m,
+                                              Rng& rng) const requires initialization::Placement<First> {
+    return answer([&](const auto& rule) { return rule.place(robots, arena, radius_m, rng); });
+  }
+  [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const requires perception::Heading<First> {
+    return answer([&](const auto& rule) { return rule.heading_rad(root, forward_rad); });
+  }
+  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view,
+                               Rng& rng) const requires perception::Visibility<First> {
+    return answer([&](const auto& rule) { return rule.perceives(self, other, view, rng); });
+  }
+  [[nodiscard]] auto sense(BodyIndex self, const std::optional<Sighting>& sighting, const View& view,
+                           Rng& rng) const requires perception::OwnSensor<First> {
+    return answer([&](const auto& rule) { return rule.sense(self, sighting, view, rng); });
+  }
+  [[nodiscard]] auto sense(const View& view) const requires perception::CommonSensor<First> {
+    return answer([&](const auto& rule) { return rule.sense(view); });
+  }
+  [[nodiscard]] bool decides() const requires perception::BlindRule<First> {
+    return answer([&](const auto& rule) { return rule.decides(); });
+  }
+  [[nodiscard]] int tag(std::optional<int> body_tag, std::span<const int> tags,
+                        Rng& rng) const requires perception::NewbornTag<First> {
+    return answer([&](const auto& rule) { return rule.tag(body_tag, tags, rng); });
+  }
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const requires control::Brain<First> {
+    return answer([&](const auto& rule) { return rule.genome_size(inputs, outputs); });
+  }
+  [[nodiscard]] std::vector<int> tags() const requires control::Brain<First> {
+    return answer([&](const auto& rule) { return rule.tags(); });
+  }
+  [[nodiscard]] control::Decision decide(std::span<const double> inputs,
+                                         std::span<const double> weights) const requires control::Brain<First> {
+    return answer([&](const auto& rule) { return rule.decide(inputs, weights); });
+  }
+  [[nodiscard]] bool in_turn() const requires control::DecisionOrder<First> {
+    return answer([&](const auto& rule) { return rule.in_turn(); });
+  }
+  [[nodiscard]] bool inherits(Rng& rng) const requires reproduction::GenomeSource<First> {
+    return answer([&](const auto& rule) { return rule.inherits(rng); });
+  }
+  [[nodiscard]] Origin without_parent() const requires reproduction::GenomeSource<First> {
+    return answer([&](const auto& rule) { return rule.without_parent(); });
+  }
+  [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy& vacancy, const View& view,
+                                               Rng& rng) const requires reproduction::Parent<First> {
+    return answer([&](const auto& rule) { return rule.parent(vacancy, view, rng); });
+  }
+  [[nodiscard]] bool activates(BodyIndex body, const View& view) const requires death::Activation<First> {
+    return answer([&](const auto& rule) { return rule.activates(body, view); });
+  }
+  [[nodiscard]] bool restarts_age() const requires death::Activation<First> {
+    return answer([&](const auto& rule) { return rule.restarts_age(); });
+  }
+  [[nodiscard]] bool may_die(Species species, const View& view) const requires death::Floor<First> {
+    return answer([&](const auto& rule) { return rule.may_die(species, view); });
+  }
+  [[nodiscard]] std::optional<BodyIndex> victim(
+      const View& view, const std::function<bool(BodyIndex)>& spared) const requires death::Starvation<First> {
+    return answer([&](const auto& rule) { return rule.victim(view, spared); });
+  }
+
+ private:
+  template <class Question>
+  [[nodiscard]] auto answer(const Question& question) const {
+    if (params.reading == Reading::second) return question(make_policy<Second>(params.second));
+    return question(make_policy<First>(params.first));
+  }
+};
+
+/// One of two sensors of one size.
+template <class First, class Second>
+struct EitherSensor : Either<First, Second> {
+  static constexpr std::size_t size = First::size;
+};
+
+}  // namespace trophic::readings
