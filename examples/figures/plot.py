@@ -204,10 +204,10 @@ def tag_symmetry(data):
     rows = [("ours", "", "#0072B2"), ("null: dealt tags", "dealt_tags", NULL_COLOUR), ("fair coins", "fair_coins", "#999999")]
     if data.has_shadow:
         rows.insert(1, ("null: nothing\ninherited", "shadow", NULL_COLOUR))
-    uniform = data.values("tag_symmetry", baseline="uniform_pairs")[0]
+    uniform = data.values("tag_symmetry", group="inherited", baseline="uniform_pairs")[0]
     jitter = np.random.default_rng(2)
     for place, (_, baseline, shade) in enumerate(rows):
-        numbers = data.values("tag_symmetry", baseline=baseline)
+        numbers = data.values("tag_symmetry", group="inherited", baseline=baseline)
         ax.plot(numbers, place + jitter.uniform(-0.22, -0.08, len(numbers)), "o", ms=3, color=shade, alpha=0.7, mew=0)
         mean, lower, upper = (x[0] for x in interval(numbers[:, None]))
         bars = [[mean - lower], [upper - mean]] if np.isfinite(lower) else None

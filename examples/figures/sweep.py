@@ -96,7 +96,7 @@ class Sweep:
         elif self.chosen_before_looking(keys):
             keys = keys.merge(self.differences[["metric", "species", "group"]].drop_duplicates())
         else:
-            keys = keys[keys.metric.isin(HEADLINE) & ((keys.group == "all") | (keys.metric == "tag_symmetry"))]
+            keys = keys[keys.metric.isin(HEADLINE) & ((keys.group == "all") | (keys.metric + keys.group == "tag_symmetryinherited"))]
         metrics = ((metric, list(rows.itertuples(index=False))) for metric, rows in keys.groupby("metric", sort=False))
         return [(metric, list(filter(self.varies, rows))) for metric, rows in metrics]
 

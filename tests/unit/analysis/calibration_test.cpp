@@ -76,6 +76,7 @@ class Tables {
                          .id = self.id,
                          .species = self.species,
                          .origin = self.origin,
+                         .active = self.active,
                          .tag = self.tag,
                          .x_m = view.poses[body].x_m,
                          .y_m = view.poses[body].y_m,

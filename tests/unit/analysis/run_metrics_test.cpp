@@ -37,7 +37,13 @@ TEST_CASE("an empty run has every metric, none with a value but what needs no da
   CHECK(has({"ticks_at", "predator", "8", "1"}));
   CHECK_FALSE(has({"ticks_at", "prey", "8", "1"}));
   CHECK(has({"stuck", "everybody", "all", "1"}));
-  CHECK(has({"tag_symmetry", "prey+predator", "inherited", "1"}));
+  for (const char* group : {"all", "random", "inherited", "active"}) {
+    CAPTURE(group);
+    for (const char* metric : {"velocity", "velocity_points", "velocity_stored"}) CHECK(has({metric, "prey", group, "m/s"}));
+    CHECK(has({"wall_sticking", "predator", group, "1"}));
+  }
+  for (const char* group : {"all", "active"}) CHECK(has({"wall_sticking_gap", "prey-predator", group, "1"}));
+  for (const char* group : {"inherited", "inherited_active"}) CHECK(has({"tag_symmetry", "prey+predator", group, "1"}));
 }
 
 TEST_CASE("only dealt tags are a null of the run itself, and what the paper compares with is marked as its own") {
@@ -107,5 +113,5 @@ TEST_CASE("a thinned table gives the same velocities from fewer starts, or none 
         "rows 5 ticks apart");
   CHECK(lost_to_thinning(5) ==
         "agents.csv: has the ticks that are multiples of 5: no velocity_stored, which needs every tick, no velocity, which "
-        "needs rows 6 ticks apart");
+        "needs rows 6 ticks apart, no velocity_points, which needs rows 6 ticks apart");
 }

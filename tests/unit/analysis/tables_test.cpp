@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <trophic/analysis/data/tables.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>
@@ -23,13 +24,26 @@ TEST_CASE("rows are cut into ticks, and found in one by individual or by body") 
   CHECK(analysis::by_tick({}).empty());
 }
 
-TEST_CASE("groups by origin") {
+TEST_CASE("groups: origin and activity -> who belongs") {
   using analysis::Group;
-  CHECK(analysis::belongs(Origin::random, Group::all));
-  CHECK(analysis::belongs(Origin::random, Group::random));
-  CHECK_FALSE(analysis::belongs(Origin::random, Group::inherited));
-  CHECK_FALSE(analysis::belongs(Origin::inherited, Group::random));
-  CHECK(analysis::belongs(Origin::inherited, Group::inherited));
+  struct Case {
+    Origin origin;
+    bool active;
+    std::vector<Group> groups;
+  };
+  const std::vector<Case> cases{
+      {Origin::random, false, {Group::all, Group::random}},
+      {Origin::random, true, {Group::all, Group::random, Group::active}},
+      {Origin::inherited, false, {Group::all, Group::inherited}},
+      {Origin::inherited, true, {Group::all, Group::inherited, Group::active, Group::inherited_active}},
+  };
+  for (const auto& [origin, active, groups] : cases) {
+    for (std::size_t i = 0; i < enum_names(Group{}).size(); ++i) {
+      const auto group = static_cast<Group>(i);
+      CAPTURE(enum_name(group));
+      CHECK(analysis::belongs(origin, active, group) == (std::ranges::find(groups, group) != groups.end()));
+    }
+  }
 }
 
 TEST_CASE("stretches end a number of ticks later, where the run has that tick") {

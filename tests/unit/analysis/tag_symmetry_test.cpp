@@ -36,6 +36,14 @@ TEST_CASE("tag symmetry is |sum of the mean tags| of the inherited") {
   CHECK(*symmetry.fair_coins.mean() == doctest::Approx((fair_coin_symmetry(2, 3) + fair_coin_symmetry(1, 1)) / 2.0));
 }
 
+TEST_CASE("tag symmetry: inactive or random members -> not in group inherited_active") {
+  std::vector<AgentRow> agents{tagged(1, 0, prey, 1), tagged(1, 1, prey, -1), tagged(1, 2, prey, -1, Origin::random),
+                               tagged(1, 3, predator, -1)};
+  agents[1].active = false;
+  CHECK(*tag_symmetry(agents, prey, predator).observed.mean() == 1.0);
+  CHECK(*tag_symmetry(agents, prey, predator, analysis::Group::inherited_active).observed.mean() == 0.0);
+}
+
 TEST_CASE("a species with no inherited member leaves the tick out, or the whole run") {
   const std::vector<AgentRow> agents{tagged(1, 0, prey, 1), tagged(1, 1, predator, 1, Origin::random), tagged(2, 0, prey, 1),
                                      tagged(2, 1, predator, -1)};

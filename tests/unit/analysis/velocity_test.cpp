@@ -114,6 +114,49 @@ TEST_CASE("a body that never saw anybody has no stored adversary") {
   CHECK(stored_velocity_samples(approach(5.0, 4.4)).size() == 1);
 }
 
+TEST_CASE("velocity: robot inactive at the start of the stretch -> not in group active") {
+  auto agents = approach(5.0, 4.4);
+  for (AgentRow& row : agents) row.active = row.tick > 0;
+  CHECK_FALSE(analysis::velocity(velocity_samples(agents), predator, analysis::Group::active).mean_of_points());
+  for (AgentRow& row : agents) row.active = row.tick == 0;
+  CHECK(*analysis::velocity(velocity_samples(agents), predator, analysis::Group::active).mean_of_points() ==
+        doctest::Approx(0.6 / 12.0));
+}
+
+TEST_CASE("velocity_points: stretches that end at 200, 400, ..., 6000 s -> 30 points") {
+  // A predator that walks 1 m from 188 to 200 s, ..., and stands in between, towards a prey at rest.
+  std::vector<AgentRow> agents;
+  double x_m = 100.0;
+  for (std::int64_t tick = 0; tick <= 3000; ++tick) {
+    if (tick > 0 && (tick - 1) % 100 >= 94) x_m -= 1.0 / 6.0;
+    agents.push_back(robot(tick, 0, prey, 0.0, 0.0));
+    agents.push_back(robot(tick, 1, predator, x_m, 0.0, 0));
+  }
+  const auto points = analysis::samples_at_marks(velocity_samples(agents), agents);
+  REQUIRE(points.size() == 30);
+  CHECK(points.front().end_s == 200.0);
+  CHECK(points.back().end_s == 6000.0);
+  const auto curve = analysis::velocity(points, predator, analysis::Group::all);
+  CHECK(*curve.mean_of_points() == doctest::Approx(1.0 / 12.0));
+  CHECK(curve.series().front().time_s == 200.0);
+  CHECK(*analysis::velocity(velocity_samples(agents), predator, analysis::Group::all).mean_of_points() < 0.5 / 12.0);
+}
+
+TEST_CASE("velocity_points: no row at the mark -> the next stretch that ends after it") {
+  std::vector<AgentRow> agents;
+  for (std::int64_t tick = 0; tick <= 210; tick += 3) {
+    agents.push_back(robot(tick, 0, prey, 0.0, 0.0));
+    agents.push_back(robot(tick, 1, predator, 5.0, 0.0, 0));
+  }
+  const auto points = analysis::samples_at_marks(velocity_samples(agents), agents);
+  REQUIRE(points.size() == 2);
+  CHECK(points[0].end_s == 204.0);
+  CHECK(points[1].end_s == 402.0);
+  const auto brief = approach(5.0, 4.4);
+  CHECK(analysis::samples_at_marks(velocity_samples(brief), brief).empty());
+  CHECK(analysis::samples_at_marks({}, {}).empty());
+}
+
 TEST_CASE("velocity is split by origin and averaged in windows of 200 s: 30 points in 6000 s") {
   std::vector<analysis::VelocitySample> samples;
   for (double time_s = 0.0; time_s <= 5988.0; time_s += 2.0) {

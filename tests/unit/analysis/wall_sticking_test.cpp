@@ -33,6 +33,14 @@ TEST_CASE("ticks without a member are left out, without any there is no value") 
   CHECK_FALSE(wall_sticking({}, prey, analysis::Group::all, 10.0).mean());
 }
 
+TEST_CASE("wall sticking: inactive members -> not in group active, and active at that tick counts") {
+  std::vector<AgentRow> agents{robot(1, 0, prey, 9.9, 0.0), robot(1, 1, prey, 0.0, 0.0), robot(2, 0, prey, 9.9, 0.0),
+                               robot(2, 1, prey, 0.0, 0.0)};
+  agents[1].active = false;
+  CHECK(*wall_sticking(agents, prey, analysis::Group::active, 10.0).mean() == doctest::Approx((1.0 + 0.5) / 2.0));
+  CHECK(*wall_sticking(agents, prey, analysis::Group::all, 10.0).mean() == doctest::Approx(0.5));
+}
+
 TEST_CASE("the rim of 1 m is 19 % of a floor of 20 m") {
   CHECK(analysis::wall_share_of_floor(10.0) == doctest::Approx(0.19));
   CHECK(analysis::wall_share_of_floor(0.5) == 1.0);

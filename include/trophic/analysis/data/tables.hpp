@@ -20,13 +20,28 @@ using observe::EventRow;  ///< in the order in which things happened
 using Events = std::span<const EventRow>;
 using Agents = std::span<const AgentRow>;
 
-/// The members of a species that a metric is about.
-enum class Group { all, random, inherited };
-[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Group) {
-  return {"all", "random", "inherited"};
+/// The members of a species that a metric is about: by the origin of their genome, or those that are active at that tick.
+enum class Group { all, random, inherited, active, inherited_active };
+[[nodiscard]] constexpr std::array<std::string_view, 5> enum_names(Group) {
+  return {"all", "random", "inherited", "active", "inherited_active"};
 }
-[[nodiscard]] constexpr bool belongs(Origin origin, Group group) {
-  return group == Group::all || (group == Group::random) == (origin == Origin::random);
+[[nodiscard]] constexpr bool belongs(Origin origin, bool active, Group group) {
+  switch (group) {
+    case Group::all:
+      return true;
+    case Group::random:
+      return origin == Origin::random;
+    case Group::inherited:
+      return origin == Origin::inherited;
+    case Group::active:
+      return active;
+    case Group::inherited_active:
+      return active && origin == Origin::inherited;
+  }
+  return false;
+}
+[[nodiscard]] inline bool belongs(const AgentRow& row, Group group) {
+  return belongs(row.origin, row.active, group);
 }
 
 /// The rows of each tick, in order. Views of `agents`, which must outlive them.

@@ -16,7 +16,7 @@ namespace trophic::analysis {
   WindowMean mean{window_s};
   for (const Agents& now : by_tick(agents)) {
     const auto members =
-        std::ranges::count_if(now, [&](const AgentRow& row) { return row.species == species && belongs(row.origin, group); });
+        std::ranges::count_if(now, [&](const AgentRow& row) { return row.species == species && belongs(row, group); });
     mean.add(now.front().time_s, static_cast<double>(members));
   }
   return mean;

@@ -18,7 +18,7 @@ namespace trophic::analysis {
 struct MetricName {
   std::string metric;
   std::string species;  ///< "prey"; of a metric of two: "prey+predator"
-  std::string group;    ///< all, random, inherited; of deaths a cause, of ticks_at a number of members
+  std::string group;    ///< all, random, inherited, active, inherited_active; of deaths a cause, of ticks_at a number of members
   std::string unit;     ///< "1" for shares
   friend auto operator<=>(const MetricName&, const MetricName&) = default;
 };

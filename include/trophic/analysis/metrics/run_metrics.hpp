@@ -29,6 +29,7 @@ inline constexpr std::size_t crowd_at_floor = 8;
 namespace detail {
 
 inline constexpr std::array<Group, 3> groups{Group::all, Group::random, Group::inherited};
+inline constexpr std::array<Group, 4> groups_with_active{Group::all, Group::random, Group::inherited, Group::active};
 
 inline void measure_attribution(Events events, const FoodWeb& web, RunMetrics& result) {
   const Baseline two_thirds{"two_thirds", Role::paper, attribution_paper_baseline};
@@ -67,7 +68,7 @@ inline void measure_deaths(Events events, const FoodWeb& web, double until_s, Ru
 inline void measure_velocity(const std::string& metric, const std::vector<VelocitySample>& samples, const FoodWeb& web,
                              RunMetrics& result) {
   for (Species species = 0; species < web.size(); ++species) {
-    for (const Group group : groups) {
+    for (const Group group : groups_with_active) {
       const MetricName name{metric, web.name(species), std::string{enum_name(group)}, "m/s"};
       const WindowMean observed = velocity(samples, species, group);
       result.measurements.push_back({name, observed.mean_of_points(), {{"zero", Role::paper, 0.0}}});
@@ -77,22 +78,28 @@ inline void measure_velocity(const std::string& metric, const std::vector<Veloci
 }
 
 inline void measure_walls(Agents agents, const FoodWeb& web, double half_side_m, RunMetrics& result) {
-  std::vector<std::optional<double>> everybody;
+  std::vector<std::optional<double>> of_all;
+  std::vector<std::optional<double>> of_active;
   for (Species species = 0; species < web.size(); ++species) {
-    for (const Group group : groups) {
+    for (const Group group : groups_with_active) {
       const MetricName metric{"wall_sticking", web.name(species), std::string{enum_name(group)}, "1"};
       const WindowMean sticking = wall_sticking(agents, species, group, half_side_m);
       result.measurements.push_back(
           {metric, sticking.mean(), {{"even_spread", Role::reference, wall_share_of_floor(half_side_m)}}});
       result.curves.push_back({metric, "", sticking.series()});
-      if (group == Group::all) everybody.push_back(sticking.mean());
+      if (group == Group::all) of_all.push_back(sticking.mean());
+      if (group == Group::active) of_active.push_back(sticking.mean());
     }
   }
   for (const auto& [hunter, victim] : web.links()) {
-    const MetricName metric{"wall_sticking_gap", web.name(victim) + "-" + web.name(hunter), "all", "1"};
-    std::optional<double> gap;
-    if (everybody[victim] && everybody[hunter]) gap = *everybody[victim] - *everybody[hunter];
-    result.measurements.push_back({metric, gap, {{"zero", Role::reference, 0.0}}});
+    const auto add = [&](Group group, const std::vector<std::optional<double>>& shares) {
+      const MetricName metric{"wall_sticking_gap", web.name(victim) + "-" + web.name(hunter), std::string{enum_name(group)}, "1"};
+      std::optional<double> gap;
+      if (shares[victim] && shares[hunter]) gap = *shares[victim] - *shares[hunter];
+      result.measurements.push_back({metric, gap, {{"zero", Role::reference, 0.0}}});
+    };
+    add(Group::all, of_all);
+    add(Group::active, of_active);
   }
 }
 
@@ -100,16 +107,18 @@ inline void measure_tags(Agents agents, const FoodWeb& web, RunMetrics& result) 
   Rng rng{0, Stream::null_model};
   const double uniform_pairs = uniform_pair_symmetry(rng);
   for (const auto& [hunter, victim] : web.links()) {
-    const MetricName metric{"tag_symmetry", web.name(victim) + "+" + web.name(hunter), "inherited", "1"};
-    const TagSymmetry symmetry = tag_symmetry(agents, victim, hunter);
-    result.measurements.push_back({metric,
-                                   symmetry.observed.mean(),
-                                   {{"dealt_tags", Role::null, symmetry.dealt.mean()},
-                                    {"uniform_pairs", Role::paper, uniform_pairs},
-                                    {"fair_coins", Role::reference, symmetry.fair_coins.mean()}}});
-    result.curves.push_back({metric, "", symmetry.observed.series()});
-    result.curves.push_back({metric, "dealt_tags", symmetry.dealt.series()});
-    result.curves.push_back({metric, "fair_coins", symmetry.fair_coins.series()});
+    for (const Group group : {Group::inherited, Group::inherited_active}) {
+      const MetricName metric{"tag_symmetry", web.name(victim) + "+" + web.name(hunter), std::string{enum_name(group)}, "1"};
+      const TagSymmetry symmetry = tag_symmetry(agents, victim, hunter, group);
+      result.measurements.push_back({metric,
+                                     symmetry.observed.mean(),
+                                     {{"dealt_tags", Role::null, symmetry.dealt.mean()},
+                                      {"uniform_pairs", Role::paper, uniform_pairs},
+                                      {"fair_coins", Role::reference, symmetry.fair_coins.mean()}}});
+      result.curves.push_back({metric, "", symmetry.observed.series()});
+      result.curves.push_back({metric, "dealt_tags", symmetry.dealt.series()});
+      result.curves.push_back({metric, "fair_coins", symmetry.fair_coins.series()});
+    }
   }
 }
 
@@ -149,6 +158,7 @@ inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result)
     if (apart % every != 0) lost += ", no " + metric + ", which needs rows " + std::to_string(apart) + " ticks apart";
   };
   add("velocity", velocity_ticks);
+  add("velocity_points", velocity_ticks);
   add("stuck", stuck_ticks);
   return "agents.csv: has the ticks that are multiples of " + std::to_string(every) + ": " + lost;
 }
@@ -162,7 +172,9 @@ inline void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result)
   const FoodWeb& web = run.manifest.web;
   detail::measure_attribution(events, web, result);
   detail::measure_deaths(events, web, run.manifest.until_s, result);
-  detail::measure_velocity("velocity", velocity_samples(agents), web, result);
+  const std::vector<VelocitySample> samples = velocity_samples(agents);
+  detail::measure_velocity("velocity", samples, web, result);
+  detail::measure_velocity("velocity_points", samples_at_marks(samples, agents), web, result);
   const Agents every_tick = run.manifest.agents_every_ticks == 1 ? agents : Agents{};
   detail::measure_velocity("velocity_stored", stored_velocity_samples(every_tick), web, result);
   detail::measure_walls(agents, web, run.manifest.half_side_m, result);

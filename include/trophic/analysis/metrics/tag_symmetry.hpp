@@ -92,9 +92,11 @@ struct TagSymmetry {
   WindowMean fair_coins;  ///< for reference: every robot's tag a fair coin
 };
 
-/// At each tick |mean tag of one species + mean tag of the other|, inherited members only (Sec. "Metrics for system dynamics");
-/// ticks at which either has no inherited member are left out. Close to 0: the species show opposite tags.
-[[nodiscard]] inline TagSymmetry tag_symmetry(Agents agents, Species a, Species b, double window_s = 200.0) {
+/// At each tick |mean tag of one species + mean tag of the other|, members of the group only: the inherited ones (Sec. "Metrics
+/// for system dynamics"); ticks at which either species has no such member are left out. Close to 0: the species show opposite
+/// tags. The mean of the tags (-1, 1, 1, 1) is 0.5; the paper's example of an average tag gives 0.75 for it, which is wrong.
+[[nodiscard]] inline TagSymmetry tag_symmetry(Agents agents, Species a, Species b, Group group = Group::inherited,
+                                              double window_s = 200.0) {
   struct Count {
     std::size_t all = 0;
     std::size_t plus = 0;
@@ -111,7 +113,7 @@ struct TagSymmetry {
     Count in_a;
     Count in_b;
     for (const AgentRow& row : now) {
-      if (row.origin != Origin::inherited) continue;
+      if (!belongs(row, group)) continue;
       if (row.species == a) in_a.add(row.tag);
       if (row.species == b) in_b.add(row.tag);
     }

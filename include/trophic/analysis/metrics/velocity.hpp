@@ -2,9 +2,12 @@
 // Velocity: how fast robots get nearer to where their adversary was.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
+#include <set>
 #include <trophic/analysis/data/tables.hpp>
 #include <trophic/analysis/metrics/series.hpp>
 #include <vector>
@@ -16,8 +19,10 @@ namespace trophic::analysis {
 /// past something close ends farther away on average, so zero is no null: the neutral shadow is.
 struct VelocitySample {
   double time_s = 0.0;  ///< start
+  double end_s = 0.0;
   Species species = 0;
   Origin origin = Origin::random;
+  bool active = true;  ///< at the start
   double velocity_m_s = 0.0;
 };
 
@@ -36,8 +41,10 @@ template <class AdversaryOf>
       const AgentRow* to = end.find(from.id);
       if (to == nullptr || adversary == nullptr) continue;
       samples.push_back({.time_s = from.time_s,
+                         .end_s = to->time_s,
                          .species = from.species,
                          .origin = from.origin,
+                         .active = from.active,
                          .velocity_m_s = (distance(from, *adversary) - distance(*to, *adversary)) / (to->time_s - from.time_s)});
     }
   }
@@ -71,13 +78,32 @@ inline constexpr std::int64_t velocity_ticks = 6;
   });
 }
 
+/// Samples of the stretches that end at a mark: at the first tick of `agents` at or after `every_s`, 2 `every_s`, ..., and at
+/// which a stretch ends. The paper's "population averages measured every 200 seconds, resulting in 30 points" may be these
+/// instead of means over windows: a stretch's velocity is measured when it ends, and 200, 400, ..., 6000 s are 30 marks, while
+/// no stretch that begins at 6000 s can be measured.
+[[nodiscard]] inline std::vector<VelocitySample> samples_at_marks(const std::vector<VelocitySample>& samples, Agents agents,
+                                                                  double every_s = 200.0, std::int64_t ticks = velocity_ticks) {
+  std::set<double> marks;
+  double next_s = every_s;
+  for (const auto& [now, later] : stretches(agents, ticks)) {
+    if (later.empty() || later.front().time_s < next_s) continue;
+    marks.insert(later.front().time_s);
+    next_s = (std::floor(later.front().time_s / every_s) + 1.0) * every_s;
+  }
+  std::vector<VelocitySample> chosen;
+  std::ranges::copy_if(samples, std::back_inserter(chosen), [&](const VelocitySample& s) { return marks.contains(s.end_s); });
+  return chosen;
+}
+
 /// Velocity of a group, averaged in windows of `window_s` (200 s in the paper: 30 points). Its mean_of_points() is the straight
 /// line in the paper's figure.
 [[nodiscard]] inline WindowMean velocity(const std::vector<VelocitySample>& samples, Species species, Group group,
                                          double window_s = 200.0) {
   WindowMean mean{window_s};
   for (const VelocitySample& sample : samples) {
-    if (sample.species == species && belongs(sample.origin, group)) mean.add(sample.time_s, sample.velocity_m_s);
+    if (sample.species != species || !belongs(sample.origin, sample.active, group)) continue;
+    mean.add(sample.time_s, sample.velocity_m_s);
   }
   return mean;
 }

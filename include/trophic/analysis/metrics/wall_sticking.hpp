@@ -21,7 +21,7 @@ inline constexpr double wall_reach_m = 1.0;
   for (const Agents& now : by_tick(agents)) {
     Mean at_walls;
     for (const AgentRow& row : now) {
-      if (row.species != species || !belongs(row.origin, group)) continue;
+      if (row.species != species || !belongs(row, group)) continue;
       const double to_wall_m = half_side_m - std::max(std::abs(row.x_m), std::abs(row.y_m));
       at_walls.add(to_wall_m <= reach_m ? 1.0 : 0.0);
     }

@@ -39,7 +39,9 @@ struct MetricRow {
         column("seed", &MetricRow::seed, "", "of the run"),
         column("metric", &MetricRow::metric, "", "what was measured"),
         column("species", &MetricRow::species, "", "of whom; of a metric of two: prey+predator"),
-        column("group", &MetricRow::group, "", "all, random or inherited; of deaths a cause, of ticks_at a number of members"),
+        column("group", &MetricRow::group, "",
+               "all, random, inherited, active (at that tick) or inherited_active; of deaths a cause, of ticks_at a number of "
+               "members"),
         column("baseline", &MetricRow::baseline, "", "empty: observed; shadow: observed in the shadow of that seed"),
         column("time_s", &MetricRow::time_s, "s", "of a curve the end of its window; empty: of the whole run"),
         column("value", &MetricRow::value, "", "in `unit`; empty: could not be computed"),
