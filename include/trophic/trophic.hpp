@@ -71,6 +71,7 @@
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/control/steering/contract.hpp>
+#include <trophic/control/steering/no_steering.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/death/activation/active_away_from_hunters.hpp>
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>

@@ -8,6 +8,7 @@
 #include <conformance/reproduction_suite.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
+#include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/capture/no_capture.hpp>
@@ -70,7 +71,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, c
                           control::brain::HebbianBrain);
 TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, control::decision_order::DecideTogether,
                           control::decision_order::DecideInTurn);
-TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering);
+TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::NoSteering);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights);
 TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, reproduction::genome_source::RandomOrInherited,

@@ -18,9 +18,10 @@ inline constexpr double probe_angle_rad = 0.7;
 [[noreturn]] void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<Side>& sides);
 
 /// Throws std::invalid_argument, naming robot, steering and hinges, where a turn to the right and one to the left give the same
-/// joint targets: brains would have no effect on where robots go.
+/// joint targets: brains would have no effect on where robots go. Accepts a rule with `steers = false`.
 template <control::Steering SteeringRule>
 void check_steerable(const RobotModel& robot, const SteeringRule& steering) {
+  if constexpr (requires { requires !SteeringRule::steers; }) return;
   const std::vector<Side> sides = sides_of(robot);
   std::vector<double> right_rad(sides.size());
   for (std::size_t i = 0; i < sides.size(); ++i) right_rad[i] = i % 2 == 0 ? 0.5 : -0.25;

@@ -13,7 +13,8 @@
 namespace trophic::control {
 
 /// `steer(target_angle_rad, sides, targets_rad)`: changes the joint targets of one robot in place; one side and one target per
-/// hinge.
+/// hinge. A rule that gives the same targets for every angle is an error on a backend with joints, unless it declares
+/// `static constexpr bool steers = false;`.
 template <class P>
 concept Steering = requires(const P policy, double target_angle_rad, std::span<const Side> sides, std::span<double> targets_rad) {
   { policy.steer(target_angle_rad, sides, targets_rad) } -> std::same_as<void>;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Brains have no effect on where robots go.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <trophic/control/steering/contract.hpp>
+
+namespace trophic::control::steering {
+
+/// Rule: joint targets stay as the gait gives them, whatever the target angle: the control in which brains choose tags and
+/// nothing else. Backends without joints turn robots themselves and do not ask this rule.   Reads: nothing.   Random draws: 0.
+struct NoSteering {
+  static constexpr std::string_view name = "no_steering";
+  static constexpr std::string_view source = "control";
+  static constexpr bool steers = false;
+  void steer(double, std::span<const Side>, std::span<double>) const {}
+};
+static_assert(Steering<NoSteering>);
+
+}  // namespace trophic::control::steering
