@@ -265,6 +265,7 @@
 #include <trophic/reproduction/heredity/own_copy.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
+#include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/initial_genome/uniform_weights.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/mutation/no_mutation.hpp>

@@ -31,6 +31,7 @@
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
+#include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/mutation/no_mutation.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/paper.hpp>
@@ -73,7 +74,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, control::decision_order:
                           control::decision_order::DecideInTurn);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::NoSteering);
 
-TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights);
+TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights,
+                          reproduction::initial_genome::NormalWeights);
 TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, reproduction::genome_source::RandomOrInherited,
                           reproduction::genome_source::RandomOrInheritedInName, reproduction::genome_source::AlwaysInherited);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::Killer, reproduction::parent::LastKiller,

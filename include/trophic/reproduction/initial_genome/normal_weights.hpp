@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Random genomes: every weight normal.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/initial_genome/contract.hpp>
+#include <tuple>
+
+namespace trophic::reproduction::initial_genome {
+
+/// Rule: each weight from N(0, sd). The default sd is that of UniformWeights within +-1, 1 / sqrt(3), so that the two differ in
+/// shape alone; sd 0 gives genomes of zeros.   Reads: nothing.   Random draws: 2 per weight.
+struct NormalWeights {
+  static constexpr std::string_view name = "normal_weights";
+  static constexpr std::string_view source = "not in the paper";
+
+  struct Params {
+    double sd = 0.5773502691896258;
+    static constexpr auto fields() { return std::tuple{field("sd", &Params::sd, at_least(0.0), "standard deviation")}; }
+  };
+  Params params;
+
+  void draw(std::span<double> weights, Rng& rng) const {
+    for (double& weight : weights) weight = rng.normal(0.0, params.sd);
+  }
+};
+static_assert(InitialGenome<NormalWeights>);
+
+}  // namespace trophic::reproduction::initial_genome
