@@ -162,6 +162,7 @@
 #include <trophic/habitat/touch.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <trophic/initialization/community/contract.hpp>
+#include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/community/predator_prey.hpp>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/initialization/placement/scattered.hpp>

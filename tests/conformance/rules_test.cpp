@@ -21,6 +21,7 @@
 #include <trophic/death/starvation/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/nobody_starves.hpp>
 #include <trophic/death/starvation_schedule/never_due.hpp>
+#include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
@@ -51,7 +52,7 @@ TEST_CASE("rules: every number of a shipped rule has a line of help") {
   }
 }
 
-TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, initialization::community::PredatorPrey);
+TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, initialization::community::PredatorPrey, initialization::community::FoodChain);
 TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, initialization::placement::Scattered,
                           initialization::placement::UniformSquare);
 
