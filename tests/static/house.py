@@ -72,6 +72,19 @@ def policies_have_tests():
     return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
 
 
+def two_policies_per_slot():
+    """Each folder of a slot, which slots.hpp includes, holds two policies at least: headers that check its contract."""
+    offences = []
+    for folder in sorted(set(re.findall(r"#include <trophic/(\w+/\w+)/contract\.hpp>", (CORE / "trophic/rules/slots.hpp").read_text()))):
+        slot = CORE / "trophic" / folder
+        concepts = "|".join(re.findall(r"^concept (\w+) =", (slot / "contract.hpp").read_text(), flags=re.MULTILINE))
+        checked = re.compile(rf"^static_assert\(({concepts})<", flags=re.MULTILINE)
+        policies = [path.stem for path in slot.glob("*.hpp") if checked.search(path.read_text())]
+        if len(policies) < 2:
+            offences.append(f"include/trophic/{folder}: {' '.join(policies) or 'no policy'}: must have at least 2 policies")
+    return offences
+
+
 def references() -> dict[str, str]:
     """Key -> entry of references.bib."""
     entries = re.split(r"^@\w+\{", (ROOT / "references.bib").read_text(), flags=re.MULTILINE)[1:]
