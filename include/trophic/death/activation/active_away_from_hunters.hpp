@@ -9,9 +9,11 @@
 namespace trophic::death::activation {
 
 /// Rule: an inactive newborn becomes active once it is farther than distance from everybody that eats its species, whatever
-/// the tags (Sec. "Prey Death", against "spawn-killing"; the paper gives no number, the released code 5 m). Founders that
-/// somebody eats begin inactive, too (the paper is silent; as the released code). Its age counts from birth;
-/// AgesOnceAwayFromHunters is the released code's.   Reads: positions, species.   Random draws: 0.
+/// the tags (Sec. "Prey Death", against "spawn-killing"). The paper gives no number. The released code has 5 m, and so has an
+/// early draft of Sec. "Birth", a comment in the LaTeX source: a newborn cannot "immediately interact with other robots" and is
+/// safe "until they move five units away from any predator". Founders that somebody eats begin inactive, too (the paper is
+/// silent; as the released code): FoundersStartActive is the other reading. Its age counts from birth; AgesOnceAwayFromHunters
+/// is the released code's.   Reads: positions, species.   Random draws: 0.
 struct ActiveAwayFromHunters {
   static constexpr std::string_view name = "active_away_from_hunters";
   static constexpr std::string_view source = "paper, Sec. \"Prey Death\"; silent on the distance: released code's";

@@ -11,8 +11,8 @@
 namespace trophic::death::floor {
 
 /// Rule: nobody of a hunted species is caught or sacrificed while only `floor` of it are left, inactive newborn included
-/// (Sec. "Prey Death": 7; the released code's catches stop below 7, so that its floor is 6).   Reads: species
-/// count.   Random draws: 0.
+/// (Sec. "Prey Death": 7; the released code's catches stop below 7, so that its floor is 6). The paper is silent on whether
+/// inactive newborn count; ActiveVictimFloor is the other reading.   Reads: species count.   Random draws: 0.
 struct VictimFloor {
   static constexpr std::string_view name = "victim_floor";
   static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";

@@ -10,7 +10,8 @@
 namespace trophic::death::reprieve {
 
 /// Rule: spared iff somebody that the hunter eats and perceives, with the tags of this moment, is within range (Sec.
-/// "Predator Death": "a certain distance away from an observable prey"; the paper gives no number, the released code 5 m).
+/// "Predator Death": "at a minimum certain distance away from an observable prey"; the paper gives no number, the released code
+/// 5 m).
 /// A prey that switches its tag ends the reprieve. Reads: positions, species, visibility.   Random draws: 0.
 struct NearPerceivedVictim {
   static constexpr std::string_view name = "near_perceived_victim";

@@ -15,11 +15,12 @@
 namespace trophic::initialization::placement {
 
 /// Rule: positions uniform over the flat floor, one bounding radius from the walls, drawn again while closer than two
-/// bounding radii to a robot already placed; headings uniform. The paper says "random positions" (Sec. "Initialization")
-/// and is silent about headings and overlap.   Reads: arena, radius.   Random draws: 3 per attempt.
+/// bounding radii to a robot already placed; headings uniform. The paper says "attributed to one of the available bodies" (Sec.
+/// "Initialization") and is silent about where these stand and how they are turned. The released code's positions are random,
+/// too: see UniformSquare.   Reads: arena, radius.   Random draws: 3 per attempt.
 struct Scattered {
   static constexpr std::string_view name = "scattered";
-  static constexpr std::string_view source = "paper, Sec. \"Initialization\"; silent on headings and overlap";
+  static constexpr std::string_view source = "paper: silent; Sec. \"Initialization\" names no positions";
   static constexpr int max_attempts_per_robot = 1000;
 
   [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m, Rng& rng) const {

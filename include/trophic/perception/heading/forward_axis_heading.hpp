@@ -9,7 +9,7 @@
 namespace trophic::perception::heading {
 
 /// Rule: the heading is the direction of the robot's forward axis projected on the floor. The paper says only that "a predefined
-/// frame of reference [...] establishes the front orientation" (Sec. "Targeted Steering"); this takes the front to be a part of
+/// frame of reference that establishes the front orientation" (Sec. "Targeted Steering"); this takes the front to be a part of
 /// the body, so that it stays the front of a robot on its back. RootYawHeading is the released code's.   Reads: root pose.
 /// Random draws: 0.
 struct ForwardAxisHeading {

@@ -8,7 +8,8 @@
 namespace trophic::perception::visibility {
 
 /// Rule: self perceives other iff their tags are equal and other is active (Sec. "Tagging System"; an inactive newborn is
-/// invisible: Sec. "Prey Death").   Reads: both tags, other's activity.   Random draws: 0.
+/// invisible: Sec. "Prey Death"). The paper is silent on what an inactive newborn perceives; SameTagIfActive is the other
+/// reading.   Reads: both tags, other's activity.   Random draws: 0.
 struct SameTag {
   static constexpr std::string_view name = "same_tag";
   static constexpr std::string_view source = "paper, Sec. \"Tagging System\"";
