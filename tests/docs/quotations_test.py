@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""quotations_test.py ROOT [--source TEX]: each quotation of the paper is in paper_sentences.txt, word for word.
+
+A block is a doc block or comment of C++ or TOML, a paragraph or a row of a table of Markdown. In a block that names the paper
+(Sec. "...", the paper, the text, a draft), everything of two words or more between double quotes is a quotation. It must be part of
+one sentence; [...] stands for words left out. If the block cites sections, the sentence must be of one of them. A draft's sentence
+needs the word draft in the block. A Markdown document exempts its own words by <!-- ours: WORDS -->.
+Section titles, in Sec. "..." and in `source` strings, must be the paper's. Each sentence of the file must be quoted.
+--source: also compares the file with the paper's LaTeX source. Prints each offence; exit 0 none, 1 some."""
+
+import argparse
+import dataclasses
+import pathlib
+import re
+import sys
+
+from documents import all_documents
+
+HERE = pathlib.Path(__file__).parent
+CODE = ("include", "src", "backends", "mpi", "pictures", "examples", "models")
+HISTORY = {"CHANGELOG.md"}  # may quote what was wrong
+NAMES_PAPER = re.compile(r'\bSec\. "|\b[Tt]he (paper|text)\b|\b[Dd]raft\b')
+CITATION = re.compile(r'\bSec\. "([^"]*)"')
+
+# block, what must be said about it; none: nothing
+PLANTED = [
+    ('The paper says "the next oldest predator dies".', None),
+    ('The paper says "the next hungriest predator dies".', '"the next hungriest predator dies" is not in the paper'),
+    ('"random positions" (Sec. "Initialization").', '"random positions" is not in the paper'),
+    ('"a certain distance away" (Sec. "Predator Death")', '"a certain distance away" is not in the paper'),
+    ('The text: "to one of the available bodies: 16 are prey".', None),
+    ('The text: "one of the available bodies [...] 14 are predators"', None),
+    ('The text: "14 are predators [...] one of the available bodies"', "is not in the paper"),
+    ('The text: "he next oldest predator"', "is not in the paper"),
+    ('"Any prey" (Sec. "Reproduction")', None),
+    ('"any prey" (Sec. "Prey Death")', '"any prey" is not of a section that is cited with it'),
+    ('"one unit of distance" (Sec. "Metrics for system dynamics")', None),
+    ('The paper: "does not mean it can immediately interact"', '"does not mean it can immediately interact" is of a draft'),
+    ('A draft of the paper: "does not mean it can immediately interact"', None),
+    ('Sec. "Prey Deaths"', 'the paper has no section "Prey Deaths"'),
+    ('Sec. "Cognitive Brain", "Outputs"', None),
+    ('Sec. "Cognitive Brain", "Output Neurons"', '"Output Neurons" is not in the paper'),
+    ('No source is named, so "what we say" is ours.', None),
+]
+
+
+@dataclasses.dataclass
+class Sentence:
+    text: str
+    sections: list[str]  # that it stands in, from the outermost
+    is_draft: bool
+
+
+@dataclasses.dataclass
+class Paper:
+    title: str
+    sections: set[str]
+    sentences: list[Sentence]
+
+
+def read_paper(path: pathlib.Path) -> Paper:
+    paper, sections = Paper("", set(), []), []
+    for line in path.read_text().splitlines():
+        key, _, value = line.partition(": ")
+        if line.startswith("#"):
+            continue
+        if key == "title":
+            paper.title = value
+        elif key == "section":
+            sections = value.split(" / ")
+            paper.sections.add(sections[-1])
+        else:
+            paper.sentences.append(Sentence(value if key == "draft" else line, sections, key == "draft"))
+    return paper
+
+
+def comments(path: pathlib.Path) -> list[tuple[int, str]]:
+    """Line and text of each comment; lines of comment one below the other are one."""
+    mark = r"#" if path.suffix == ".toml" else r"///?<?"
+    found, open_block = [], False
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        own, behind = re.match(rf"\s*{mark}(?: (.*))?$", line), re.search(rf"\s{mark} (.*)$", line)
+        if own and open_block:
+            found[-1] = (found[-1][0], f"{found[-1][1]} {own[1] or ''}")
+        elif own or behind:
+            found.append((number, (own or behind)[1] or ""))
+        open_block = bool(own)
+    return found
+
+
+def contains(sentence: str, pieces: list[str]) -> bool:
+    """Whether the pieces follow each other in the sentence, each from a word's start to a word's end."""
+    pattern = ".*".join(re.escape(piece) for piece in pieces)
+    return re.search(rf"(?<!\w){pattern}(?!\w)", sentence) is not None
+
+
+def judged(block: str, paper: Paper, quoted: set[str], ours: str = "") -> list[str]:
+    """What is wrong with a block; adds the sentences that it quotes to `quoted`."""
+    block = " ".join(re.sub(r"<[^>]*>", "", block).split())
+    if not NAMES_PAPER.search(block):
+        return []
+    cited = CITATION.findall(block)
+    offences = [f'the paper has no section "{title}"' for title in cited if title not in paper.sections]
+    for quotation in re.findall(r'"([^"]*)"', CITATION.sub("", block)):
+        words = quotation.strip(" .,;:")
+        if len(re.split(r"[\s-]+", words)) < 2 or words in paper.sections or words == paper.title or words in ours:
+            continue
+        pieces = [piece.strip() for piece in words.split("[...]")]
+        forms = [pieces, [pieces[0][:1].lower() + pieces[0][1:], *pieces[1:]], [pieces[0][:1].upper() + pieces[0][1:], *pieces[1:]]]
+        found = [one for one in paper.sentences if any(contains(one.text, form) for form in forms)]
+        quoted |= {one.text for one in found}
+        if not found:
+            offences.append(f'"{words}" is not in the paper')
+        elif cited and not any(set(one.sections) & set(cited) for one in found):
+            offences.append(f'"{words}" is not of a section that is cited with it')
+        elif all(one.is_draft for one in found) and not re.search(r"\b[Dd]raft\b", block):
+            offences.append(f'"{words}" is of a draft, which must be said')
+    return offences
+
+
+def in_tree(root: pathlib.Path, paper: Paper) -> list[str]:
+    offences, quoted = [], set()
+    for path in sorted(path for folder in CODE for path in (root / folder).rglob("*") if path.suffix in (".hpp", ".ipp", ".cpp", ".toml")):
+        for line, block in comments(path):
+            offences += [f"{path.relative_to(root)}:{line}: {said}" for said in judged(block, paper, quoted)]
+        for source in re.findall(r'string_view source =[^"]*"((?:[^"\\]|\\.)*)"', path.read_text()):
+            titles = re.findall(r'\\"([^"\\]*)\\"', source)
+            offences += [f'{path.relative_to(root)}: the paper has no section "{title}"' for title in titles if title not in paper.sections]
+    for document in all_documents(root):
+        if document.path.name in HISTORY:
+            continue
+        rows = [(table.line + n, " | ".join(row)) for table in document.tables for n, row in enumerate(table.rows)]
+        for line, block in document.paragraphs + rows:
+            said = judged(block, paper, quoted, document.noted("ours"))
+            offences += [f"{document.path.relative_to(root)}:{line}: {one}" for one in said]
+    offences += [f"paper_sentences.txt: nothing quotes: {one.text}" for one in paper.sentences if one.text not in quoted]
+    listed = re.search(r"sections = \{([^}]*)\}", (root / "references.bib").read_text())[1]
+    titles = [" ".join(title.split()) for title in listed.split(";")]
+    return offences + [f'references.bib: the paper has no section "{title}"' for title in titles if title not in paper.sections]
+
+
+def in_source(tex: str, paper: Paper) -> list[str]:
+    """What of the file is not in the LaTeX source, in order, with its markup left out as the file says."""
+
+    def plain(text: str) -> str:
+        text = re.sub(r"~?\\(cite|label|ref|footnote)\{[^}]*\}", "", text)
+        text = re.sub(r"\\(textit|textbf)\{([^}]*)\}", r"\2", text).replace("`", "'").replace("\\", "").replace("$", "")
+        return " ".join(text.split())
+
+    text = plain(re.sub(r"(?<!\\)%.*", "", tex))
+    drafts = plain(" ".join(re.findall(r"(?<!\\)%(.*)", tex)))
+    titles = [plain(title) for title in re.findall(r"\\(?:(?:sub)*section|paragraph)\{([^}]*)\}", tex)]
+    offences = [f'the source has no section "{title}"' for title in paper.sections if title not in titles]
+    offences += [f'the file lacks the section "{title}"' for title in titles if title not in paper.sections]
+    offences += [f"not in the source: {one.text}" for one in paper.sentences if one.text not in (drafts if one.is_draft else text)]
+    return offences + ([] if paper.title in plain(tex) else ["another title"])
+
+
+def main() -> int:
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("root", type=pathlib.Path)
+    arguments.add_argument("--source", type=pathlib.Path)
+    options = arguments.parse_args()
+    paper = read_paper(HERE / "paper_sentences.txt")
+    offences = in_tree(options.root, paper)
+    if options.source:
+        offences += in_source(options.source.read_text(), paper)
+    for block, expected in PLANTED:
+        said = judged(block, paper, set())
+        if (expected is None and said) or (expected is not None and not any(expected in one for one in said)):
+            offences.append(f"planted: {block}: said {said}, must say {expected}")
+    print("\n".join(offences) or f"{len(paper.sentences)} sentences, and all quotations are of them")
+    return 1 if offences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
