@@ -3,9 +3,9 @@
 """quotations_test.py ROOT [--source TEX]: each quotation of the paper is in paper_sentences.txt, word for word.
 
 A block is a doc block or comment of C++ or TOML, a paragraph or a row of a table of Markdown. In a block that names the paper
-(Sec. "...", the paper, the text, a draft), everything of two words or more between double quotes is a quotation. It must be part of
-one sentence; [...] stands for words left out. If the block cites sections, the sentence must be of one of them. A draft's sentence
-needs the word draft in the block. A Markdown document exempts its own words by <!-- ours: WORDS -->.
+(Sec. "...", the paper, the text, the authors, a draft), everything of two words or more between double quotes is a quotation. It
+must be part of one sentence; [...] stands for words left out. If the block cites sections, the sentence must be of one of them. A
+draft's sentence needs the word draft in the block. A Markdown document exempts its own words by <!-- ours: WORDS -->.
 Section titles, in Sec. "..." and in `source` strings, must be the paper's. Each sentence of the file must be quoted.
 --source: also compares the file with the paper's LaTeX source. Prints each offence; exit 0 none, 1 some."""
 
@@ -20,7 +20,7 @@ from documents import all_documents
 HERE = pathlib.Path(__file__).parent
 CODE = ("include", "src", "backends", "mpi", "pictures", "examples", "models")
 HISTORY = {"CHANGELOG.md"}  # may quote what was wrong
-NAMES_PAPER = re.compile(r'\bSec\. "|\b[Tt]he (paper|text)\b|\b[Dd]raft\b')
+NAMES_PAPER = re.compile(r'\bSec\. "|\b[Tt]he (paper|text|authors)\b|\b[Dd]raft\b')
 CITATION = re.compile(r'\bSec\. "([^"]*)"')
 
 # block, what must be said about it; none: nothing
@@ -97,7 +97,7 @@ def contains(sentence: str, pieces: list[str]) -> bool:
 
 def judged(block: str, paper: Paper, quoted: set[str], ours: str = "") -> list[str]:
     """What is wrong with a block; adds the sentences that it quotes to `quoted`."""
-    block = " ".join(re.sub(r"<[^>]*>", "", block).split())
+    block = " ".join(re.sub(r"</?[a-z][^<>]*>", "", block).split())
     if not NAMES_PAPER.search(block):
         return []
     cited = CITATION.findall(block)
