@@ -126,10 +126,28 @@ def set_rows(name, summary):
     return rows
 
 
+def flip_rows(flips):
+    """The significant effects of a flips.csv on the metrics of the claims."""
+    rows = []
+    with open(flips, newline="") as file:
+        for row in csv.DictReader(file):
+            over_shadow = row["compared"] == "over_shadow"
+            key = (row["metric"], row["species"], row["group"], over_shadow)
+            if row["decided"] == "yes" and key in SCREENED:
+                rows.append({"from": row["direction"].removeprefix("from_"), "flip": row["flip"], **named(key), "base": row["base"],
+                             **{name: number(float(row[name])) for name in ("flipped", "difference", "lower", "upper")},
+                             "p_holm": f"{float(row['p_holm']):.2g}"})
+    return rows
+
+
 def claim_rows(summary):
-    """A row a published claim and reading."""
-    return [{key: number(value) if isinstance(value, float) else "" if value is None else value for key, value in claim.items()}
-            for claim in summary["sets"][0]["claims"]]
+    """A row a published figure and reading."""
+    rows = []
+    for claim in summary["sets"][0]["claims"]:
+        for reading in claim["readings"]:
+            row = {"claim": claim["claim"], "summary": claim["summary"], **reading}
+            rows.append({key: number(value) if isinstance(value, float) else "" if value is None else value for key, value in row.items()})
+    return rows
 
 
 def orphans(runs):

@@ -1,2 +1,251 @@
+# SPDX-License-Identifier: MIT
+"""Tables of the documents, from docs/results/data: whatever stands between <!-- table: NAME --> and <!-- /table -->."""
+import csv
+import re
+import sys
+
+PAGES = ["RESULTS.md", "docs/open-choices.md"]
+MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
+TITLES = {
+    "attribution_caught": "inherited among the caught prey", "attribution_credited": "prey deaths credited to inherited predators",
+    "attribution_catches": "catches by inherited predators", "attribution_catchers": "inherited among the predators that ever caught",
+    "velocity": "velocity", "wall_sticking": "at walls", "wall_sticking_gap": "at walls, prey less predators",
+    "tag_symmetry": "tag symmetry", "deaths": "deaths in a run", "ticks_at": "share of time with", "stuck": "stuck",
+}
+
+
+class Data:
+    def __init__(self, folder):
+        self.folder = folder
+
+    def __call__(self, name):
+        with open(self.folder / f"{name}.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+
+def is_velocity(row):
+    return row["metric"].startswith("velocity")
+
+
+def digits(row, text, sign=False):
+    """A value as readers see it: cm/s with two decimals, counts with one, shares with three."""
+    if text == "":
+        return ""
+    scale, places = (100.0, 2) if is_velocity(row) else (1.0, 1) if row["metric"] == "deaths" else (1.0, 3)
+    return f"{scale * float(text):{'+' if sign else ''}.{places}f}"
+
+
+def ranged(row, keys, sign=False):
+    middle, lower, upper = (digits(row, row[key], sign) for key in keys)
+    return middle if lower == "" else f"{middle} [{lower}, {upper}]"
+
+
+def title(row):
+    """The name of a metric in words."""
+    metric, species, group = row["metric"], row["species"], row["group"]
+    if metric.startswith("attribution") or metric.startswith("tag_symmetry") or metric == "wall_sticking_gap":
+        words = TITLES.get(metric, metric)
+        return words if group in ("all", "inherited") else f"{words} ({group.replace('_', ', ')})"
+    if metric == "deaths":
+        return f"{species} dead" if group == "all" else f"{species} {group}"
+    if metric == "ticks_at":
+        return f"share of time with {group} predators"
+    who = species if group == "all" else f"{group} {species}"
+    kinds = {"velocity_stored": "velocity to the stored adversary", "velocity_points": "velocity every 200 s"}
+    words = kinds.get(metric, TITLES.get(metric, metric))
+    return f"{words} of {who}" + (", cm/s" if is_velocity(row) else "")
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def claims(rows):
+    """What is said of each published figure under each reading."""
+    lines, last = [], None
+    for row in rows:
+        claim = row["claim"] if row["claim"] != last else ""
+        last = row["claim"]
+        reading = ", ".join(part for part in (row["members"], row["counting"]) if part)
+        needed = f" ({row['runs_needed']} runs would decide)" if row["runs_needed"] else ""
+        margin = f"{digits(row, row['margin'])} ({row['margin_from']})" if row["margin"] else "unknown"
+        lines.append([claim, reading, digits(row, row["published"]), margin, ranged(row, ("mean", "lower", "upper")), row["conclusion"] + needed])
+    return table(["published figure", "reading", "published", "margin", "ours", "conclusion"], lines)
+
+
+def summaries(rows):
+    """One line a published figure."""
+    return table(["published figure", "conclusion"], [[row["claim"], row["summary"]] for row in first_of(rows, "claim")])
+
+
+def first_of(rows, key):
+    seen = set()
+    return [row for row in rows if not (row[key] in seen or seen.add(row[key]))]
+
+
+AGAINST_SHADOW = [("attribution_caught", "prey", "all"), ("attribution_catches", "predator", "all"), ("attribution_catchers", "predator", "all"),
+                  ("attribution_credited", "predator", "all"), ("velocity", "prey", "random"), ("velocity", "prey", "inherited"),
+                  ("velocity", "prey", "active"), ("velocity", "predator", "random"), ("velocity", "predator", "inherited"),
+                  ("wall_sticking", "prey", "all"), ("wall_sticking", "predator", "all"), ("wall_sticking_gap", "prey-predator", "all"),
+                  ("tag_symmetry", "prey+predator", "inherited"), ("deaths", "prey", "caught"), ("deaths", "predator", "all"),
+                  ("ticks_at", "predator", "8")]
+
+
+def against_shadow(rows):
+    """A set and its neutral shadow."""
+    lines = []
+    for key in AGAINST_SHADOW:
+        for row in rows:
+            if (row["metric"], row["species"], row["group"]) != key or not row["mean"]:
+                continue
+            says = ""
+            if row["difference_lower"]:
+                lower, upper = float(row["difference_lower"]), float(row["difference_upper"])
+                says = "above" if lower > 0 else "below" if upper < 0 else "no significant difference"
+            lines.append([title(row), ranged(row, ("mean", "lower", "upper")), digits(row, row["shadow"]),
+                          ranged(row, ("difference", "difference_lower", "difference_upper"), True), says])
+    return table(["metric", "ours", "shadow", "difference", "against the shadow"], lines)
+
+
+GRID = [("attribution_caught", "prey", "all"), ("attribution_credited", "predator", "all"), ("velocity", "prey", "all"),
+        ("velocity", "prey", "inherited"), ("velocity", "predator", "all"), ("velocity", "predator", "inherited"),
+        ("wall_sticking", "prey", "all"), ("wall_sticking", "predator", "all"), ("tag_symmetry", "prey+predator", "inherited")]
+SHORT = ["caught prey inherited", "credited to inherited predators", "prey", "inherited prey", "predators", "inherited predators", "prey at walls",
+         "predators at walls", "tag symmetry"]
+
+
+def of_key(rows, key):
+    return next((row for row in rows if (row["metric"], row["species"], row["group"]) == key), None)
+
+
+def ranges(rows):
+    """The parent's range and activity, and the distance of activation."""
+    lines = []
+    for parent in ("active", "any"):
+        for activation in sorted({row["activation_m"] for row in rows}, reverse=True):
+            for range_m in sorted({row["range_m"] for row in rows}, key=float):
+                cell = [row for row in rows if (row["parent"], row["activation_m"], row["range_m"]) == (parent, activation, range_m)]
+                prey = of_key(cell, ("velocity", "prey", "inherited"))
+                lines.append([parent, range_m, activation, cell[0]["parent_found"], *(digits(of_key(cell, key), of_key(cell, key)["mean"]) for key in GRID),
+                              ranged(prey, ("difference", "difference_lower", "difference_upper"), True)])
+    return table(["parent", "range, m", "activation, m", "parent found", *SHORT, "inherited prey over the shadow"], lines)
+
+
+def bodies(rows):
+    """Choices swapped on MuJoCo."""
+    lines = []
+    for name in dict.fromkeys(row["set"] for row in rows):
+        cell = [row for row in rows if row["set"] == name]
+        lines.append([name, cell[0]["runs"], *(ranged(of_key(cell, key), ("mean", "lower", "upper")) for key in GRID)])
+    return table(["swapped in `paper`", "runs", *SHORT], lines)
+
+
+EFFECTS = [("velocity", "prey", "inherited", "1"), ("velocity", "predator", "inherited", "1"), ("velocity", "prey", "all", "0"),
+           ("velocity", "predator", "all", "0"), ("attribution_caught", "prey", "all", "0"), ("attribution_credited", "predator", "all", "0"),
+           ("wall_sticking", "prey", "all", "0"), ("wall_sticking", "predator", "all", "0"), ("tag_symmetry", "prey+predator", "inherited", "0")]
+EFFECT_HEADS = ["inherited prey over the shadow, cm/s", "inherited predators over the shadow, cm/s", "prey, cm/s", "predators, cm/s",
+                "caught prey inherited", "credited to inherited predators", "prey at walls", "predators at walls", "tag symmetry"]
+
+
+def effects(rows):
+    """The effect of the other reading of each open choice, averaged over all readings of the others."""
+    names = list(dict.fromkeys(row["choice"] for row in rows))
+    lines, sizes = [], {}
+    for name in names:
+        line = [f"`{name}`"]
+        for key in EFFECTS:
+            row = next(row for row in rows if row["choice"] == name and (row["metric"], row["species"], row["group"], row["over_shadow"]) == key)
+            star = "*" if float(row["p_holm"]) <= 0.05 else ""
+            line.append(digits(row, row["effect"], True) + star)
+            sizes[name] = sizes.get(name, 0) + bool(star)
+        lines.append(line)
+    lines.sort(key=lambda line: -sizes[line[0].strip("`")])
+    return table(["choice", *EFFECT_HEADS], lines)
+
+
+PUBLISHED = {("velocity", "prey", "all", "0"): (-0.0067, "prey velocity, all"), ("velocity", "prey", "active", "0"): (-0.0067, "prey velocity, active"),
+             ("velocity", "predator", "all", "0"): (0.0195, "predator velocity, all"),
+             ("attribution_caught", "prey", "all", "0"): (0.65, "attribution of prey"),
+             ("attribution_credited", "predator", "all", "0"): (0.725, "attribution of predators"),
+             ("wall_sticking", "prey", "all", "0"): (0.60, "prey at walls"), ("wall_sticking", "predator", "all", "0"): (0.39, "predators at walls"),
+             ("wall_sticking_gap", "prey-predator", "all", "0"): (0.21, "difference at walls"),
+             ("tag_symmetry", "prey+predator", "inherited", "0"): (0.43, "tag symmetry")}
+MARGINS = {"velocity prey": 0.00161, "velocity predator": 0.00224, "attribution_caught prey": 0.037, "attribution_credited predator": 0.032,
+           "wall_sticking prey": 0.051, "wall_sticking predator": 0.0356, "wall_sticking_gap prey-predator": 0.031,
+           "tag_symmetry prey+predator": 0.065}
+
+
+def reached(rows):
+    """How many cells of the design have a mean within a margin of each published figure."""
+    names = [name for name in rows[0] if name not in ("metric", "species", "group", "over_shadow", "runs", "mean")]
+    lines = []
+    for key, (value, words) in PUBLISHED.items():
+        cells = [row for row in rows if (row["metric"], row["species"], row["group"], row["over_shadow"]) == key and row["mean"]]
+        margin = MARGINS[f"{key[0]} {key[1]}"]
+        inside = [row for row in cells if abs(float(row["mean"]) - value) <= margin]
+        low, high = min(float(row["mean"]) for row in cells), max(float(row["mean"]) for row in cells)
+        lines.append([words, digits(cells[0], str(value)), digits(cells[0], str(margin)), f"{digits(cells[0], str(low))} to {digits(cells[0], str(high))}",
+                      f"{len(inside)} of {len(cells)}"])
+    within = {}
+    for key, (value, _) in PUBLISHED.items():
+        for row in rows:
+            if (row["metric"], row["species"], row["group"], row["over_shadow"]) == key and row["mean"]:
+                cell = tuple(row[name] for name in names)
+                within[cell] = within.get(cell, 0) + (abs(float(row["mean"]) - value) <= MARGINS[f"{key[0]} {key[1]}"])
+    most = max(within.values())
+    lines.append([f"most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)}, in {sum(count == most for count in within.values())} cells"])
+    return table(["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines)
+
+
+def flips(rows):
+    """Swaps between the two tables that change a metric of the claims significantly."""
+    return table(["from", "swap", "metric", "before", "after", "difference", "p (Holm)"],
+                 [[f"`{row['from']}`", row["flip"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
+                   digits(row, row["flipped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows])
+
+
+def open_choices(choices):
+    """The list of open choices."""
+    lines = [[f"`{choice['name']}`", choice["question"], choice["text"], choice["first"], choice["other"]] for choice in choices]
+    return table(["choice", "question", "the text", "in `paper`", "other reading"], lines)
+
+
+def tables(data, choices):
+    """The function that makes each table."""
+    made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
+            "screen reached": lambda: reached(data("screen_cells")), "ranges": lambda: ranges(data("ranges")),
+            "bodies": lambda: bodies(data("bodies")), "ablations": lambda: flips(data("ablations"))}
+    for backend in ("kinematic", "mujoco"):
+        for rules in ("paper", "released"):
+            name = f"{backend} {rules}"
+            file = name.replace(" ", "_")
+            made[f"{name} shadow"] = lambda file=file: against_shadow(data(file))
+            made[f"{name} claims"] = lambda file=file: claims(data(f"{file}_published"))
+            made[f"{name} summary"] = lambda file=file: summaries(data(f"{file}_published"))
+    return made
+
+
 def update(root, choices, check=False):
+    """Writes the tables of all pages anew; with `check` only says which are not what the data say. Returns the exit code."""
+    made = tables(Data(root / "docs/results/data"), choices)
+    differing = []
+    for page in PAGES:
+        path = root / page
+        old = path.read_text()
+
+        def renewed(match):
+            if match[2] not in made:
+                raise SystemExit(f"{page}: table {match[2]}: must be one of {', '.join(made)}")
+            new = match[1] + made[match[2]]() + match[3]
+            if new != match[0]:
+                differing.append(f"{page}: {match[2]}")
+            return new
+
+        text = MARKED.sub(renewed, old)
+        if not check and text != old:
+            path.write_text(text)
+    if check and differing:
+        print("not what docs/results/data says; run scripts/reproduce --tables: " + ", ".join(differing), file=sys.stderr)
+        return 1
     return 0

@@ -39,7 +39,8 @@
 namespace trophic::rules {
 
 /// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots": which rule stands in each
-/// slot, where the paper says so, and every number. What the paper is silent about is marked here and explained in the policy.
+/// slot, where the paper says so, and every number. "silent" marks what the text leaves open. The policy explains each such
+/// choice; docs/open-choices.md lists all of them with their alternatives and what they change.
 ///
 /// The robot's own gait is the one published with the paper. Its text would allow another one evolved by its fitness
 /// (`spider_paper`); the published one is what the paper's robots walked with, it is faster, and it turns to both sides alike
@@ -49,27 +50,27 @@ struct Paper final {
 
   // Sec. "Initialization"
   using Community = initialization::community::PredatorPrey;
-  using Placement = initialization::placement::Scattered;
+  using Placement = initialization::placement::Scattered;  // silent
 
   // Sec. "Tagging System"
-  using Visibility = perception::visibility::SameTag;
-  using TagSwitch = perception::tag_switch::TagCoolDown;
+  using Visibility = perception::visibility::SameTag;        // silent: of an inactive robot
+  using TagSwitch = perception::tag_switch::TagCoolDown;     // silent: whether it runs at birth
   using NewbornTag = perception::newborn_tag::KeepsBodyTag;  // silent
 
   // Sec. "Cognitive Brain": "Inputs", "Outputs"
   using Sensors = perception::sensors::List<perception::sensors::SideOfAdversary, perception::sensors::DistanceOverTerrain,
                                             perception::sensors::TagRatioOfAll>;
-  using BlindRule = perception::blind_rule::BlindDecides;  // silent
-  using Brain = control::brain::CognitiveBrain;
+  using BlindRule = perception::blind_rule::BlindDecides;         // silent
+  using Brain = control::brain::CognitiveBrain;                   // silent: hidden neurons, biases
   using DecisionOrder = control::decision_order::DecideTogether;  // silent
 
   // Sec. "Targeted Steering"
-  using Heading = perception::heading::ForwardAxisHeading;
+  using Heading = perception::heading::ForwardAxisHeading;  // silent: of a tilted robot
   using Steering = control::steering::TargetedSteering;
 
   // Sec. "Birth": "Initialization", "Reproduction"
   using InitialGenome = reproduction::initial_genome::UniformWeights;
-  using GenomeSource = reproduction::genome_source::RandomOrInherited;
+  using GenomeSource = reproduction::genome_source::RandomOrInherited;  // silent: without a parent
   using CaptureParent = reproduction::parent::Killer;
   using StarvationParent = reproduction::parent::NearestActiveVictim;  // silent: activity
   using RescueParent = reproduction::parent::NoParent;                 // silent
@@ -77,14 +78,14 @@ struct Paper final {
   using Mutation = reproduction::mutation::NormalMutation;
 
   // Sec. "Prey Death"
-  using Activation = death::activation::ActiveAwayFromHunters;
+  using Activation = death::activation::ActiveAwayFromHunters;  // silent: founders
   using Capture = death::capture::CatchWithinReach;
-  using Floor = death::floor::VictimFloor;
+  using Floor = death::floor::VictimFloor;  // silent: whether inactive prey count
   using Rescue = death::rescue::SacrificeRandomVictim;
 
   // Sec. "Predator Death"
   using StarvationSchedule = death::starvation_schedule::DelayedCrowdingInterval;
-  using Starvation = death::starvation::HungriestUnspared;
+  using Starvation = death::starvation::HungriestUnspared;  // "the next oldest"
   using Reprieve = death::reprieve::NearPerceivedVictim;
 
   // no rule of the paper

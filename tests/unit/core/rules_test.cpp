@@ -67,7 +67,7 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(numbers.steering.exponent == 2.0);
   CHECK(numbers.initial_genome.limit == 1.0);
   CHECK(numbers.genome_source.random_share == 1.0 / 3.0);
-  CHECK(numbers.starvation_parent.range_m == 4.0);
+  CHECK(numbers.starvation_parent.range_m == 12.0);
   CHECK(numbers.activation.distance_m == 5.0);
   CHECK(numbers.capture.reach_m == 1.0);
   CHECK(numbers.capture.min_age_s == 0.0);
@@ -83,6 +83,8 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(ecology.first_tick_s == 0.0);
   CHECK(ecology.control_hz == 60.0);
   CHECK(ecology.clock_scale == 1.0);
+  CHECK(ecology.idle_control_steps == 0);
+  CHECK(ecology.phase_at_birth == PhaseAtBirth::kept);
   CHECK(rules::Paper::physics().timestep_s == 0.0012);
 }
 
@@ -104,6 +106,8 @@ TEST_CASE("rules: the released code's numbers") {
   CHECK(rules::Released::ecology().duration_s == 6500.0);
   CHECK(rules::Released::ecology().first_tick_s == 2.0);
   CHECK(rules::Released::ecology().clock_scale == 1.2);
+  CHECK(rules::Released::ecology().idle_control_steps == 1);
+  CHECK(rules::Released::ecology().phase_at_birth == PhaseAtBirth::kept);
   CHECK(rules::Released::physics().timestep_s == 0.012);
   CHECK(rules::Released::physics().integrator == Integrator::rk4);
 }
