@@ -26,7 +26,8 @@
 #include <trophic/analysis/report/axis_effects.hpp>
 #include <trophic/analysis/report/axis_rows.hpp>
 #include <trophic/analysis/report/cell_differences.hpp>
-#include <trophic/analysis/report/claim_verdict.hpp>
+#include <trophic/analysis/report/claim_conclusion.hpp>
+#include <trophic/analysis/report/claims_text.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/flip_tables.hpp>
 #include <trophic/analysis/report/flips.hpp>

@@ -98,7 +98,7 @@ class Analyze(InFolderWithSets):
         self.remove_replicates(5, 4, 3, 2, 1)
         (self.folder / "paper/replicates.json").unlink()
         for count, arguments in ((1, ["paper/replicate-00"]), (5, [f"{self.sets}/paper/replicate-0{i}" for i in range(5)])):
-            for option, words in (("--published", ("  reproduced", "undecided\n")), ("--until", (" above", " below"))):
+            for option, words in (("--published", (": reproduced", "inconclusive (")), ("--until", (" above", " below"))):
                 out = f"few-{count}{option}"
                 more = [option] if option == "--published" else [option, 1000]
                 result = self.analyze(*arguments, *more, "--out", out)
@@ -106,22 +106,30 @@ class Analyze(InFolderWithSets):
                 self.assertIn(f"too few runs for a verdict: 6 are needed, paper has {count}", result.stdout)
                 for word in words:
                     self.assertNotIn(word, result.stdout)
-                self.assertEqual({c["verdict"] for c in self.summary(out)["sets"][0]["claims"]}, {"no verdict"})
+                readings = [r for c in self.summary(out)["sets"][0]["claims"] for r in c["readings"]]
+                self.assertEqual({r["conclusion"] for r in readings}, {"no conclusion"})
 
-    def test_every_published_claim_has_a_verdict(self):
+    def test_every_published_claim_has_a_conclusion_under_each_reading(self):
         result = self.analyze("--published", "paper")
         self.assertEqual(result.returncode, 0, result.stderr)
         claims = self.summary()["sets"][0]["claims"]
-        self.assertEqual(len(claims), 17)
-        self.assertLessEqual({c["verdict"] for c in claims}, {"reproduced", "not reproduced", "undecided"})
+        self.assertEqual(len(claims), 12)
+        readings = [r for c in claims for r in c["readings"]]
+        self.assertEqual(len(readings), 29)
+        self.assertLessEqual({r["conclusion"] for r in readings}, {"reproduced", "not reproduced", "inconclusive"})
+        self.assertIn("Leaving them out (active) is an inference", result.stdout)
         self.assertIn("the claims are about runs of 6000 s", result.stdout)
         # A sixth of the published time has far fewer deaths.
-        deaths = next(c for c in claims if (c["metric"], c["group"]) == ("deaths", "caught"))
-        self.assertEqual(deaths["verdict"], "not reproduced")
+        self.assertEqual(next(c for c in claims if c["claim"] == "prey caught in a run")["summary"], "not reproduced")
         for claim in claims:
-            self.assertEqual(claim["runs_needed"] is not None, claim["verdict"] == "undecided")
-            if claim["verdict"] == "undecided":
-                self.assertIn(f"(about {claim['runs_needed']} runs would decide)", result.stdout)
+            self.assertIn(f"\n{claim['claim']}: {claim['summary']}\n", result.stdout)
+        for reading in readings:
+            self.assertIn(reading["margin_from"], result.stdout)
+            if reading["conclusion"] == "inconclusive":
+                runs = reading["runs_needed"]
+                self.assertIn(f"inconclusive (about {runs} runs would decide)" if runs else "(1000 runs would not decide)", result.stdout)
+            else:
+                self.assertIsNone(reading["runs_needed"])
 
     def test_runs_of_different_length_are_not_pooled_unless_cut(self):
         longer = call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 1200, "--out", "longer", cwd=self.folder)

@@ -14,7 +14,8 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/analysis/metrics/run_set.hpp>
-#include <trophic/analysis/report/claim_verdict.hpp>
+#include <trophic/analysis/report/claim_conclusion.hpp>
+#include <trophic/analysis/report/claims_text.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/metrics_table.hpp>
 #include <trophic/analysis/report/summary.hpp>
@@ -227,7 +228,9 @@ inline void run(const Options& options) {
             2},
            {"--shadow", &options->shadow, "the runs' neutral shadow, where it is not in RUNS/shadow"},
            {"--until", &options->until_s, "measure only the first seconds of every run"},
-           {"--published", &options->published, "a verdict on every published claim: reproduced, not reproduced, undecided"},
+           {"--published", &options->published,
+            "a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or "
+            "inconclusive"},
            {"--reference", &options->sweep.reference, "of a sweep: the cell that all others are compared with (the first)"},
            {"--metric", &options->sweep.metrics,
             "of a sweep: compare only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer comparisons need fewer "

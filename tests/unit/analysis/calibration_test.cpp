@@ -13,6 +13,7 @@
 #include <string>
 #include <trophic/analysis/metrics/run_metrics.hpp>
 #include <trophic/analysis/metrics/tag_symmetry.hpp>
+#include <trophic/analysis/report/claim_conclusion.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
@@ -155,6 +156,27 @@ std::vector<AgentRow> tags_of_one_world(Rng& rng) {
   return agents;
 }
 
+/// How often a system is called each name, in 1000 sets of ten of its runs beside ten published ones. `off`: how far its true
+/// mean is from the published system's, in standard deviations between runs.
+std::map<Reproduction, int> called(const ClaimReading& reading, double off) {
+  Rng rng{6, Stream::user};  // the same draws for every reading: only its numbers can make a difference
+  const double truth = reading.value;
+  const double deviation = reading.spread->deviation;
+  std::map<Reproduction, int> counts;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const auto runs = [&](double mean) {
+      std::vector<double> values(10);
+      for (double& value : values) value = rng.normal(mean, deviation);
+      return values;
+    };
+    ClaimReading estimated = reading;
+    estimated.value = *mean_of(runs(truth));
+    const auto difference = less_published(*contrast({{1.0, runs(truth + off * deviation)}}), estimated);
+    ++counts[conclusion_on(difference, margin_of(estimated))];
+  }
+  return counts;
+}
+
 bool says_something(Verdict verdict) {
   return verdict == Verdict::above || verdict == Verdict::below;
 }
@@ -235,4 +257,22 @@ TEST_CASE("tags that say nothing about the species differ from dealt ones in at 
   CHECK(from_dealt <= 0.07 * trials);
   CHECK(from_dealt >= 0.03 * trials);
   CHECK(from_coins >= 0.9 * trials);  // why fair coins are no null
+}
+
+TEST_CASE("claims: the published system -> not reproduced in at most 7 % of 1000 sets, one a margin away -> reproduced in 5 %") {
+  for (const Claim& claim : claims) {
+    for (const ClaimReading& reading : claim.readings) {
+      if (!reading.spread) continue;
+      CAPTURE(claim.title);
+      CAPTURE(reading.metric);
+      auto same = called(reading, 0.0);
+      CHECK(same[Reproduction::not_reproduced] > 0);
+      CHECK(same[Reproduction::not_reproduced] <= 70);
+      CHECK(same[Reproduction::reproduced] >= 300);
+      auto away = called(reading, 1.0);
+      CHECK(away[Reproduction::reproduced] > 0);
+      CHECK(away[Reproduction::reproduced] <= 50);
+      CHECK(called(reading, 2.0)[Reproduction::not_reproduced] >= 950);
+    }
+  }
 }

@@ -31,7 +31,15 @@ TEST_CASE("summary.json has null for what could not be computed, and no interval
     }
   }
   REQUIRE(json["claims"].size() == analysis::claims.size());
-  for (const auto& claim : json["claims"]) CHECK(claim["verdict"] == "no verdict");
+  for (const auto& claim : json["claims"]) {
+    CHECK(claim["summary"].get<std::string>().starts_with("no conclusion"));
+    for (const auto& reading : claim["readings"]) {
+      CHECK(reading["conclusion"] == "no conclusion");
+      CHECK(reading["margin"].is_number());
+      CHECK(reading["margin_from"].is_string());
+      CHECK(reading["difference_lower"].is_null());
+    }
+  }
   const auto differences = analysis::differences_json(analysis::compare_sets(set, set));
   CHECK(differences[0]["raw"]["value"] == 0.0);
   CHECK(differences[0]["raw"]["lower"].is_null());

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <trophic/analysis/report/claims_text.hpp>
 #include <trophic/analysis/report/text_table.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
@@ -70,7 +71,7 @@ TEST_CASE("of one run, two or five there are numbers, no verdict, and a sentence
     CHECK(has(text, count == 1 ? "attribution_caught prey                   1.000   " : "1.000 (sd 0.000)"));
     for (const char* word : {"above", "below", "distinguishable"}) CHECK_FALSE(has(text, word));
     const std::string claims = printed([&](auto& out) { print_claims(out, set.ours, judge_claims(set.ours.runs)); });
-    CHECK(has(claims, "no verdict\n"));
+    CHECK(has(claims, "no conclusion\n"));
     CHECK(has(claims, "too few runs for a verdict: 6 are needed"));
     CHECK_FALSE(has(claims, "  reproduced\n"));
     const std::string compared = printed([&](auto& out) { print_differences(out, set, set, compare_sets(set, set)); });
@@ -94,13 +95,16 @@ TEST_CASE("differences of two sets: raw, over the shadows where both have one, w
   CHECK(has(over, "-1.000 [-1.000, -1.000]       <0.001 * +0.000 [+0.000, +0.000]"));
 }
 
-TEST_CASE("published claims: value, margin, source, ours, verdict") {
+TEST_CASE("print_claims: runs -> a summary for each claim, and for each reading value, margin, origin, ours, conclusion") {
   const test::TemporaryFolder folder;
   const RunSet set = runs_of(folder, "aa", 6);
   const std::string text = printed([&](auto& out) { print_claims(out, set, judge_claims(set.runs)); });
+  CHECK(has(text, "\nattribution of prey: not reproduced under any reading\n"));
   CHECK(has(text,
-            "attribution_caught prey                   0.650       0.037      paper   1.000 [1.000, 1.000]          "
-            "not reproduced\n"));
-  CHECK(has(text, "  or attribution_died prey                0.620       0.028      events  "));
-  CHECK(has(text, "velocity_stored predator, cm/s            1.95        0.29       paper   missing"));
+            "  attribution_caught prey                       0.650     text  0.037   authors' logs              "
+            "1.000 [1.000, 1.000]        +0.350 [+0.324, +0.376]     not reproduced\n"));
+  CHECK(has(text, "  attribution_died prey                         0.620     logs  0.028   authors' logs "));
+  CHECK(has(text, "\nvelocity of predators: no conclusion under any reading\n"));
+  CHECK(has(text, "  velocity_points predator (inherited), cm/s    1.95      text  0.22    our runs, another reading  missing "));
+  CHECK(has(text, "Leaving them out (active) is an inference"));
 }

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 #include <trophic/analysis/metrics/run_set.hpp>
-#include <trophic/analysis/report/claim_verdict.hpp>
+#include <trophic/analysis/report/claim_conclusion.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/summary.hpp>
 #include <trophic/support/json.hpp>
@@ -61,26 +61,37 @@ inline void put(Json& object, const Difference& difference) {
 
 }  // namespace detail
 
-/// Verdicts on published claims as JSON, one flat object a claim.
-[[nodiscard]] inline Json claims_json(std::span<const ClaimVerdict> verdicts) {
+/// Conclusions on published claims as JSON: one object a claim, with one flat object for each of its readings.
+[[nodiscard]] inline Json claims_json(std::span<const ClaimConclusion> conclusions) {
   Json json = Json::array();
-  for (const ClaimVerdict& each : verdicts) {
+  for (const ClaimConclusion& each : conclusions) {
     Json claim;
-    detail::put(claim, metric_of(each.claim));
-    claim["published"] = each.claim.value;
-    claim["margin"] = each.claim.margin;
-    claim["source"] = enum_name(each.claim.source);
-    claim["second_line"] = each.claim.second_line;
-    detail::put(claim, each.ours);
-    claim["verdict"] = enum_name(each.verdict);
-    claim["runs_needed"] = each.runs_needed ? Json(*each.runs_needed) : Json();
+    claim["claim"] = each.claim.title;
+    claim["summary"] = summary_of(each);
+    for (const ReadingConclusion& of : each.readings) {
+      Json reading;
+      detail::put(reading, metric_of(of.reading));
+      reading["members"] = of.reading.members;
+      reading["counting"] = of.reading.counting;
+      reading["published"] = of.reading.value;
+      reading["source"] = enum_name(of.reading.source);
+      reading["margin"] = detail::to_json(margin_of(of.reading));
+      reading["margin_from"] = of.reading.spread ? Json(enum_name(of.reading.spread->origin)) : Json();
+      detail::put(reading, of.ours);
+      reading["difference"] = detail::to_json(of.difference);
+      reading["difference_lower"] = detail::to_json(lower_of(of.interval));
+      reading["difference_upper"] = detail::to_json(upper_of(of.interval));
+      reading["conclusion"] = enum_name(of.conclusion);
+      reading["runs_needed"] = of.runs_needed ? Json(*of.runs_needed) : Json();
+      claim["readings"].push_back(reading);
+    }
     json.push_back(claim);
   }
   return json;
 }
 
 /// A set as JSON: its runs, for each metric the mean with spread and 95 % interval, the paper's value and every baseline, and the
-/// verdict on every published claim. null is what could not be computed. Baselines that are no null have no verdict.
+/// conclusions on every published claim. null is what could not be computed. Baselines that are not nulls have no verdict.
 [[nodiscard]] inline Json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows) {
   Json json;
   json["set"] = set.ours.label;

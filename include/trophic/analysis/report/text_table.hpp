@@ -11,7 +11,6 @@
 #include <string>
 #include <string_view>
 #include <trophic/analysis/metrics/run_set.hpp>
-#include <trophic/analysis/report/claim_verdict.hpp>
 #include <trophic/analysis/report/compare_sets.hpp>
 #include <trophic/analysis/report/reading.hpp>
 #include <trophic/analysis/report/summary.hpp>
@@ -132,31 +131,6 @@ inline void print_differences(std::ostream& out, const ShadowedSet& a, const Sha
     print_too_few(out, set->ours);
     if (set->shadow) print_too_few(out, *set->shadow);
   }
-}
-
-/// One line per published claim: the paper's value with its margin, ours with its interval, the verdict.
-inline void print_claims(std::ostream& out, const RunSet& set, std::span<const ClaimVerdict> verdicts) {
-  out << detail::described(set) << ", fingerprint " << set.manifests.front().fingerprint << "\n"
-      << detail::padded("claim", 42) << detail::padded("published", 12) << detail::padded("+- margin", 11)
-      << detail::padded("source", 8) << detail::padded("ours [95 %]", 30) << "verdict\n";
-  for (const ClaimVerdict& each : verdicts) {
-    const MetricName name = metric_of(each.claim);
-    const Reading reading{name};
-    out << detail::padded((each.claim.second_line ? "  or " : "") + metric_title(name), 42)
-        << detail::padded(reading(each.claim.value), 12) << detail::padded(reading(each.claim.margin), 11)
-        << detail::padded(std::string{enum_name(each.claim.source)}, 8) << detail::padded(reading.of(each.ours), 30)
-        << enum_name(each.verdict);
-    if (each.runs_needed) out << " (about " << *each.runs_needed << " runs would decide)";
-    out << "\n";
-  }
-  out << "reproduced: two one-sided tests at 5 % place ours within the margin of the published value\n"
-         "not reproduced: they do not, and ours less the published mean of ten runs is not 0 at 5 %   undecided: neither\n"
-         "paper: in its text   events: counted in the released logs of its ten runs   or: the same claim, counted another way\n";
-  if (set.manifests.front().until_s != published_duration_s) {
-    out << "the claims are about runs of " << published_duration_s
-        << " s: counts of deaths in other times do not compare (--until)\n";
-  }
-  print_too_few(out, set);
 }
 
 }  // namespace trophic::analysis
