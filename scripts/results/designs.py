@@ -5,8 +5,6 @@ import itertools
 import math
 import pathlib
 
-from scipy import stats
-
 # What the screening design reports: (metric, species, group, over the shadow).
 SCREENED = [("velocity", "prey", "inherited", True), ("velocity", "predator", "inherited", True),
             ("velocity", "prey", "active", False), ("velocity", "prey", "all", False), ("velocity", "predator", "all", False),
@@ -53,7 +51,9 @@ def mean(values):
 
 
 def interval(values):
-    """Mean and 95 % interval of Student's t."""
+    """Mean, 95 % interval of Student's t and p of no effect."""
+    from scipy import stats
+
     middle = mean(values)
     if len(values) < 2:
         return middle, math.nan, math.nan, math.nan

@@ -153,7 +153,7 @@ inline constexpr std::array<ClaimReading, 1> predator_deaths{{
 
 /// Published numbers come from the paper's text, or were counted up to 6000 s in the event logs of its ten runs:
 /// NanoNero1/revolve2-multi at b43102d, DATA/Run1/deathBorn1.csv to DATA/Run10/deathBorn10.csv. (The same files stand at db9108a
-/// in examples/sanity3P/RUNS, the second of them in "Run 12", the others in Run11 and Run13 to Run20.) Velocities are positive
+/// in examples/sanity3P/RUNS, the second of them in `Run 12`, the others in Run11 and Run13 to Run20.) Velocities are positive
 /// towards the adversary.
 ///
 /// The logs show what the text's 0.725 counts: the share of all prey deaths, sacrifices too, credited to an inherited last
