@@ -29,7 +29,7 @@ foreach(component command mpi mujoco ode compiled watch mujoco_compiled ode_comp
 endforeach()
 
 if(TROPHIC_BUILD_EXAMPLES)
-  install(TARGETS trophic_program predator_prey ablations RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS trophic_program predator_prey ablations readings RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py")

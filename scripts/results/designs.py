@@ -150,6 +150,19 @@ def claim_rows(summary):
     return rows
 
 
+def sweep_rows(effects):
+    """What `trophic analyze` says of a sweep's values: velocities and attributions over the shadow, the others raw."""
+    rows = []
+    with open(effects, newline="") as file:
+        for row in csv.DictReader(file):
+            over_shadow = row["compared"] == "over_shadow"
+            if over_shadow == row["metric"].startswith(("velocity", "attribution")):
+                rows.append({"axis": row["axis"], "value": row["value"], "reference": row["reference"], "metric": row["metric"],
+                             "species": row["species"], "group": row["group"], "over_shadow": int(over_shadow), "seeds": row["seeds"],
+                             **{name: number(float(row[name])) for name in ("difference", "lower", "upper")}, "p_holm": f"{float(row['p_holm']):.2g}"})
+    return rows
+
+
 def orphans(runs):
     """Of the births at a starvation, the share that descends from a prey, over the share that should inherit."""
     births = inherited = 0

@@ -200,15 +200,34 @@ def reached(rows, claims):
                 cell = tuple(row[name] for name in names)
                 within[cell] = within.get(cell, 0) + (abs(float(row["mean"]) - value) <= margins[key[0], key[1]])
     most = max(within.values())
-    lines.append([f"most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)}, in {sum(count == most for count in within.values())} cells"])
+    lines.append(["most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)}, in {sum(count == most for count in within.values())} cells"])
     return table(["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines)
 
 
-def flips(rows):
+def flips(rows, into):
     """Swaps between the two tables that change a metric of the claims significantly."""
-    return table(["from", "swap", "metric", "before", "after", "difference", "p (Holm)"],
-                 [[f"`{row['from']}`", row["flip"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
-                   digits(row, row["flipped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows])
+    return table([f"put into `{into}`", "metric", "before", "after", "difference", "p (Holm)"],
+                 [[row["flip"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
+                   digits(row, row["flipped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
+
+
+def inheritance(rows):
+    """What each value of a grid does to each metric, averaged over the other axes."""
+    values = list(dict.fromkeys((row["axis"], row["reference"], row["value"]) for row in rows))
+    metrics = list(dict.fromkeys((row["metric"], row["species"], row["group"], row["over_shadow"]) for row in rows))
+    lines = []
+    for axis, reference, value in values:
+        cells = [row for row in rows if (row["axis"], row["value"]) == (axis, value)]
+        line = [f"`{axis}`", f"{float(reference):.3g} -> {float(value):.3g}"]
+        for metric in metrics:
+            row = next(row for row in cells if (row["metric"], row["species"], row["group"], row["over_shadow"]) == metric)
+            line.append(ranged(row, ("difference", "lower", "upper"), True) + ("*" if float(row["p_holm"]) <= 0.05 else ""))
+        lines.append(line)
+    heads = []
+    for metric in metrics:
+        row = dict(zip(("metric", "species", "group"), metric))
+        heads.append(title(row) + (", over the shadow" if metric[3] == "1" else ""))
+    return table(["number", "change", *heads], lines)
 
 
 def open_choices(choices):
@@ -221,7 +240,9 @@ def tables(data, choices):
     """The function that makes each table."""
     made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
             "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")), "ranges": lambda: ranges(data("ranges")),
-            "bodies": lambda: bodies(data("bodies")), "ablations": lambda: flips(data("ablations"))}
+            "bodies": lambda: bodies(data("bodies")), "ablations paper": lambda: flips(data("ablations"), "paper"),
+            "ablations released": lambda: flips(data("ablations"), "released"),
+            "inheritance": lambda: inheritance(data("inheritance"))}
     for backend in ("kinematic", "mujoco"):
         for rules in ("paper", "released"):
             name = f"{backend} {rules}"

@@ -15,6 +15,8 @@ ORDER = [  # what a reader meets in the site's tree, with their parents
     ("docs/how-to/README.md", None),
     ("GLOSSARY.md", None),
     ("RESULTS.md", None),
+    ("docs/open-choices.md", "RESULTS.md"),
+    ("docs/results/any-prey.md", "RESULTS.md"),
     ("ARCHITECTURE.md", None),
     ("docs/decisions/README.md", None),
     ("docs/files.md", None),
