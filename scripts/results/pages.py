@@ -135,13 +135,13 @@ def ranges(rows):
     return table(["parent", "range, m", "activation, m", "parent found", "baseline of the next", *SHORT, "inherited prey over the shadow"], lines)
 
 
-def bodies(rows):
+def bodies(rows, base="paper"):
     """Choices swapped on MuJoCo."""
     lines = []
     for name in dict.fromkeys(row["set"] for row in rows):
         cell = [row for row in rows if row["set"] == name]
         lines.append([name, cell[0]["runs"], *(ranged(of_key(cell, key), ("mean", "lower", "upper")) for key in GRID)])
-    return table(["swapped in `paper`", "runs", *SHORT], lines)
+    return table([f"swapped in `{base}`", "runs", *SHORT], lines)
 
 
 EFFECTS = [("velocity", "prey", "inherited", "1"), ("velocity", "predator", "inherited", "1"), ("velocity", "prey", "all", "0"),
@@ -240,7 +240,8 @@ def tables(data, choices):
     """The function that makes each table."""
     made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
             "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")), "ranges": lambda: ranges(data("ranges")),
-            "bodies": lambda: bodies(data("bodies")), "ablations paper": lambda: flips(data("ablations"), "paper"),
+            "bodies": lambda: bodies(data("bodies")), "walls": lambda: bodies(data("walls"), "released"),
+            "ablations paper": lambda: flips(data("ablations"), "paper"),
             "ablations released": lambda: flips(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance"))}
     for backend in ("kinematic", "mujoco"):

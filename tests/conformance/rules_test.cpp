@@ -35,6 +35,7 @@
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/mutation/no_mutation.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
+#include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 

@@ -27,6 +27,7 @@
 #include <trophic/reproduction/parent/last_killer.hpp>
 #include <trophic/reproduction/parent/last_seen_victim.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
+#include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <type_traits>

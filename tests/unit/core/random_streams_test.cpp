@@ -8,6 +8,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
+#include <trophic/reproduction/parent/nearest_active_victim.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <utility>
@@ -69,10 +70,10 @@ struct WastefulRescue : death::rescue::SacrificeRandomVictim {
     return drawn;
   }
 };
-struct WastefulParent : reproduction::parent::NearestVictim {
+struct WastefulParent : reproduction::parent::NearestActiveVictim {
   [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy& vacancy, const View& view, Rng& rng) const {
     draw_three(rng);
-    return NearestVictim::parent(vacancy, view, rng);
+    return NearestActiveVictim::parent(vacancy, view, rng);
   }
 };
 /// Draws three numbers first, so that its own mutations are others.
