@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 #include <trophic/analysis/report/claim_conclusion.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
 #include <vector>
 
 using namespace trophic;
@@ -37,18 +39,15 @@ TEST_CASE("judge: mean and spread of ten runs -> conclusion") {
     double deviation;
     Reproduction conclusion;
   };
-  for (const auto& [mean, deviation, conclusion] : {Case{0.43, 0.05, Reproduction::reproduced},
-                                                    {0.44, 0.01, Reproduction::reproduced},
-                                                    {0.46, 0.01, Reproduction::inconclusive},
-                                                    {0.55, 0.05, Reproduction::not_reproduced},
-                                                    {0.50, 0.02, Reproduction::not_reproduced},
-                                                    {0.45, 0.15, Reproduction::inconclusive}}) {
-    CAPTURE(mean);
-    CAPTURE(deviation);
-    const auto judged = judge(tags, spread_out(10, mean, deviation));
-    CHECK(enum_name(judged.conclusion) == enum_name(conclusion));
-    CHECK(*judged.difference == doctest::Approx(mean - 0.43));
-    CHECK(judged.interval->lower < mean - 0.43);
+  for (const Case& of : {Case{0.43, 0.05, Reproduction::reproduced}, Case{0.44, 0.01, Reproduction::reproduced},
+                         Case{0.46, 0.01, Reproduction::inconclusive}, Case{0.55, 0.05, Reproduction::not_reproduced},
+                         Case{0.50, 0.02, Reproduction::not_reproduced}, Case{0.45, 0.15, Reproduction::inconclusive}}) {
+    CAPTURE(of.mean);
+    CAPTURE(of.deviation);
+    const auto judged = judge(tags, spread_out(10, of.mean, of.deviation));
+    CHECK(enum_name(judged.conclusion) == enum_name(of.conclusion));
+    CHECK(*judged.difference == doctest::Approx(of.mean - 0.43));
+    CHECK(judged.interval->lower < of.mean - 0.43);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <trophic/analysis/data/tables.hpp>
+#include <trophic/params/params.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>
 

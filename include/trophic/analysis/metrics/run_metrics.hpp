@@ -92,14 +92,12 @@ inline void measure_walls(Agents agents, const FoodWeb& web, double half_side_m,
     }
   }
   for (const auto& [hunter, victim] : web.links()) {
-    const auto add = [&](Group group, const std::vector<std::optional<double>>& shares) {
+    for (const auto& [group, shares] : {std::pair{Group::all, &of_all}, std::pair{Group::active, &of_active}}) {
       const MetricName metric{"wall_sticking_gap", web.name(victim) + "-" + web.name(hunter), std::string{enum_name(group)}, "1"};
       std::optional<double> gap;
-      if (shares[victim] && shares[hunter]) gap = *shares[victim] - *shares[hunter];
+      if ((*shares)[victim] && (*shares)[hunter]) gap = *(*shares)[victim] - *(*shares)[hunter];
       result.measurements.push_back({metric, gap, {{"zero", Role::reference, 0.0}}});
-    };
-    add(Group::all, of_all);
-    add(Group::active, of_active);
+    }
   }
 }
 

@@ -15,6 +15,8 @@
 #include <trophic/analysis/statistics/equivalence.hpp>
 #include <trophic/analysis/statistics/estimate.hpp>
 #include <trophic/analysis/statistics/interval.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::analysis {
@@ -148,9 +150,10 @@ namespace detail {
   std::string all;
   for (const ReadingConclusion& each : readings) {
     if (each.conclusion != conclusion) continue;
-    const auto& [members, counting] = std::pair{each.reading.members, each.reading.counting};
-    all += (all.empty() ? "" : ", or ") + std::string{members} + (members.empty() || counting.empty() ? "" : " and ") +
-           std::string{counting};
+    const std::string_view members = each.reading.members;
+    const std::string_view counting = each.reading.counting;
+    all += (all.empty() ? "" : ", or ") + std::string{members};
+    all += (members.empty() || counting.empty() ? "" : " and ") + std::string{counting};
   }
   return all;
 }

@@ -10,6 +10,7 @@
 #include <trophic/analysis/report/published.hpp>
 #include <trophic/analysis/report/reading.hpp>
 #include <trophic/analysis/report/text_table.hpp>
+#include <trophic/params/params.hpp>
 
 namespace trophic::analysis {
 
