@@ -159,7 +159,7 @@ def sweep_rows(effects):
             if over_shadow == row["metric"].startswith(("velocity", "attribution")):
                 rows.append({"axis": row["axis"], "value": row["value"], "reference": row["reference"], "metric": row["metric"],
                              "species": row["species"], "group": row["group"], "over_shadow": int(over_shadow), "seeds": row["seeds"],
-                             **{name: number(float(row[name])) for name in ("difference", "lower", "upper")}, "p_holm": f"{float(row['p_holm']):.2g}"})
+                             **{name: row[name] and number(float(row[name])) for name in ("difference", "lower", "upper", "p_holm")}})
     return rows
 
 

@@ -214,14 +214,14 @@ def flips(rows, into):
 def inheritance(rows):
     """What each value of a grid does to each metric, averaged over the other axes."""
     values = list(dict.fromkeys((row["axis"], row["reference"], row["value"]) for row in rows))
-    metrics = list(dict.fromkeys((row["metric"], row["species"], row["group"], row["over_shadow"]) for row in rows))
+    metrics = list(dict.fromkeys((row["metric"], row["species"], row["group"], row["over_shadow"]) for row in rows if "active" not in row["group"]))
     lines = []
     for axis, reference, value in values:
         cells = [row for row in rows if (row["axis"], row["value"]) == (axis, value)]
         line = [f"`{axis}`", f"{float(reference):.3g} -> {float(value):.3g}"]
         for metric in metrics:
             row = next(row for row in cells if (row["metric"], row["species"], row["group"], row["over_shadow"]) == metric)
-            line.append(ranged(row, ("difference", "lower", "upper"), True) + ("*" if float(row["p_holm"]) <= 0.05 else ""))
+            line.append(ranged(row, ("difference", "lower", "upper"), True) + ("*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""))
         lines.append(line)
     heads = []
     for metric in metrics:
