@@ -127,26 +127,20 @@ def set_rows(name, summary):
 
 
 def flip_rows(flips):
-    """The significant effects of a flips.csv on the metrics of the claims."""
-    rows = []
+    """The significant effects of a flips.csv on the metrics of the claims, corrected (Holm) for these metrics and all swaps of a table."""
+    compared = {}
     with open(flips, newline="") as file:
         for row in csv.DictReader(file):
             over_shadow = row["compared"] == "over_shadow"
-            key = (row["metric"], row["species"], row["group"], over_shadow)
-            if row["decided"] == "yes" and key in SCREENED:
-                rows.append({"from": row["direction"].removeprefix("from_"), "flip": row["flip"], **named(key), "base": row["base"],
-                             **{name: number(float(row[name])) for name in ("flipped", "difference", "lower", "upper")},
-                             "p_holm": f"{float(row['p_holm']):.2g}"})
-    return rows
-
-
-def claim_rows(summary):
-    """A row a published figure and reading."""
+            if (row["metric"], row["species"], row["group"], over_shadow) in SCREENED and row["p"]:
+                compared.setdefault(row["direction"].removeprefix("from_"), []).append((row, over_shadow))
     rows = []
-    for claim in summary["sets"][0]["claims"]:
-        for reading in claim["readings"]:
-            row = {"claim": claim["claim"], "summary": claim["summary"], **reading}
-            rows.append({key: number(value) if isinstance(value, float) else "" if value is None else value for key, value in row.items()})
+    for table, effects in compared.items():
+        for (row, over_shadow), p in zip(effects, holm([float(row["p"]) for row, _ in effects])):
+            if p <= 0.05:
+                rows.append({"from": table, "flip": row["flip"], "metric": row["metric"], "species": row["species"], "group": row["group"],
+                             "over_shadow": int(over_shadow),
+                             **{name: number(float(row[name])) for name in ("base", "flipped", "difference", "lower", "upper")}, "p_holm": f"{p:.2g}"})
     return rows
 
 

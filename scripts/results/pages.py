@@ -19,7 +19,10 @@ class Data:
         self.folder = folder
 
     def __call__(self, name):
-        with open(self.folder / f"{name}.csv", newline="") as file:
+        path = self.folder / f"{name}.csv"
+        if not path.exists():
+            raise SystemExit(f"{path}: no such file; the stage of scripts/reproduce that writes it has not run")
+        with open(path, newline="") as file:
             return list(csv.DictReader(file))
 
 

@@ -42,6 +42,11 @@ namespace trophic::rules {
 /// slot, where the paper says so, and every number. "silent" marks what the text leaves open. The policy explains each such
 /// choice; docs/open-choices.md lists all of them with their alternatives and what they change.
 ///
+/// One choice turns the evolution of prey round: the parent when a predator starves. Sec. "Reproduction" says "any prey". Sec.
+/// "Prey Death" calls the newborn's state "a state of inactivity", and a draft's comment in Sec. "Birth" denies that a newborn
+/// "can immediately interact with other robots". So the table takes the closest active prey; `with_starvation_parent<Paper,
+/// NearestVictim>` is the other reading.
+///
 /// The robot's own gait is the one published with the paper. Its text would allow another one evolved by its fitness
 /// (`spider_paper`); the published one is what the paper's robots walked with, it is faster, and it turns to both sides alike
 /// (models/README.md has the figures).

@@ -217,7 +217,7 @@ TEST_CASE("runs that are all alike differ in at most 7 % of 1000 analyses, metri
   Rng rng{5, Stream::user};
   std::map<MetricName, int> found;
   int analyses_with_any = 0;
-  constexpr int trials = 1000;
+  constexpr int trials = 2000;
   for (int trial = 0; trial < trials; ++trial) {
     const auto [ours, shadow] = draw_two(pool(), rng);
     for (const SummaryRow& row : summarize(ours, shadow)) {

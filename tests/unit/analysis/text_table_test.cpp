@@ -94,17 +94,3 @@ TEST_CASE("differences of two sets: raw, over the shadows where both have one, w
   CHECK(has(over, "over shadows: (b - shadow) - (a - shadow) [95 %], p"));
   CHECK(has(over, "-1.000 [-1.000, -1.000]       <0.001 * +0.000 [+0.000, +0.000]"));
 }
-
-TEST_CASE("print_claims: runs -> a summary for each claim, and for each reading value, margin, origin, ours, conclusion") {
-  const test::TemporaryFolder folder;
-  const RunSet set = runs_of(folder, "aa", 6);
-  const std::string text = printed([&](auto& out) { print_claims(out, set, judge_claims(set.runs)); });
-  CHECK(has(text, "\nattribution of prey: not reproduced under any reading\n"));
-  CHECK(has(text,
-            "  attribution_caught prey                       0.650     text  0.037   authors' logs              "
-            "1.000 [1.000, 1.000]        +0.350 [+0.324, +0.376]     not reproduced\n"));
-  CHECK(has(text, "  attribution_died prey                         0.620     logs  0.028   authors' logs "));
-  CHECK(has(text, "\nvelocity of predators: no conclusion under any reading\n"));
-  CHECK(has(text, "  velocity_points predator (inherited), cm/s    1.95      text  0.22    our runs, another reading  missing "));
-  CHECK(has(text, "Leaving them out (active) is an inference"));
-}

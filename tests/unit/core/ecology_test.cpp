@@ -556,19 +556,23 @@ TEST_CASE("ecology: a parent of another species than the heir is refused") {
         "offspring's species");
 }
 
-TEST_CASE("ecology: the starved body goes to the offspring of the nearest prey or, with none in range, to a random prey") {
-  for (const double distance_m : {4.0, 6.0}) {
-    auto params = scene<Scene>({{.x_m = distance_m}, {.x_m = 0.0}});
+TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey or, with none in range, a random prey") {
+  for (const double distance_m : {4.0, 6.0, 11.0, 13.0}) {
+    CAPTURE(distance_m);
+    const bool is_parent = distance_m == 6.0 || distance_m == 11.0;
+    auto params = scene<Scene>({{.x_m = distance_m - 5.0}, {.x_m = -5.0}});
     params.rules.community.predators = 1;
     params.rules.genome_source.random_share = 0.0;
     params.rules.reprieve.range_m = 0.0;
+    params.rules.activation.distance_m = 5.0;
+    params.rules.starvation_parent.range_m = 12.0;
     Kinematics<Scene> ecology{params};
     ecology.run_until(48.0);  // Delta = 24 ticks
     const Individual& born = ecology.view().robots[1];
     CHECK(born.id == 2);
     CHECK(born.species == test::prey);
-    CHECK(born.parent == (distance_m == 4.0 ? std::optional<IndividualId>{0} : std::nullopt));
-    CHECK(born.origin == (distance_m == 4.0 ? Origin::inherited : Origin::random));
+    CHECK(born.parent == (is_parent ? std::optional<IndividualId>{0} : std::nullopt));
+    CHECK(born.origin == (is_parent ? Origin::inherited : Origin::random));
   }
 }
 

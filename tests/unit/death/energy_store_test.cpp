@@ -113,7 +113,7 @@ TEST_CASE("energy store: over a run every joule is accounted for, and who has no
   params.rules.capture.reach_m = 2.0;
   Kinematics ecology{params};
   Ledger ledger{ecology};
-  ecology.run_until(2000.0, ledger);
+  ecology.run_until(4000.0, ledger);
   CHECK(ledger.catches > 20);
   CHECK(ledger.deaths[Cause::senescence] > 20);
   CHECK(ledger.deaths[Cause::caught] == ledger.catches);
