@@ -144,6 +144,16 @@ def flip_rows(flips):
     return rows
 
 
+def claim_rows(summary):
+    """A row a published figure and reading."""
+    rows = []
+    for claim in summary["sets"][0]["claims"]:
+        for reading in claim["readings"]:
+            row = {"claim": claim["claim"], "summary": claim["summary"], **reading}
+            rows.append({key: number(value) if isinstance(value, float) else "" if value is None else value for key, value in row.items()})
+    return rows
+
+
 def sweep_rows(effects):
     """What `trophic analyze` says of a sweep's values: velocities and attributions over the shadow, the others raw."""
     rows = []

@@ -29,6 +29,6 @@ TEST_CASE("print_claims: runs -> a summary for each claim, and for each reading 
             "1.000 [1.000, 1.000]        +0.350 [+0.324, +0.376]     not reproduced\n"));
   CHECK(has(text, "  attribution_died prey                         0.620     logs  0.028   authors' logs "));
   CHECK(has(text, "\nvelocity of predators: no conclusion under any reading\n"));
-  CHECK(has(text, "  velocity_points predator (inherited), cm/s    1.95      text  0.22    our runs, another reading  missing "));
+  CHECK(has(text, "  velocity_points predator (inherited), cm/s    1.95      text  0.21    our runs, another reading  missing "));
   CHECK(has(text, "Leaving them out (active) is an inference"));
 }
