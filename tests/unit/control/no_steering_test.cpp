@@ -5,6 +5,7 @@
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>
