@@ -6,6 +6,7 @@
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/reproduction/parent/detail/nearest_prey.hpp>
 #include <tuple>
 
 namespace trophic::reproduction::parent {
@@ -28,12 +29,7 @@ struct NearestVictim {
   Params params;
 
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
-    const Species dying = view.robots[vacancy.body].species;
-    const auto eats = [&](Species other) { return view.web.eats(dying, other); };
-    const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return eats(other.species); },
-                                      {.within_m = params.range_m, .among = view.marks(eats)});
-    if (!closest) return std::nullopt;
-    return view.robots[*closest].as_ancestor();
+    return detail::nearest_prey(vacancy.body, params.range_m, false, view);
   }
 };
 static_assert(Parent<NearestVictim>);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The closest prey of a dying predator: what two parent rules share.
+#pragma once
+
+#include <optional>
+#include <trophic/population/individual.hpp>
+#include <trophic/population/view.hpp>
+
+namespace trophic::reproduction::parent::detail {
+
+/// The closest individual within `range_m` that the occupant of `body` could eat; none if there is none. `only_active`: inactive
+/// newborns are left out.
+[[nodiscard]] inline std::optional<Ancestor> nearest_prey(BodyIndex body, double range_m, bool only_active, const View& view) {
+  const Species dying = view.robots[body].species;
+  const auto eats = [&](Species other) { return view.web.eats(dying, other); };
+  const auto accepts = [&](const Individual& other) { return eats(other.species) && (other.active || !only_active); };
+  const auto closest = view.closest(body, accepts, {.within_m = range_m, .among = view.marks(eats, {}, only_active)});
+  return closest ? std::optional{view.robots[*closest].as_ancestor()} : std::nullopt;
+}
+
+}  // namespace trophic::reproduction::parent::detail
