@@ -3,7 +3,6 @@
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
 #include <trophic/rules/paper.hpp>
@@ -11,7 +10,7 @@
 using Rules = trophic::with_heredity<trophic::rules::Paper, trophic::reproduction::heredity::SharedCopy>;
 
 int main() {
-  trophic::Ecology<Rules, trophic::backend::Kinematic> ecology({.seed = 42});
+  trophic::Ecology<Rules> ecology({.seed = 42}, trophic::backend::Kinematic::Params{});
   trophic::observe::Progress progress;
   ecology.run_until(6000.0, progress);
   progress.summary(std::cout, ecology.view());

@@ -4,7 +4,6 @@
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/rules/paper.hpp>
 
@@ -37,7 +36,8 @@ struct HungryReach {
 
 int main() {
   using Rules = trophic::with_capture<trophic::rules::Paper, HungryReach>;
-  trophic::Ecology<Rules, trophic::backend::Kinematic> ecology({.seed = 42, .rules = {.capture = {.reach_per_tick_m = 0.02}}});
+  trophic::Ecology<Rules> ecology({.seed = 42, .rules = {.capture = {.reach_per_tick_m = 0.02}}},
+                                  trophic::backend::Kinematic::Params{});
   trophic::observe::Progress progress;
   ecology.run_until(6000.0, progress);
   progress.summary(std::cout, ecology.view());

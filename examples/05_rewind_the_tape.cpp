@@ -8,20 +8,17 @@
 #include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>
 
-using Rules = trophic::rules::Paper;
-using Experiment = trophic::Experiment<Rules, trophic::backend::Kinematic>;
-using Ecology = trophic::Ecology<Rules, trophic::backend::Kinematic>;
+using Ecology = trophic::Ecology<trophic::rules::Paper>;
 
 constexpr double later_s = 300.0;
 
 /// The share of robots that show the tag +1, `later_s` after the moment on the tape.
 double share_later(const std::string& tape, std::uint64_t seed) {
-  Ecology ecology({.seed = seed});
+  Ecology ecology({.seed = seed}, trophic::backend::Kinematic::Params{});
   trophic::Archive archive{tape};
   ecology.persist(archive);
   ecology.run_until(ecology.time_s() + later_s);
@@ -33,7 +30,7 @@ double share_later(const std::string& tape, std::uint64_t seed) {
 int main() {
   constexpr std::size_t moments = 6;
   constexpr std::size_t continuations = 20;
-  Ecology ecology({.seed = 42});
+  Ecology ecology({.seed = 42}, trophic::backend::Kinematic::Params{});
   std::vector<double> means;
   double within = 0.0;
   std::cout << std::fixed << std::setprecision(4) << "moment  mean    variance of " << continuations << " continuations\n";

@@ -50,6 +50,8 @@
 #include <trophic/analysis/statistics/interval.hpp>
 #include <trophic/analysis/statistics/power.hpp>
 #include <trophic/analysis/statistics/student_t.hpp>
+#include <trophic/backend/any_backend.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
@@ -115,7 +117,6 @@
 #include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
-#include <trophic/ecology/shadow_of.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/standing_poses.hpp>
@@ -182,6 +183,7 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/next_free_folder.hpp>
+#include <trophic/observe/own_table.hpp>
 #include <trophic/observe/phylogeny.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/read_recording.hpp>
@@ -283,7 +285,6 @@
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/check.hpp>
-#include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/params.hpp>
 #include <trophic/rules/print_table.hpp>

@@ -26,7 +26,9 @@ class NoPhysics {
   static constexpr std::string_view name = "no_physics";
   static std::string version() { return "1"; }
   static std::vector<std::string> remarks(const trophic::Physics&) { return {}; }
-  using Params = trophic::NoParams;
+  struct Params {
+    using Backend = NoPhysics;
+  };
   using State = int;
 
   NoPhysics(const trophic::RobotModel& robot, const trophic::Arena&, std::span<const trophic::Pose> starts,
@@ -58,7 +60,7 @@ void tick(benchmark::State& state, const typename Backend::Params& params) {
   constexpr int ticks = 10;
   trophic::EcologyParams numbers = trophic::rules::Paper::ecology();
   numbers.robots = static_cast<std::size_t>(state.range(0));
-  trophic::Ecology<trophic::rules::Paper, Backend> ecology({.ecology = numbers, .backend = params});
+  trophic::Ecology<trophic::rules::Paper> ecology({.ecology = numbers}, params);
   const trophic::test::TemporaryFolder folder;
   trophic::observe::EventLog events{folder.path() / "events.csv"};
   trophic::observe::AgentLog agents{folder.path() / "agents.csv"};

@@ -83,12 +83,16 @@ using TimedPaper = with_sensors<
     TimedSensors>;
 
 /// A backend that tells the clock when the bodies have moved: the ecology looks at them from the first to the last.
-template <class Backend>
-struct Timed : Backend {
-  using Backend::Backend;
+template <class Base>
+struct Timed : Base {
+  struct Params {  // none: the base has its own
+    using Backend = Timed;
+  };
+  Timed(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params&)
+      : Base{robot, arena, starts, physics, {}} {}
   [[nodiscard]] Pose pose(std::size_t robot) const {
     if (robot == 0) Clock::enter(Part::activation);
-    return Backend::pose(robot);
+    return Base::pose(robot);
   }
 };
 
@@ -134,15 +138,14 @@ class WarmUp {
 /// The time reported is the processor's for one tick; shares are of wall time.
 template <class Backend>
 void tick(benchmark::State& state, std::int64_t warm_up, std::int64_t ticks) {
-  Experiment<TimedPaper, Timed<Backend>> numbers;
+  Experiment<TimedPaper> numbers;
   numbers.ecology.robots = static_cast<std::size_t>(state.range(0));
   numbers.ecology.arena = "walled_by_density";
   numbers.rules.community.predators = numbers.ecology.robots * 14 / 30;
-  if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 1;
 
   ::malloc_trim(0);
   const double before_bytes = test::resident_bytes();
-  Ecology<TimedPaper, Timed<Backend>> ecology{numbers};
+  Ecology<TimedPaper> ecology{numbers, typename Timed<Backend>::Params{}};
   const trophic::test::TemporaryFolder folder;
   observe::RunFolder files{folder.path() / "run", {}, {.replay_hz = 0.0, .agents_every_ticks = state.range(1)}};
   BeforeLogs before;

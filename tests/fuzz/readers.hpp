@@ -59,7 +59,7 @@ inline void read_gait(std::string_view bytes) {
   static_cast<void>(load_gait(FileInMemory{bytes}.path()));
 }
 
-using FuzzedExperiment = Experiment<rules::Released, backend::Kinematic>;
+using FuzzedExperiment = Experiment<rules::Released>;
 
 inline void read_config(std::string_view bytes) {
   const FileInMemory file{bytes};
@@ -98,7 +98,7 @@ inline void read_ecology(std::string_view bytes) {
   experiment.ecology.robots = 4;
   experiment.rules.community.predators = 2;
   static const Habitat habitat = load_habitat(experiment.ecology);
-  Ecology<rules::Released, backend::Kinematic> ecology{experiment, habitat};
+  Ecology<rules::Released> ecology{experiment, backend::Kinematic::Params{}, habitat};
   Archive archive{bytes};
   ecology.persist(archive);
   archive.finish();

@@ -86,7 +86,7 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   FuzzedExperiment experiment;
   experiment.ecology.robots = 4;
   experiment.rules.community.predators = 2;
-  Ecology<rules::Released, backend::Kinematic> ecology{experiment};
+  Ecology<rules::Released> ecology{experiment, backend::Kinematic::Params{}};
   const auto place = [](std::string_view folder) { return std::filesystem::path{CORPUS} / folder / "released-200-s.bin"; };
   observe::Recording recording{place("recording"), observe::default_replay_hz};
   ecology.run_until(40.0, recording);

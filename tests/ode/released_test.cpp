@@ -18,7 +18,7 @@
 #include <vector>
 
 using namespace trophic;
-using ReleasedInOde = Ecology<rules::Released, backend::Ode>;
+using ReleasedInOde = Ecology<rules::Released>;
 
 namespace {
 
@@ -33,14 +33,14 @@ std::vector<Pose> poses_of(const backend::Ode& backend) {
 }  // namespace
 
 TEST_CASE("the released rules run in ODE, with their height field and timestep") {
-  ReleasedInOde ecology;
+  ReleasedInOde ecology{{}, backend::Ode::Params{}};
   REQUIRE(ecology.params().physics.integrator == Integrator::rk4);
   REQUIRE(ecology.params().physics.timestep_s == 0.012);
-  const std::vector<Pose> starts = poses_of(ecology.backend());
+  const std::vector<Pose> starts = poses_of(*ecology.backend().as<backend::Ode>());
   ecology.run_until(30.0);
   CHECK(ecology.backend().time_s() == doctest::Approx(36.0));  // 1.2 simulated seconds per second of its clock
 
-  const std::vector<Pose> ends = poses_of(ecology.backend());
+  const std::vector<Pose> ends = poses_of(*ecology.backend().as<backend::Ode>());
   double walked_m = 0.0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     CAPTURE(i);
@@ -56,7 +56,7 @@ TEST_CASE("the released rules run in ODE, with their height field and timestep")
 
 TEST_CASE("the run's record says which integrator it had") {
   const test::TemporaryFolder folder;
-  ReleasedInOde ecology;
+  ReleasedInOde ecology{{}, backend::Ode::Params{}};
   observe::RunFolder files{folder.path() / "run", {}};
   observe::Progress progress{false};
   ecology.run_until(2.0, files, progress);
@@ -69,5 +69,5 @@ TEST_CASE("the run's record says which integrator it had") {
 
   ReleasedInOde::Params own;
   own.physics.integrator = Integrator::semi_implicit_euler;
-  CHECK(ReleasedInOde{own}.describe(2.0).remarks.empty());
+  CHECK(ReleasedInOde{own, backend::Ode::Params{}}.describe(2.0).remarks.empty());
 }

@@ -91,6 +91,28 @@ class OwnTable(InFolder):
         manifest = json.loads((self.folder / "run/manifest.json").read_text())
         self.assertEqual((lines["source"], lines["build"]), (manifest["source_revision"], manifest["build"]))
 
+    def test_its_own_csv_table_is_in_every_run(self):
+        options = ["--backend", "kinematic", "--duration", 100, "--replicates", 2, "--shadow"]
+        self.call_ok(*options, "--out", "set")
+        texts = []
+        for run in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
+            lines = (self.folder / "set" / run / "crowd.csv").read_text().splitlines()
+            self.assertEqual((lines[0], len(lines)), ("time_s,close", 1 + 51))
+            manifest = json.loads((self.folder / "set" / run / "manifest.json").read_text())
+            self.assertEqual(manifest["tables"]["crowd.csv"]["rows"], 51)
+            texts.append(lines)
+        self.assertNotEqual(texts[0], texts[1])
+        (self.folder / "sweep.toml").write_text("replicates = 1\n[set]\nengine = 'kinematic'\necology.duration_s = 60.0\n[grid]\necology.robots = [20, 30]\n")
+        self.call_ok("--sweep", "sweep.toml", "--out", "sweep")
+        self.assertEqual(len(list((self.folder / "sweep").glob("cell-*/replicate-00/crowd.csv"))), 2)
+
+    def test_a_resumed_run_continues_its_own_csv_table(self):
+        options = ["--backend", "kinematic", "--seed", 5]
+        self.call_ok(*options, "--duration", 100, "--out", "whole")
+        self.call_ok(*options, "--duration", 40, "--out", "first")
+        self.call_ok(*options, "--duration", 100, "--from", "first", "--at", 40, "--out", "rest")
+        self.assertEqual((self.folder / "whole/crowd.csv").read_text(), (self.folder / "rest/crowd.csv").read_text())
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -21,9 +21,9 @@ namespace {
 /// Runs a table at its own numbers and holds what a run's folder contains against golden/NAME.
 template <class Rules>
 void compare_run(const std::string& name) {
-  using Kinematics = Ecology<Rules, backend::Kinematic>;
+  using Kinematics = Ecology<Rules>;
   const std::filesystem::path written = test::written_folder(name);
-  Kinematics ecology{typename Kinematics::Params{.seed = 1}};
+  Kinematics ecology{typename Kinematics::Params{.seed = 1}, backend::Kinematic::Params{}};
   observe::RunFolder folder{written};
   observe::Tally tally;
   ecology.run_until(600.0, folder, tally);
@@ -40,7 +40,7 @@ void compare_run(const std::string& name) {
 /// Ten times as many on ten times the floor, who are searched for another way: a hash of each table stands for its file.
 template <class Rules>
 void compare_crowd(const std::string& name) {
-  using Kinematics = Ecology<Rules, backend::Kinematic>;
+  using Kinematics = Ecology<Rules>;
   const std::filesystem::path written = test::written_folder(name);
   const std::filesystem::path run = test::written_folder(name + "_run");
   typename Kinematics::Params params{.seed = 1};
@@ -51,7 +51,7 @@ void compare_crowd(const std::string& name) {
   habitat.arena = load_arena("walled_square");
   habitat.arena.half_side_m = 32.0;
   habitat.arena.extent_m = 64.0;
-  Kinematics ecology{params, habitat};
+  Kinematics ecology{params, backend::Kinematic::Params{}, habitat};
   observe::RunFolder folder{run, {}, {.replay_hz = 0.0}};
   observe::Tally tally;
   ecology.run_until(600.0, folder, tally);

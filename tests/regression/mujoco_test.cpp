@@ -17,7 +17,7 @@ using namespace trophic;
 
 namespace {
 
-using Mujoco = Ecology<rules::Paper, backend::Mujoco>;
+using Mujoco = Ecology<rules::Paper>;
 
 /// The smallest distance of two robots at any tick.
 struct Closest {
@@ -39,7 +39,7 @@ TEST_CASE("a MuJoCo run's events are the golden ones until robots touch") {
   Mujoco::Params params{.seed = 46};
   params.ecology.robots = 16;
   params.rules.capture.reach_m = 2.0;  // who catches from afar need not touch
-  Mujoco ecology{params};
+  Mujoco ecology{params, backend::Mujoco::Params{}};
   observe::EventLog events{written / "events.csv"};
   observe::Tally tally;
   Closest closest;

@@ -27,7 +27,6 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/ecology/shadow_of.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/progress.hpp>
@@ -125,19 +124,17 @@ struct Wanted {
   bool shadow = false;
 };
 
-template <class Backend>
-Experiment<rules::Paper, Backend> numbers_of(const Wanted& wanted) {
-  Experiment<rules::Paper, Backend> numbers;
+Experiment<rules::Paper> numbers_of(const Wanted& wanted) {
+  Experiment<rules::Paper> numbers;
   numbers.ecology.robots = wanted.robots;
   numbers.ecology.gait = wanted.gait;
   numbers.physics.timestep_s = wanted.timestep_s;
   numbers.rules.community.predators = wanted.robots * 14 / 30;
-  if constexpr (requires { numbers.backend.threads; }) numbers.backend.threads = 2;
+  numbers.shadow = wanted.shadow;
   return numbers;
 }
 
-template <class Table, class Backend>
-bool run(const Experiment<Table, Backend>& numbers, const Wanted& wanted) {
+bool run(const Experiment<rules::Paper>& numbers, const BackendChoice& backend, const Wanted& wanted) {
   const double larger =
       std::sqrt(wanted.room * static_cast<double>(wanted.robots) / static_cast<double>(rules::Paper::ecology().robots));
   Habitat habitat = load_habitat(numbers.ecology);
@@ -145,7 +142,7 @@ bool run(const Experiment<Table, Backend>& numbers, const Wanted& wanted) {
   habitat.arena.extent_m *= larger;
   if (wanted.at_rest) habitat = test::at_rest(habitat);
 
-  Ecology<Table, Backend> ecology{numbers, habitat};
+  Ecology<rules::Paper> ecology{numbers, backend, habitat};
   const checkpoint::Standing standing = checkpoint::standing_in(wanted.out, ecology.describe(wanted.duration_s));
   if (standing.complete) return true;
   if (!standing.remark.empty()) std::cerr << wanted.out.string() << " " << standing.remark << "\n";
@@ -175,8 +172,9 @@ bool soak(const Wanted& wanted) {
     throw std::invalid_argument{"DURATION_S: must be > " + std::to_string(test::Resting::settles_s) +
                                 ", until robots are at rest"};
   }
-  const auto numbers = numbers_of<Backend>(wanted);
-  return wanted.shadow ? run(shadow_of(numbers), wanted) : run(numbers, wanted);
+  BackendChoice backend{typename Backend::Params{}};
+  if (std::size_t* threads = backend.threads()) *threads = 2;
+  return run(numbers_of(wanted), backend, wanted);
 }
 
 }  // namespace

@@ -29,9 +29,9 @@ namespace {
 
 template <class Rules>
 std::uint64_t deaths_in(double duration_s) {
-  Experiment<Rules, backend::Kinematic> numbers;
+  Experiment<Rules> numbers;
   test::Invariants invariants{numbers.rules.floor.floor};
-  Ecology<Rules, backend::Kinematic> ecology{numbers};
+  Ecology<Rules> ecology{numbers, backend::Kinematic::Params{}};
   ecology.run_until(duration_s, invariants);
   CHECK(ecology.time_s() == duration_s);
   return invariants.deaths();

@@ -21,6 +21,7 @@ class ToyBackend {
   static std::string version() { return "1"; }
   static std::vector<std::string> remarks(const Physics&) { return {"physics has no effect: a toy"}; }
   struct Params {
+    using Backend = ToyBackend;
     double breaks_beyond_rad = 100.0;
     static constexpr auto fields() { return std::tuple{field("breaks_beyond_rad", &Params::breaks_beyond_rad, above(0.0))}; }
   };

@@ -47,12 +47,14 @@ class Diverged : public std::runtime_error {
 /// - results must not depend on the number of threads
 /// - `remarks(physics)`: one sentence for every number of `physics` that has no effect on this backend, naming it; runs record
 /// them
+/// - Params say whose they are, `using Backend = Mine;`, so that an ecology is given the numbers of a backend and nothing else
 template <class B>
 concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {
   { B::name } -> std::convertible_to<std::string_view>;
   { B::version() } -> std::convertible_to<std::string>;
   { B::remarks(Physics{}) } -> std::same_as<std::vector<std::string>>;
   requires Parameters<typename B::Params>;
+  requires std::same_as<typename B::Params::Backend, B>;
   requires Savable<typename B::State>;
   requires std::constructible_from < B, const RobotModel&, const Arena&, std::span<const Pose>,
   const Physics&, const typename B::Params& > ;

@@ -33,6 +33,7 @@ class Kinematic {
   [[nodiscard]] static std::vector<std::string> remarks(const Physics& physics);
 
   struct Params {
+    using Backend = Kinematic;
     double speed_scale = 1.0;
     double turn_scale = 1.0;
     double radius_m = 0.1;
@@ -98,8 +99,6 @@ class Kinematic {
   State state_;
 };
 static_assert(SteeringDriven<Kinematic>);
-
-#define TROPHIC_HAS_KINEMATIC
 
 }  // namespace trophic::backend
 

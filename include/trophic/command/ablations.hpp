@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <optional>
 #include <ostream>
@@ -40,12 +39,12 @@ struct Options {
 };
 
 /// Every flip of one table, with the same seeds. Stops at the first with an unfinished replicate.
-template <class Base, class Other, Backend B>
+template <class Base, class Other>
 [[nodiscard]] bool run_from(const Options& options, Study study) {
   study.plan.out /= std::string{direction_prefix} + table_name<Base>();
   for (const Flip& flip : flips<Base, Other>()) {
     if (!options.only.empty() && std::ranges::find(options.only, flip.name) == options.only.end()) continue;
-    const auto unfinished = run_flip<Base, Other, B>(flip.name, study);
+    const auto unfinished = run_flip<Base, Other>(flip.name, study);
     for (const std::string& sentence : unfinished) {
       std::cerr << "unfinished: " << direction_prefix << table_name<Base>() << "/" << sentence << "\n";
     }
@@ -82,6 +81,11 @@ template <class Base, class Other>
     return 0;
   }
   const bool is_kinematic = options.backend == backend::Kinematic::name;
+  const auto backends = linked_backends<LinkedBackends>();
+  const auto chosen = std::ranges::find(backends, options.backend, &LinkedBackend::name);
+  if (chosen == backends.end()) {
+    throw std::invalid_argument{about_missing_backend(options.backend, backend_names<LinkedBackends>())};
+  }
   // Hundreds of runs that nobody watches are not recorded.
   const Study study{.plan = {.out = options.out,
                              .master_seed = options.seed,
@@ -89,28 +93,21 @@ template <class Base, class Other>
                              .jobs = options.jobs,
                              .resume = options.resume,
                              .extent = {.replay_hz = 0.0}},
+                    .backend = chosen->choice(),
                     .duration_s = options.duration_s,
                     .shadow = options.shadow,
                     .provenance = provenance};
   study.plan.check();
-  std::function<bool()> run_all;
-  LinkedBackends::for_each([&]<class B>() {
-    if (B::name != options.backend) return;
-    run_all = [&] {
-      return (!forth || run_from<Base, Other, B>(options, study)) && (!back || run_from<Other, Base, B>(options, study));
-    };
-  });
-  if (!run_all) throw std::invalid_argument{about_missing_backend(options.backend, backend_names<LinkedBackends>())};
-  if (run_all()) return 0;
+  if ((!forth || run_from<Base, Other>(options, study)) && (!back || run_from<Other, Base>(options, study))) return 0;
   std::cerr << "the same command with --resume runs what is missing and no more\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
 }  // namespace detail::ablations
 
-/// The command line of a study of two tables. For each backend that the program is linked with it needs run_flip in both
-/// directions: include trophic/command/run_flip.hpp and instantiate them explicitly, in files of their own where they take long
-/// to compile.
+/// The command line of a study of two tables, on every backend that the program is linked with. It needs run_flip in both
+/// directions: include trophic/command/run_flip.hpp and instantiate them explicitly, in files of their own, as they take long to
+/// compile.
 template <class Base, class Other>
 [[nodiscard]] int ablations(int argc, const char* const* argv) {
   return guarded(argv[0], [&] {

@@ -4,12 +4,16 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/command/words.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/support/colour.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -23,30 +27,76 @@
 
 namespace trophic::command {
 
-/// Backends to choose from at run time.
-template <Backend... B>
+/// Backends to choose from at run time; the first is the default.
+template <Backend First, Backend... More>
 struct BackendList {
+  static constexpr std::string_view default_backend = First::name;
+
   /// Calls `visit.operator()<B>()` for each.
   template <class Visitor>
   static void for_each(Visitor&& visit) {
-    (visit.template operator()<B>(), ...);
+    visit.template operator()<First>();
+    (visit.template operator()<More>(), ...);
   }
 };
 
+/// The backend that trophic's own programs run on unless `--backend` says otherwise, whatever was found when they were built.
+inline constexpr std::string_view default_backend = "mujoco";
+
 /// The kinematic backend and the engines that the program is linked with.
-using LinkedBackends = BackendList<backend::Kinematic
+struct LinkedBackends : BackendList<backend::Kinematic
 #ifdef TROPHIC_WITH_MUJOCO
-                                   ,
-                                   backend::Mujoco
+                                    ,
+                                    backend::Mujoco
 #endif
 #ifdef TROPHIC_WITH_ODE
-                                   ,
-                                   backend::Ode
+                                    ,
+                                    backend::Ode
 #endif
-                                   >;
+                                    > {
+  static constexpr std::string_view default_backend = command::default_backend;
+};
 
-/// What a program runs on unless told otherwise, whatever was found when it was built.
-inline constexpr std::string_view default_backend = "mujoco";
+/// A backend that a program was built with, its type erased.
+struct LinkedBackend {
+  std::string name;
+  std::string version;
+  bool has_joints;
+  BackendChoice (*choice)();  ///< with the backend's own numbers
+  /// Sets what a table names, as read_numbers; `path` is the table's.
+  void (*read)(BackendChoice& choice, const toml::table& numbers, const std::string& path);
+  /// Writes the engine's model, robots in these colours. False for an engine without such a file.
+  bool (*save_mjcf)(const AnyBackend& bodies, const std::string& path, std::span<const Colour> colours);
+};
+
+template <Backend B>
+[[nodiscard]] LinkedBackend linked_backend() {
+  return {.name = std::string{B::name},
+          .version = B::version(),
+          .has_joints = JointDriven<B>,
+          .choice = [] { return BackendChoice{typename B::Params{}}; },
+          .read =
+              [](BackendChoice& choice, const toml::table& numbers, const std::string& path) {
+                trophic::detail::read_table(*choice.as<B>(), numbers, path);
+              },
+          .save_mjcf =
+              []([[maybe_unused]] const AnyBackend& bodies, [[maybe_unused]] const std::string& path,
+                 [[maybe_unused]] std::span<const Colour> colours) {
+                if constexpr (requires(const B& engine) { engine.save_mjcf(path, colours); }) {
+                  bodies.as<B>()->save_mjcf(path, colours);
+                  return true;
+                } else {
+                  return false;
+                }
+              }};
+}
+
+template <class Backends>
+[[nodiscard]] std::vector<LinkedBackend> linked_backends() {
+  std::vector<LinkedBackend> all;
+  Backends::for_each([&]<class B>() { all.push_back(linked_backend<B>()); });
+  return all;
+}
 
 /// An engine that trophic has a backend for, and the Debian packages that it needs.
 struct Engine {
@@ -94,10 +144,11 @@ template <class Backends>
 }
 
 /// "physics: kinematic, mujoco (mujoco)": the help of --backend.
-[[nodiscard]] inline std::string backend_help(const std::vector<std::string>& names) {
+[[nodiscard]] inline std::string backend_help(const std::vector<std::string>& names,
+                                              std::string_view otherwise = default_backend) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "physics: " : ", ") + name;
-  return text + " (" + std::string{default_backend} + ")";
+  return text + " (" + std::string{otherwise} + ")";
 }
 
 /// Calls `visit.operator()<B>()` for the backend of a name that has joints, and returns what that returns. Throws

@@ -4,7 +4,8 @@
 
 #include <memory>
 #include <string>
-#include <trophic/command/pairing.hpp>
+#include <trophic/command/selection.hpp>
+#include <trophic/observe/own_table.hpp>
 #include <trophic/command/watching.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
@@ -22,12 +23,11 @@ using FindTeam = std::unique_ptr<sweep::Team> (*)();
 struct LinkedParts {
   FindTeam find_team = nullptr;
   OpenWindow open_window = nullptr;
+  observe::OwnTables own_tables = {};
 };
 
-/// Reads the command line of a program with these tables on these backends, each table on each backend; runs what it says and
-/// returns the exit code. The first table is the default; the default backend is `default_backend`, linked or not.
-[[nodiscard]] int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
-                                     const std::string& backend_versions, const LinkedParts& linked = {});
+/// Reads the command line of a program that offers these tables and backends; runs what it says and returns the exit code.
+[[nodiscard]] int experiment_program(int argc, const char* const* argv, const Offer& offer, const LinkedParts& linked = {});
 
 }  // namespace trophic::command
 

@@ -24,32 +24,25 @@ namespace trophic::command {
 
 namespace detail {
 
-/// The names of tables or backends, each once, in order.
-[[nodiscard]] TROPHIC_INLINE std::vector<std::string> names_of(const std::vector<Pairing>& pairings, std::string Pairing::*name) {
-  std::vector<std::string> names;
-  for (const Pairing& pairing : pairings) {
-    if (std::ranges::find(names, pairing.*name) == names.end()) names.push_back(pairing.*name);
-  }
-  return names;
-}
-
 /// Every path that some table has on some backend, each once.
-[[nodiscard]] TROPHIC_INLINE std::vector<std::string> paths_of(const std::vector<Pairing>& pairings) {
+[[nodiscard]] TROPHIC_INLINE std::vector<std::string> paths_of(const Offer& offer) {
   std::vector<std::string> paths;
-  for (const Pairing& pairing : pairings) {
-    for (const NamedParam& param : pairing.experiment()->named_params()) {
-      if (std::ranges::find(paths, param.path) == paths.end()) paths.push_back(param.path);
+  for (const OfferedTable& table : offer.tables) {
+    for (const LinkedBackend& backend : offer.backends) {
+      for (const NamedParam& param : table.experiment(backend)->named_params()) {
+        if (std::ranges::find(paths, param.path) == paths.end()) paths.push_back(param.path);
+      }
     }
   }
   return paths;
 }
 
-[[nodiscard]] TROPHIC_INLINE std::vector<Option> options_of(ExperimentOptions& options, const std::vector<Pairing>& pairings) {
-  const auto tables = names_of(pairings, &Pairing::table);
-  const auto backends = names_of(pairings, &Pairing::backend);
+[[nodiscard]] TROPHIC_INLINE std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
+  const auto tables = offer.table_names();
+  const auto backends = offer.backend_names();
   return {
       {"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")", tables},
-      {"--backend", &options.backend, backend_help(backends), backends},
+      {"--backend", &options.backend, backend_help(backends, offer.default_backend), backends},
       {"--seed", &options.seed, "every random number follows from it (1)"},
       {"--duration", &options.duration_s, "length of the run, seconds of the ecology's clock (the table's)"},
       {"--robots", &options.robots, "number of bodies (the table's)"},
@@ -76,7 +69,7 @@ namespace detail {
        "seconds after which a run of the sweep is taken over from a program on another machine that no longer answers (120)"},
       {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
-       paths_of(pairings), Words::assigned},
+       paths_of(offer), Words::assigned},
       {"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
       {"--replay-hz", &options.replay_hz,
        "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that goes on, or begins by --from, keeps "
@@ -136,20 +129,21 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
                               ", what this program makes of its numbers; rules, models or engine changed"};
 }
 
-[[nodiscard]] TROPHIC_INLINE int run_pairing(ExperimentOptions& options, const std::vector<Pairing>& pairings,
-                                             OpenWindow open_window) {
+[[nodiscard]] TROPHIC_INLINE int run_selection(ExperimentOptions& options, const Offer& offer,
+                                               OpenWindow open_window) {
   Config config = read_config(options.config, options.assignments);
-  const auto tables = names_of(pairings, &Pairing::table);
-  const auto backends = names_of(pairings, &Pairing::backend);
+  const auto tables = offer.table_names();
+  const auto backends = offer.backend_names();
   std::optional<OriginRun> origin;
   if (!options.from.empty()) origin = read_origin(options);
   const std::string table = options.rules.value_or(config.rule_table.value_or(origin ? origin->rule_table : tables.front()));
   const std::string backend =
-      options.backend.value_or(config.engine.value_or(origin ? origin->engine : std::string{default_backend}));
-  if (std::ranges::find(tables, table) == tables.end()) {
+      options.backend.value_or(config.engine.value_or(origin ? origin->engine : offer.default_backend));
+  const Selection selection{offer.table(table), offer.backend(backend)};
+  if (selection.table == nullptr) {
     throw std::invalid_argument{must_be_one_of("--rules " + table, tables) + did_you_mean(nearest_word(table, tables))};
   }
-  if (std::ranges::find(backends, backend) == backends.end()) {
+  if (selection.backend == nullptr) {
     throw std::invalid_argument{about_missing_backend(backend, backends)};
   }
   check(options);
@@ -157,33 +151,30 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = observe::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
   }
-  const auto find = [&](const std::string& rules, const std::string& engine) {
-    return std::ranges::find_if(pairings, [&](const Pairing& p) { return p.table == rules && p.backend == engine; });
-  };
   if (origin) {
-    const auto its = find(origin->rule_table, origin->engine);
-    if (its == pairings.end()) {
+    const Selection its{offer.table(origin->rule_table), offer.backend(origin->engine)};
+    if (its.table == nullptr || its.backend == nullptr) {
       throw std::invalid_argument{"--from " + options.from + ": is a run of " + origin->rule_table + " on " + origin->engine +
                                   ", which this program lacks"};
     }
-    origin->description = describe(*its, *origin);
+    origin->description = describe(its, *origin);
     check_unchanged(*origin);
     config.origin = origin->params;
     if (table != origin->rule_table) config.origin.erase("rules");
-    origin->make = [&, its](const std::filesystem::path& folder) { return replay(*its, *origin, folder); };
+    origin->make = [&, its](const std::filesystem::path& folder) { return replay(its, *origin, options.own_tables, folder); };
   }
-  return run_experiment(*find(table, backend), options, config, origin, open_window);
+  return run_experiment(selection, options, config, origin, open_window);
 }
 
-[[nodiscard]] TROPHIC_INLINE int run_options(ExperimentOptions& options, const std::vector<Pairing>& pairings, sweep::Team* team,
+[[nodiscard]] TROPHIC_INLINE int run_options(ExperimentOptions& options, const Offer& offer, sweep::Team* team,
                                              OpenWindow open_window) {
-  for (const Pairing& pairing : pairings) {
-    const auto same = [&](const Pairing& p) { return p.table == pairing.table && p.backend == pairing.backend; };
-    if (std::ranges::count_if(pairings, same) > 1) {
-      throw std::invalid_argument{"two rule tables are called " + pairing.table + ": each needs a name of its own"};
+  const auto tables = offer.table_names();
+  for (const std::string& table : tables) {
+    if (std::ranges::count(tables, table) > 1) {
+      throw std::invalid_argument{"two rule tables are called " + table + ": each needs a name of its own"};
     }
   }
-  if (!options.sweep.empty()) return run_sweep(options, pairings, team);
+  if (!options.sweep.empty()) return run_sweep(options, offer, team);
   if (!options.shard.empty() || options.dry_run || options.lease_s) {
     throw std::invalid_argument{"--shard, --dry-run and --lease-s: need --sweep"};
   }
@@ -192,26 +183,27 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     throw std::invalid_argument{"mpirun: only with --sweep; each of its " + std::to_string(team->size()) +
                                 " processes would do the same"};
   }
-  return run_pairing(options, pairings, open_window);
+  return run_selection(options, offer, open_window);
 }
 
 }  // namespace detail
 
-TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const std::vector<Pairing>& pairings,
-                                      const std::string& backend_versions, const LinkedParts& linked) {
+TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const Offer& offer, const LinkedParts& linked) {
   ExperimentOptions options;
   options.program = program_name(argv[0]);
   options.provenance = provenance(argc, argv);
-  const auto tables = detail::names_of(pairings, &Pairing::table);
+  options.own_tables = linked.own_tables;
+  std::string versions;
+  for (const LinkedBackend& one : offer.backends) versions += (versions.empty() ? "" : ", ") + one.name + " " + one.version;
   const std::unique_ptr<sweep::Team> team = linked.find_team == nullptr ? nullptr : linked.find_team();
   return run_command(argc, argv,
                      {.name = {},
-                      .about = "Runs an ecology of simulated robots by the rules of " + one_of(tables) +
+                      .about = "Runs an ecology of simulated robots by the rules of " + one_of(offer.table_names()) +
                                ", and leaves its events, agents, phylogeny and genomes with a manifest in a new folder.",
-                      .options = detail::options_of(options, pairings),
-                      .work = [&] { return detail::run_options(options, pairings, team.get(), linked.open_window); },
+                      .options = detail::options_of(options, offer),
+                      .work = [&] { return detail::run_options(options, offer, team.get(), linked.open_window); },
                       .subcommands = {},
-                      .version = version_text(backend_versions)});
+                      .version = version_text(versions)});
 }
 
 }  // namespace trophic::command

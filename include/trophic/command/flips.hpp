@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/replicates/plan.hpp>
 #include <trophic/rules/with_rules_of.hpp>
@@ -97,14 +97,15 @@ template <class Base, class Other>
 /// What all flips have in common. `plan.out` is the folder of a direction.
 struct Study {
   replicates::Plan plan;
+  BackendChoice backend;
   double duration_s = 6000.0;
   bool shadow = false;
   observe::Provenance provenance;
 };
 
 /// Runs one flip of Base towards Other into a folder of its name. A sentence for each replicate that is not complete. Defined in
-/// run_flip.hpp and compiled once for each direction and backend.
-template <class Base, class Other, Backend B>
+/// run_flip.hpp and compiled once for each direction.
+template <class Base, class Other>
 [[nodiscard]] std::vector<std::string> run_flip(const std::string& name, const Study& study);
 
 }  // namespace trophic::command

@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <optional>
 #include <trophic/command/config.hpp>
-#include <trophic/command/pairing.hpp>
+#include <trophic/command/experiment_options.hpp>
+#include <trophic/command/selection.hpp>
 #include <trophic/command/watching.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_description.hpp>
@@ -21,13 +22,14 @@ namespace trophic::command {
 [[nodiscard]] OriginRun read_origin(const ExperimentOptions& options);
 
 /// That run as this program makes it of its numbers.
-[[nodiscard]] observe::RunDescription describe(const Pairing& pairing, const OriginRun& origin);
+[[nodiscard]] observe::RunDescription describe(const Selection& selection, const OriginRun& origin);
 
-/// Makes in a folder what that run was at its moment, the same bytes. False if a signal came first.
-[[nodiscard]] bool replay(const Pairing& pairing, const OriginRun& origin, const std::filesystem::path& folder);
+/// Makes in a folder what that run was at its moment, the same bytes, and tables of one's own. False if a signal came first.
+[[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const observe::OwnTables& own_tables,
+                          const std::filesystem::path& folder);
 
-/// Does what the options say with a table on a backend and returns the exit code.
-[[nodiscard]] int run_experiment(const Pairing& pairing, const ExperimentOptions& options, const Config& config,
+/// Does what the options say with a selection and returns the exit code.
+[[nodiscard]] int run_experiment(const Selection& selection, const ExperimentOptions& options, const Config& config,
                                  const std::optional<OriginRun>& origin, OpenWindow open_window);
 
 /// What a plan says of a run: what it is, and how much.
@@ -37,10 +39,10 @@ struct PlannedFacts {
 };
 
 /// Of the numbers of a configuration file, or of the table's neutral shadow with them.
-[[nodiscard]] PlannedFacts facts(const Pairing& pairing, const Config& config, bool shadow);
+[[nodiscard]] PlannedFacts facts(const Selection& selection, const Config& config, bool shadow);
 
 /// Runs that, or goes on with it, in a folder.
-void run_planned(const Pairing& pairing, const Config& config, bool shadow, std::uint64_t seed,
+void run_planned(const Selection& selection, const Config& config, bool shadow, std::uint64_t seed,
                  const std::filesystem::path& folder, const replicates::Keeping& keeping, observe::JointProgress::Part progress,
                  const observe::StopOnSignal& stop);
 

@@ -80,7 +80,8 @@ namespace detail {
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
           .resume = options.resume,
           .checkpoints = {.every_s = options.checkpoint_s},
-          .extent = extent_of(options)};
+          .extent = extent_of(options),
+          .own_tables = options.own_tables};
 }
 
 /// What --seed, --duration, --robots and --robot say.
@@ -92,9 +93,9 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 }
 
 /// The experiment with the numbers that configuration and options say.
-[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Pairing& pairing, const ExperimentOptions& options,
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Selection& selection, const ExperimentOptions& options,
                                                                   const Config& config) {
-  auto experiment = pairing.experiment();
+  auto experiment = selection.experiment();
   std::size_t* threads = experiment->threads();
   if (threads != nullptr) *threads = std::max(1U, std::thread::hardware_concurrency());
   read_config_by([&](const toml::table& table) { experiment->read(table); }, experiment->named_params(), config);
@@ -106,17 +107,17 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 }
 
 /// The experiment that a run was made of.
-[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Pairing& pairing, const OriginRun& origin) {
-  auto experiment = pairing.experiment();
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Selection& selection, const OriginRun& origin) {
+  auto experiment = selection.experiment();
   experiment->read(origin.params);
   return experiment;
 }
 
 /// The experiment of a cell of a sweep, whose runs have one thread each.
-[[nodiscard]] inline std::unique_ptr<AnyExperiment> planned_experiment(const Pairing& pairing, const Config& config) {
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> planned_experiment(const Selection& selection, const Config& config) {
   ExperimentOptions one_thread;
   one_thread.threads = 1;
-  return experiment_of(pairing, one_thread, config);
+  return experiment_of(selection, one_thread, config);
 }
 
 /// The numbers of a table on a backend as a configuration file.
@@ -208,7 +209,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
                                          checkpoint::Standing standing, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out, options.provenance, extent_of(options), standing.opening(), ecology.state_columns()};
+  observe::RunFolder folder{options.out, options.provenance, extent_of(options), standing.opening(), ecology.state_columns(), options.own_tables};
   observe::Progress progress;
   try {
     if (standing.begins) {
@@ -318,12 +319,13 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
   return origin;
 }
 
-TROPHIC_INLINE observe::RunDescription describe(const Pairing& pairing, const OriginRun& origin) {
-  return detail::experiment_of(pairing, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
+TROPHIC_INLINE observe::RunDescription describe(const Selection& selection, const OriginRun& origin) {
+  return detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
 }
 
-TROPHIC_INLINE bool replay(const Pairing& pairing, const OriginRun& origin, const std::filesystem::path& folder) {
-  const std::unique_ptr<Simulation> ecology = detail::experiment_of(pairing, origin)->simulations(false)(origin.moment.seed);
+TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, const observe::OwnTables& own_tables,
+                           const std::filesystem::path& folder) {
+  const std::unique_ptr<Simulation> ecology = detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed);
   if (checkpoint::read_all(folder).empty()) {
     std::filesystem::remove_all(folder);  // a copy that was cut off
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
@@ -331,33 +333,33 @@ TROPHIC_INLINE bool replay(const Pairing& pairing, const OriginRun& origin, cons
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  observe::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns()};
+  observe::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns(), own_tables};
   observe::Progress progress;
   checkpoint::run_kept(*ecology, origin.moment.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology->time_s() >= origin.moment.at_s;
 }
 
-TROPHIC_INLINE int run_experiment(const Pairing& pairing, const ExperimentOptions& options, const Config& config,
+TROPHIC_INLINE int run_experiment(const Selection& selection, const ExperimentOptions& options, const Config& config,
                                   const std::optional<OriginRun>& origin, OpenWindow open_window) {
-  const auto experiment = detail::experiment_of(pairing, options, config);
-  if (options.print_config) return detail::print_config(pairing.table, pairing.backend, experiment->named_params());
+  const auto experiment = detail::experiment_of(selection, options, config);
+  if (options.print_config) return detail::print_config(selection.table->name, selection.backend->name, experiment->named_params());
   if (!options.print_table.empty()) return print_text(experiment->table_text(options.print_table));
   return options.replicates ? detail::run_replicates(options, *experiment, origin)
                             : detail::run_once(options, *experiment, origin, open_window);
 }
 
-TROPHIC_INLINE PlannedFacts facts(const Pairing& pairing, const Config& config, bool shadow) {
-  const auto experiment = detail::planned_experiment(pairing, config);
+TROPHIC_INLINE PlannedFacts facts(const Selection& selection, const Config& config, bool shadow) {
+  const auto experiment = detail::planned_experiment(selection, config);
   const EcologyParams& ecology = experiment->ecology();
   return {
       experiment->simulations(shadow)(experiment->seed())->describe(ecology.duration_s),
       static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * experiment->steps_a_second())};
 }
 
-TROPHIC_INLINE void run_planned(const Pairing& pairing, const Config& config, bool shadow, std::uint64_t seed,
+TROPHIC_INLINE void run_planned(const Selection& selection, const Config& config, bool shadow, std::uint64_t seed,
                                 const std::filesystem::path& folder, const replicates::Keeping& keeping,
                                 observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
-  const auto experiment = detail::planned_experiment(pairing, config);
+  const auto experiment = detail::planned_experiment(selection, config);
   const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow)(seed);
   replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, keeping, std::move(progress), stop);
 }

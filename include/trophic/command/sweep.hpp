@@ -3,7 +3,8 @@
 #pragma once
 
 #include <string>
-#include <trophic/command/pairing.hpp>
+#include <trophic/command/experiment_options.hpp>
+#include <trophic/command/selection.hpp>
 #include <trophic/replicates/sweep/plan_file.hpp>
 #include <trophic/replicates/sweep/sweep_file.hpp>
 #include <trophic/replicates/sweep/team.hpp>
@@ -15,11 +16,11 @@ namespace trophic::command {
 /// The plan of a sweep: its cells with the rule tables and backends of this program, each held against the numbers that its table
 /// has. Throws std::invalid_argument "FILE: cell 3 (SETTINGS): ..." for the first cell that cannot be run, and for two cells that
 /// are one experiment.
-[[nodiscard]] std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const std::vector<Pairing>& pairings);
+[[nodiscard]] std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer);
 
 /// What --sweep, --shard, --jobs and --dry-run say. `team`: the processes that MPI started, null for one that was started alone.
 /// Returns the exit code.
-[[nodiscard]] int run_sweep(const ExperimentOptions& options, const std::vector<Pairing>& pairings, sweep::Team* team);
+[[nodiscard]] int run_sweep(const ExperimentOptions& options, const Offer& offer, sweep::Team* team);
 
 }  // namespace trophic::command
 

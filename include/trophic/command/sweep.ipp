@@ -29,6 +29,7 @@
 #include <trophic/params/toml.hpp>
 #include <trophic/replicates/folder.hpp>
 #include <trophic/replicates/sweep/attempt.hpp>
+#include <trophic/replicates/sweep/claim.hpp>
 #include <trophic/replicates/sweep/folder.hpp>
 #include <trophic/replicates/sweep/work_through.hpp>
 #include <utility>
@@ -63,19 +64,14 @@ inline void insert(toml::table& table, std::string_view path, const Json& value)
   return config;
 }
 
-[[nodiscard]] inline const Pairing& pairing_of(const std::string& table, const std::string& engine,
-                                               const std::vector<Pairing>& pairings) {
-  std::vector<std::string> tables;
-  std::vector<std::string> engines;
-  for (const Pairing& pairing : pairings) {
-    if (pairing.table == table && pairing.backend == engine) return pairing;
-    if (std::ranges::find(tables, pairing.table) == tables.end()) tables.push_back(pairing.table);
-    if (std::ranges::find(engines, pairing.backend) == engines.end()) engines.push_back(pairing.backend);
-  }
-  if (std::ranges::find(tables, table) == tables.end()) {
-    throw std::invalid_argument{"rule_table = " + must_be_one_of(table, tables) + did_you_mean(nearest_word(table, tables))};
-  }
-  throw std::invalid_argument{"engine = " + must_be_one_of(engine, engines) + did_you_mean(nearest_word(engine, engines))};
+[[nodiscard]] inline Selection selection_of(const std::string& table, const std::string& engine, const Offer& offer) {
+  const auto refuse = [](const std::string& key, const std::string& name, const std::vector<std::string>& names) {
+    throw std::invalid_argument{key + " = " + must_be_one_of(name, names) + did_you_mean(nearest_word(name, names))};
+  };
+  const Selection selection{offer.table(table), offer.backend(engine)};
+  if (selection.table == nullptr) refuse("rule_table", table, offer.table_names());
+  if (selection.backend == nullptr) refuse("engine", engine, offer.backend_names());
+  return selection;
 }
 
 /// The choice that a cell makes under a key, taken out of its settings.
@@ -107,14 +103,14 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   }
 }
 
-[[nodiscard]] inline PlannedRun first_of(const Pairing& pairing, const sweep::Settings& settings, std::size_t cell, bool shadow) {
-  const PlannedFacts facts = command::facts(pairing, config_of(settings), shadow);
+[[nodiscard]] inline PlannedRun first_of(const Selection& selection, const sweep::Settings& settings, std::size_t cell, bool shadow) {
+  const PlannedFacts facts = command::facts(selection, config_of(settings), shadow);
   return {.index = 0,
           .cell = cell,
           .replicate = 0,
           .shadow = shadow,
-          .rule_table = pairing.table,
-          .engine = pairing.backend,
+          .rule_table = selection.table->name,
+          .engine = selection.backend->name,
           .settings = settings,
           .seed = 0,
           .until_s = facts.description.until_s,
@@ -145,20 +141,20 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   return files;
 }
 
-/// A plan's runs with the pairings that they are runs of.
+/// A plan's runs on what the program offers.
 class Runner {
  public:
-  Runner(const ExperimentOptions& options, const std::vector<Pairing>& pairings, const observe::StopOnSignal& stop)
-      : options_{options}, pairings_{pairings}, stop_{stop} {}
+  Runner(const ExperimentOptions& options, const Offer& offer, const observe::StopOnSignal& stop)
+      : options_{options}, offer_{offer}, stop_{stop} {}
 
   /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder.
   void run(const PlannedRun& run, const std::filesystem::path& folder, observe::JointProgress& progress,
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, run.extent};
+    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, run.extent, {}, options_.own_tables};
     keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
-    run_planned(pairing_of(run.rule_table, run.engine, pairings_), config, run.shadow, run.seed, folder, keeping,
+    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, keeping,
                 progress.watch(run.folder.string()), stop_);
   }
 
@@ -169,7 +165,7 @@ class Runner {
   }
 
   const ExperimentOptions& options_;
-  const std::vector<Pairing>& pairings_;
+  const Offer& offer_;
   const observe::StopOnSignal& stop_;
 };
 
@@ -293,7 +289,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
 
 }  // namespace detail::sweeps
 
-TROPHIC_INLINE std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const std::vector<Pairing>& pairings) {
+TROPHIC_INLINE std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer) {
   std::vector<sweep::PlannedRun> plan;
   std::map<std::pair<std::string, double>, std::size_t> seen;
   std::size_t number = 0;
@@ -303,12 +299,12 @@ TROPHIC_INLINE std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& fi
     const std::string name = file.path.string() + ": cell " + std::to_string(number) + (text.empty() ? "" : " (" + text + ")");
     try {
       sweep::Settings settings = cell;
-      const std::string table = detail::sweeps::take(settings, "rule_table", pairings.front().table);
-      const std::string engine = detail::sweeps::take(settings, "engine", std::string{default_backend});
-      const Pairing& pairing = detail::sweeps::pairing_of(table, engine, pairings);
+      const std::string table = detail::sweeps::take(settings, "rule_table", offer.tables.front().name);
+      const std::string engine = detail::sweeps::take(settings, "engine", offer.default_backend);
+      const Selection selection = detail::sweeps::selection_of(table, engine, offer);
       for (const bool shadow : {false, true}) {
         if (shadow && !file.numbers.shadow) continue;
-        const sweep::PlannedRun first = detail::sweeps::first_of(pairing, settings, number, shadow);
+        const sweep::PlannedRun first = detail::sweeps::first_of(selection, settings, number, shadow);
         if (!shadow) {
           const auto [other, is_new] = seen.emplace(std::pair{first.fingerprint, first.until_s}, number);
           if (!is_new) throw std::invalid_argument{"is the same experiment as cell " + std::to_string(other->second)};
@@ -323,10 +319,10 @@ TROPHIC_INLINE std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& fi
   return plan;
 }
 
-TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector<Pairing>& pairings, sweep::Team* team) {
+TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offer, sweep::Team* team) {
   const bool leads = team == nullptr || team->leads();
   const observe::StopOnSignal stop;
-  const detail::sweeps::Runner runner{options, pairings, stop};
+  const detail::sweeps::Runner runner{options, offer, stop};
   std::vector<sweep::PlannedRun> plan;
   sweep::Shard shard;
   try {
@@ -334,7 +330,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const std::vector
     const sweep::SweepFile file = sweep::read_sweep(options.sweep);
     if (!options.shard.empty()) shard = sweep::shard_of(options.shard);
     if (leads) {
-      plan = plan_of(file, pairings);
+      plan = plan_of(file, offer);
       if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
       sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
     }

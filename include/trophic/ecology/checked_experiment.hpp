@@ -2,11 +2,11 @@
 // An experiment's numbers with the habitat that they name, checked before anything is simulated.
 #pragma once
 
-#include <concepts>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <utility>
@@ -14,36 +14,33 @@
 namespace trophic {
 
 /// Numbers within their bounds, and a robot that has this gait and that the rules can steer.
-template <class Rules, Backend B>
+template <class Rules>
 struct CheckedExperiment {
-  Experiment<Rules, B> params;
+  Experiment<Rules> params;
+  BackendChoice backend;
   Habitat habitat;
 };
 
 /// Throws std::invalid_argument naming field, value and bound, or a robot that the rules cannot steer.
-template <class Rules, Backend B>
-[[nodiscard]] CheckedExperiment<Rules, B> checked(Experiment<Rules, B> params, Habitat habitat) {
+template <class Rules>
+[[nodiscard]] CheckedExperiment<Rules> checked(Experiment<Rules> params, BackendChoice backend, Habitat habitat) {
   validate(params, "");
+  backend.validate("backend");
   check_fit(habitat.gait, habitat.robot);
-  if constexpr (JointDriven<B>) {
+  if (backend.has_joints()) {
     locomotion::check_steerable(habitat.robot, make_policy<typename Rules::Steering>(params.rules.steering, "steering"));
   }
-  return {std::move(params), std::move(habitat)};
+  return {std::move(params), std::move(backend), std::move(habitat)};
 }
 
-/// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws as `checked` does,
-/// std::runtime_error for a missing or broken file.
-template <class Rules, Backend B>
-[[nodiscard]] CheckedExperiment<Rules, B> load_checked(Experiment<Rules, B> params) {
+/// Loads the models that `params.ecology` names. Throws as `checked` does, std::runtime_error for a missing or broken file.
+template <class Rules>
+[[nodiscard]] CheckedExperiment<Rules> load_checked(Experiment<Rules> params, BackendChoice backend) {
   validate(params, "");
-  if constexpr (requires { load_habitat(params.ecology); }) {
-    Habitat habitat = load_habitat(params.ecology);
-    if (params.ecology.gait.empty()) params.ecology.gait = habitat.robot.gait;
-    return checked<Rules, B>(std::move(params), std::move(habitat));
-  } else {
-    static_assert(std::same_as<Rules, void>,
-                  "an Ecology made from numbers alone reads model files: #include <trophic/habitat/load/habitat.hpp>");
-  }
+  backend.validate("backend");
+  Habitat habitat = load_habitat(params.ecology);
+  if (params.ecology.gait.empty()) params.ecology.gait = habitat.robot.gait;
+  return checked(std::move(params), std::move(backend), std::move(habitat));
 }
 
 }  // namespace trophic

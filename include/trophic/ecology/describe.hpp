@@ -4,36 +4,52 @@
 
 #include <string>
 #include <string_view>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/numbers_text.hpp>
+#include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/rules/table.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic {
 
-/// Everything that determines a run of `experiment` in `habitat` until `until_s` (ecology seconds), and its fingerprint. `tags`:
-/// those that the table's brains may choose.
-template <class Rules, Backend B>
-[[nodiscard]] observe::RunDescription describe(const Experiment<Rules, B>& experiment, const Habitat& habitat,
-                                               std::vector<int> tags, double until_s) {
-  observe::RunDescription run{.rules = table_name<Rules>(),
+/// All numbers of an experiment on a backend, in order.
+template <class Rules>
+[[nodiscard]] NamedParams named_params_of(const Experiment<Rules>& experiment, const BackendChoice& backend) {
+  NamedParams all = named_params_of(experiment);
+  backend.append_named_params("backend", all);
+  return all;
+}
+
+/// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
+/// fingerprint. `tags`: those that the table's brains may choose. A neutral shadow is described as the table with NothingInherited.
+template <class Rules>
+[[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
+                                               const Habitat& habitat, std::vector<int> tags, double until_s) {
+  using Shadow = with_heredity<Rules, reproduction::heredity::NothingInherited>;
+  observe::RunDescription run{.rules = experiment.shadow ? table_name<Shadow>() : table_name<Rules>(),
                               .slots = {},
-                              .named_params = named_params_of(experiment),
+                              .named_params = named_params_of(experiment, backend),
                               .tags = std::move(tags),
                               .inputs = Rules::Sensors::value_names(),
-                              .backend = std::string{B::name} + " " + B::version(),
-                              .remarks = B::remarks(experiment.physics),
+                              .backend = backend.name() + " " + backend.version(),
+                              .remarks = backend.remarks(experiment.physics),
                               .seed = experiment.seed,
                               .tick_s = experiment.ecology.tick_s,
                               .clock_scale = experiment.ecology.clock_scale,
                               .until_s = until_s,
                               .fingerprint = {}};
-  for_each_rule<Rules>([&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); });
+  const auto add = [&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); };
+  if (experiment.shadow) {
+    for_each_rule<Shadow>(add);
+    std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
+  } else {
+    for_each_rule<Rules>(add);
+  }
   run.fingerprint = observe::fingerprint(run, numbers_text(habitat));
   return run;
 }

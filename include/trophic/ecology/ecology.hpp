@@ -2,8 +2,8 @@
 // The ecology: who lives in which body, in what order the rules act, and when.
 #pragma once
 
+#include <any>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -12,7 +12,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/any_backend.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>
@@ -33,7 +34,6 @@
 #include <trophic/population/view.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/linkage.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <utility>
@@ -41,30 +41,29 @@
 
 namespace trophic {
 
-/// A population of robots that live, perceive, catch, starve and reproduce by the rules of one table in one physics backend.
+/// A population of robots that live, perceive, catch, starve and reproduce by the rules of one table, in a physics backend
+/// of any type: `Ecology<Paper> ecology({.seed = 1}, backend::Mujoco::Params{.threads = 2})`.
 ///
 /// A tick is `EcologyParams::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn,
 /// catches, senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run,
 /// whatever the number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is
 /// a RuleError.
-template <class Rules, Backend B, bool is_table>
+template <class Rules, bool is_table>
 class Ecology final : public Simulation {
  public:
-  using Params = Experiment<Rules, B>;
+  using Params = Experiment<Rules>;
 
   /// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws std::invalid_argument naming
-  /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file. A template,
-  /// as the models are those of the program that calls it, not of the library that holds the rest (installed_models.hpp).
-  template <class = void>
-  explicit Ecology(Params params = {}) : Ecology{load_checked<Rules, B>(std::move(params))} {}
+  /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
+  Ecology(Params params, BackendChoice backend) : Ecology{load_checked(std::move(params), std::move(backend))} {}
 
   /// In a habitat made by the program; the names in `params.ecology` are then only labels.
-  Ecology(Params params, Habitat habitat) : Ecology{checked<Rules, B>(std::move(params), std::move(habitat))} {}
+  Ecology(Params params, BackendChoice backend, Habitat habitat)
+      : Ecology{checked(std::move(params), std::move(backend), std::move(habitat))} {}
 
   void persist(Archive& archive) override {
-    auto bodies = backend_.save();
     auto rhythms = locomotion_.save();
-    archive(tick_, started_, poses_, starvation_clock_, population_, rhythms, bodies);
+    archive(tick_, started_, poses_, starvation_clock_, population_, rhythms, backend_);
     if (!archive.reads()) return;
     Archive::require(poses_.size() == population_.individuals().size(), "another number of robots");
     for (const GroundPose& pose : poses_) {
@@ -72,31 +71,31 @@ class Ecology final : public Simulation {
       Archive::require(is_somewhere, "a robot that stands nowhere");
     }
     locomotion_.restore(rhythms);
-    backend_.restore(bodies);
-    tree_ = SearchTree{poses_, population_.individuals()};
+    population_.stand_at(poses_);
   }
 
   [[nodiscard]] double time_s() const override { return static_cast<double>(tick_) * params_.ecology.tick_s; }
   [[nodiscard]] std::int64_t tick() const override { return tick_; }
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }
-  [[nodiscard]] const B& backend() const { return backend_; }
+  [[nodiscard]] const AnyBackend& backend() const { return backend_; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return population_.states(); }  ///< what rules with a State keep
 
   [[nodiscard]] View view() const override {
     return {.time_s = time_s(),
             .tick = tick_,
             .tick_s = params_.ecology.tick_s,
+            .robot_radius_m = habitat_.robot.bounding_radius_m,
             .web = web_,
             .arena = habitat_.arena,
             .robots = population_.individuals(),
             .poses = poses_,
-            .tree = poses_.size() >= tree_from_robots ? &tree_ : nullptr,
+            .tree = poses_.size() >= tree_from_robots ? population_.tree() : nullptr,
             .members = population_.members()};
   }
 
   [[nodiscard]] observe::RunDescription describe(double until_s) const override {
-    return trophic::describe(params_, habitat_, population_.tags(), until_s);
+    return trophic::describe(params_, choice_, habitat_, population_.tags(), until_s);
   }
 
   [[nodiscard]] observe::StateColumns state_columns() const override { return observe::state_columns(states()); }
@@ -104,24 +103,27 @@ class Ecology final : public Simulation {
  private:
   using SensorValues = typename Population<Rules>::Sensors::Values;
 
-  explicit Ecology(CheckedExperiment<Rules, B> from)
+  explicit Ecology(CheckedExperiment<Rules> from)
       : params_{std::move(from.params)},
+        choice_{std::move(from.backend)},
         habitat_{std::move(from.habitat)},
-        times_{.steps = control_steps_per_tick<B>(params_.ecology, params_.physics),
+        times_{.steps = control_steps_per_tick(params_.ecology, params_.physics, choice_.has_joints()),
                .tick_s = params_.ecology.tick_s,
                .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
-        population_{rules_, web_, params_.seed, founders()},
+        population_{rules_, web_, params_.seed, founders(), params_.shadow},
         poses_{place()},
-        backend_{habitat_.robot, habitat_.arena, standing_poses(poses_, habitat_.robot), params_.physics, params_.backend},
+        backend_{choice_.build(habitat_.robot, habitat_.arena, standing_poses(poses_, habitat_.robot), params_.physics)},
         locomotion_{habitat_.robot,
                     habitat_.gait,
                     rules_.steering,
                     params_.ecology.robots,
                     params_.ecology.control_hz,
                     params_.ecology.cpg_integration,
-                    static_cast<std::int64_t>(params_.ecology.idle_control_steps)} {}
+                    static_cast<std::int64_t>(params_.ecology.idle_control_steps)} {
+    population_.stand_at(poses_);
+  }
 
   void run(double until_s, observe::Audience& audience) override {
     try {
@@ -176,7 +178,7 @@ class Ecology final : public Simulation {
                       .y_m = root.position_m.y(),
                       .heading_rad = rules_.heading.heading_rad(root, habitat_.robot.forward_rad)};
     }
-    tree_ = SearchTree{poses_, population_.individuals()};
+    population_.stand_at(poses_);
     ++tick_;
     population_.walk(poses_before_, view());
     return true;
@@ -184,11 +186,11 @@ class Ecology final : public Simulation {
 
   [[nodiscard]] bool walk(observe::Audience& audience) {
     struct Before {
-      typename B::State bodies;
+      std::any bodies;
       typename decltype(locomotion_)::State rhythms;
     };
     std::optional<Before> before;
-    if (JointDriven<B> && audience.may_give_up()) before.emplace(Before{backend_.save(), locomotion_.save()});
+    if (backend_.has_joints() && audience.may_give_up()) before.emplace(Before{backend_.save(), locomotion_.save()});
     const auto gives_up = [&] { return before && audience.gives_up_tick(); };
     if (advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s(), gives_up)) return true;
     backend_.restore(before->bodies);
@@ -213,7 +215,6 @@ class Ecology final : public Simulation {
       if (population_[body].active) continue;
       if (!death::ask::activates(rules_.activation, states().activation[body], body, view())) continue;
       population_.activate(body, time_s(), rules_.activation.restarts_age());
-      tree_.mark(body, poses_[body], population_[body]);
       emit(audience, observe::EventKind::activation, body);
     }
   }
@@ -298,7 +299,6 @@ class Ecology final : public Simulation {
     emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
     population_.succeed(vacancy.body, *heir, succession, view());
     if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) locomotion_.reset(vacancy.body);
-    tree_.mark(vacancy.body, poses_[vacancy.body], population_[vacancy.body]);
     emit(audience, observe::EventKind::birth, vacancy.body);
   }
 
@@ -366,7 +366,6 @@ class Ecology final : public Simulation {
   void show_tag(observe::Audience& audience, BodyIndex body, int tag) {
     const bool switched = tag != population_[body].tag;
     population_.show_tag(body, tag);
-    if (switched) tree_.mark(body, poses_[body], population_[body]);
     if (rules_.tag_switch.restarts(switched)) population_.restart_tag_clock(body, time_s());
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }
@@ -375,14 +374,14 @@ class Ecology final : public Simulation {
   static constexpr std::size_t tree_from_robots = 64;
 
   Params params_;
+  BackendChoice choice_;
   Habitat habitat_;
   observe::FrameTimes times_;
   Policies<Rules> rules_;
   FoodWeb web_;
   Population<Rules> population_;
   std::vector<GroundPose> poses_;
-  SearchTree tree_{poses_, population_.individuals()};
-  B backend_;
+  AnyBackend backend_;
   locomotion::Locomotion<typename Rules::Steering> locomotion_;
   death::StarvationClock starvation_clock_;
   std::int64_t tick_ = 0;
@@ -393,8 +392,3 @@ class Ecology final : public Simulation {
 };
 
 }  // namespace trophic
-
-// The libraries hold the ecologies of the shipped tables, which say so behind their definitions.
-#if !TROPHIC_HEADER_ONLY && !defined(TROPHIC_OWN_ECOLOGIES)
-#define TROPHIC_COMPILED_ECOLOGIES
-#endif

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// All numbers of an experiment in one aggregate.
+// All numbers of an experiment but its backend's, in one aggregate.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <trophic/backend/contract.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 
 namespace trophic {
 
-/// All numbers of an experiment. Starts at the numbers of its rule table.
-template <class Rules, Backend B>
+/// All numbers of an experiment but those of its backend (BackendChoice). Starts at the numbers of its rule table.
+template <class Rules>
 struct Experiment {
   std::uint64_t seed = 1;
   EcologyParams ecology = Rules::ecology();
   Physics physics = Rules::physics();
   RuleParams<Rules> rules{};
-  typename B::Params backend{};
+  /// Runs the neutral shadow: the heredity rule is not asked, every inherited genome is drawn anew. Not a number that files set.
+  bool shadow = false;
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& experiment, Visitor&& visit) {
@@ -28,21 +28,27 @@ struct Experiment {
     visit(FieldText{"ecology"}, experiment.ecology);
     visit(FieldText{"physics"}, experiment.physics);
     visit(FieldText{"rules"}, experiment.rules);
-    visit(FieldText{"backend"}, experiment.backend);
   }
 };
 
-/// Control steps in one tick. Throws std::invalid_argument unless they are a whole number >= 1 and, for an engine that steps, no
+/// The neutral shadow of an experiment: the same seed and numbers, without inheritance. Labels, places and times of birth come about
+/// as in the experiment itself, so a metric that differs between the two shows what inheritance does.
+template <class Rules>
+[[nodiscard]] Experiment<Rules> shadow_of(Experiment<Rules> experiment) {
+  experiment.shadow = true;
+  return experiment;
+}
+
+/// Control steps in one tick. Throws std::invalid_argument unless they are a whole number >= 1 and, for a backend with joints, no
 /// physics step is longer than a control step.
-template <Backend B>
-[[nodiscard]] std::int64_t control_steps_per_tick(const EcologyParams& ecology, const Physics& physics) {
+[[nodiscard]] inline std::int64_t control_steps_per_tick(const EcologyParams& ecology, const Physics& physics, bool has_joints) {
   const double steps = ecology.tick_s * ecology.clock_scale * ecology.control_hz;
   const double whole = std::round(steps);
   if (whole < 1.0 || std::abs(steps - whole) > 1e-6) {
     throw std::invalid_argument{"ecology.tick_s = " + number_text(ecology.tick_s) + ": tick_s * clock_scale * control_hz = " +
                                 number_text(steps) + " control steps, must be a whole number >= 1"};
   }
-  if (JointDriven<B> && physics.timestep_s * ecology.control_hz > 1.0) {
+  if (has_joints && physics.timestep_s * ecology.control_hz > 1.0) {
     throw std::invalid_argument{"physics.timestep_s = " + number_text(physics.timestep_s) +
                                 ": must be <= " + number_text(1.0 / ecology.control_hz) + ", the control period"};
   }

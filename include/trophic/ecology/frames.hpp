@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/any_backend.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/frame.hpp>
@@ -19,8 +19,7 @@ struct KeptFrame {
   std::vector<Pose> roots;
   std::vector<double> angles_rad;
 
-  template <Backend B>
-  [[nodiscard]] static KeptFrame of(const B& backend, std::int64_t step) {
+  [[nodiscard]] static KeptFrame of(const AnyBackend& backend, std::int64_t step) {
     KeptFrame kept{.step = step, .roots = {}, .angles_rad = {}};
     for (std::size_t robot = 0; robot < backend.robots(); ++robot) {
       kept.roots.push_back(backend.pose(robot));
@@ -47,8 +46,8 @@ inline void show_frame(observe::Audience& audience, const KeptFrame& kept, const
 /// Moves the bodies through a whole tick, and shows the audience the frames that it asked for once the tick is over. Bodies move
 /// as without an audience: a backend's steps do not depend on where it is asked to pause. Returns false, with no frame shown and
 /// the bodies somewhere in the tick, if `gives_up()` said true between two control steps.
-template <class Locomotion, Backend B, class GivesUp>
-[[nodiscard]] bool advance_in_frames(observe::Audience& audience, Locomotion& locomotion, B& backend,
+template <class Locomotion, class GivesUp>
+[[nodiscard]] bool advance_in_frames(observe::Audience& audience, Locomotion& locomotion, AnyBackend& backend,
                                      std::span<const double> target_angles_rad, const Habitat& habitat,
                                      const observe::FrameTimes& times, double clock_s, GivesUp&& gives_up) {
   std::vector<KeptFrame> kept;

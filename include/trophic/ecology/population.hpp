@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Owner of who lives: founders, births, ids, genomes.
+// Owns the individuals: founders, births, ids, genomes, tags and the tree by which they are found.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/search_tree.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
@@ -57,9 +58,10 @@ class Population {
 
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
-  /// later births.
-  Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders)
-      : rules_{rules}, web_{web}, seed_{seed}, tags_{rules.brain.tags()} {
+  /// later births. `shadow`: the heredity rule is not asked, and every inherited genome is drawn anew.
+  Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders,
+             bool shadow = false)
+      : rules_{rules}, web_{web}, seed_{seed}, is_shadow_{shadow}, tags_{rules.brain.tags()} {
     check_tags(tags_);
     for (const Species species : founders) check_index("community", "species", species, web.size());
     members_.resize(web.size());
@@ -108,9 +110,18 @@ class Population {
     });
   }
 
+  /// Bodies stand at `poses` from now on, one for each; refers to them. From then on searches can use a tree.
+  void stand_at(std::span<const GroundPose> poses) {
+    poses_ = poses;
+    tree_ = SearchTree{poses_, individuals_};
+  }
+  /// Finds the closest bodies; null before `stand_at`.
+  [[nodiscard]] const SearchTree* tree() const { return poses_.empty() ? nullptr : &tree_; }
+
   /// The newborn in a body can be caught and seen from now on; its age counts from now where the rule says so.
   void activate(BodyIndex body, double time_s, bool restarts_age) {
     individuals_[body].active = true;
+    mark(body);
     if (restarts_age) individuals_[body].age_from_s = time_s;
   }
 
@@ -170,7 +181,11 @@ class Population {
 
   /// Where it wants to go from now on, positive to the right.
   void turn(BodyIndex body, double target_angle_rad) { individuals_[body].target_angle_rad = target_angle_rad; }
-  void show_tag(BodyIndex body, int tag) { individuals_[body].tag = tag; }
+  void show_tag(BodyIndex body, int tag) {
+    if (individuals_[body].tag == tag) return;
+    individuals_[body].tag = tag;
+    mark(body);
+  }
   void restart_tag_clock(BodyIndex body, double time_s) { individuals_[body].tag_since_s = time_s; }
 
   /// Who inherits a vacant body: decides between random and inherited and asks the parent rule, whose states are given. Changes
@@ -190,7 +205,7 @@ class Population {
   /// The body's occupant is gone, an offspring or a random newcomer of `species` takes over where it stands.
   void succeed(BodyIndex body, Species species, const Succession& succession, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
-    auto genome = succession.parent ? rules_.heredity.inherit(succession.parent->genome) : nullptr;
+    auto genome = succession.parent && !is_shadow_ ? rules_.heredity.inherit(succession.parent->genome) : nullptr;
     bear_states(born, body, genome ? body_of(succession.parent->id) : std::nullopt);
     if (succession.parent) {
       descend(born, body, *succession.parent, std::move(genome));
@@ -205,9 +220,15 @@ class Population {
       bodies_[born.id] = body;
     }
     individuals_[body] = std::move(born);
+    mark(body);
   }
 
  private:
+  /// A body's species, tag or activity changed.
+  void mark(BodyIndex body) {
+    if (!poses_.empty()) tree_.mark(body, poses_[body], individuals_[body]);
+  }
+
   [[nodiscard]] std::span<const double> weights(BodyIndex body) const { return individuals_[body].genome->weights; }
 
   /// Throws std::invalid_argument for somebody who cannot have lived by these rules.
@@ -281,12 +302,15 @@ class Population {
   const Policies<Rules>& rules_;
   const FoodWeb& web_;
   std::uint64_t seed_;
+  bool is_shadow_;
   std::vector<int> tags_;
   IndividualId next_id_ = 0;
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;
   std::vector<std::size_t> members_;                         ///< of each species
   std::unordered_map<IndividualId, BodyIndex> bodies_ = {};  ///< of everybody, where rules have states
+  std::span<const GroundPose> poses_ = {};                   ///< where they stand
+  SearchTree tree_;
   RuleStates<Rules> states_;
 };
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/habitat.hpp>
@@ -14,24 +14,24 @@
 
 namespace trophic {
 
-template <class Rules, Backend B, bool is_table = is_rule_table<Rules>>
+template <class Rules, bool is_table = is_rule_table<Rules>>
 class Ecology;
 
 /// Takes what an ecology takes and has no definitions: a program never gets as far.
-template <class Rules, Backend B>
-class Ecology<Rules, B, false> final : public Simulation {
+template <class Rules>
+class Ecology<Rules, false> final : public Simulation {
   static_assert(sizeof(RuleParams<Rules>) > 0);  // says what is wrong with the table
 
  public:
-  using Params = Experiment<Rules, B>;
-  explicit Ecology(const Params& params = {});
-  Ecology(const Params& params, const Habitat& habitat);
+  using Params = Experiment<Rules>;
+  Ecology(const Params& params, const BackendChoice& backend);
+  Ecology(const Params& params, const BackendChoice& backend, const Habitat& habitat);
   void persist(Archive& archive) override;
   [[nodiscard]] double time_s() const override;
   [[nodiscard]] std::int64_t tick() const override;
   [[nodiscard]] const Params& params() const;
   [[nodiscard]] const Habitat& habitat() const;
-  [[nodiscard]] const B& backend() const;
+  [[nodiscard]] const AnyBackend& backend() const;
   [[nodiscard]] View view() const override;
   [[nodiscard]] observe::RunDescription describe(double until_s) const override;
   [[nodiscard]] observe::StateColumns state_columns() const override;

@@ -12,12 +12,14 @@
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/observe/own_table.hpp>
 #include <trophic/observe/recording.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/state_log.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::observe {
@@ -38,7 +40,7 @@ struct Extent {
 };
 
 /// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, where asked for, senses.csv
-/// and states.csv in a new folder. Tables are flushed at every tick, so that a crash keeps what happened before it; the manifest
+/// and states.csv in a new folder, with tables of one's own (own_table.hpp). Tables are flushed at every tick, so that a crash keeps what happened before it; the manifest
 /// says how the run ended, and how many rows each table has. Watches one call of run_until. No other program can go on in the
 /// folder meanwhile.
 class RunFolder {
@@ -50,7 +52,7 @@ class RunFolder {
   /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, to the extent to
   /// which it began; throws std::runtime_error if a file is missing or another program works in it.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const Extent& extent = {},
-                     Opening opening = Opening::made_new, StateColumns states = {});
+                     Opening opening = Opening::made_new, StateColumns states = {}, const OwnTables& own_tables = {});
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
@@ -60,7 +62,7 @@ class RunFolder {
   void on_start(const RunDescription& run, const View& view);
   void on_event(const Event& event, const View& view);
   void on_tick(const View& view);
-  [[nodiscard]] bool wants_deliberations() const;
+  [[nodiscard]] bool wants_deliberations();
   void on_deliberation(const Deliberation& deliberation, const View& view);
   void on_reprieve(BodyIndex hunter, const View& view);
   void on_frame(const Frame& frame);
@@ -75,11 +77,13 @@ class RunFolder {
 
  private:
   struct Tables;
+  [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const;
   void open_more(bool senses, bool states, Opening opening);
 
   std::filesystem::path path_;
   FolderLock lock_;
   StateColumns states_;
+  std::vector<std::unique_ptr<AnyOwnTable>> own_tables_;
   std::unique_ptr<Tables> tables_;
   Manifest manifest_;
   Recording recording_;

@@ -69,7 +69,7 @@ struct RunFolder::Tables {
 };
 
 TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, const Extent& extent,
-                                    Opening opening, StateColumns states)
+                                    Opening opening, StateColumns states, const OwnTables& own_tables)
     : path_{opening == Opening::made_new ? make_new_folder(path) : path},
       lock_{path_},
       states_{std::move(states)},
@@ -82,6 +82,7 @@ TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenanc
       manifest_{path_ / "manifest.json", std::move(provenance)},
       recording_{path_ / "replay.trp", extent.replay_hz, opening} {
   if (opening == Opening::made_new) open_more(extent.senses, extent.states, opening);
+  for (const MakeOwnTable& make : own_tables) own_tables_.push_back(make(path_, opening));
 }
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
 TROPHIC_INLINE RunFolder& RunFolder::operator=(RunFolder&&) noexcept = default;
@@ -95,6 +96,18 @@ TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   if (archive.reads()) open_more(senses, states, Opening::gone_on_with);
   if (senses) archive(*tables_->senses);
   if (states) archive(*tables_->states);
+  for (const auto& table : own_tables_) {
+    std::string name = table->file_name();
+    archive(name);
+    Archive::require(name == table->file_name(), "other tables of one's own");
+    table->persist(archive);
+  }
+}
+
+TROPHIC_INLINE std::vector<std::pair<std::string, TableSum>> RunFolder::sums() const {
+  auto all = tables_->sums();
+  for (const auto& table : own_tables_) all.emplace_back(table->file_name(), table->sum());
+  return all;
 }
 
 TROPHIC_INLINE void RunFolder::open_more(bool senses, bool states, Opening opening) {
@@ -111,6 +124,7 @@ TROPHIC_INLINE void RunFolder::on_start(const RunDescription& run, const View& v
   }
   manifest_.on_start(run, view);
   recording_.on_start(run, view);
+  for (const auto& table : own_tables_) table->observer().start(run, view);
 }
 
 TROPHIC_INLINE void RunFolder::on_event(const Event& event, const View& view) {
@@ -118,18 +132,23 @@ TROPHIC_INLINE void RunFolder::on_event(const Event& event, const View& view) {
   tables_->phylogeny.on_event(event, view);
   tables_->genomes.on_event(event, view);
   manifest_.on_event(event, view);
+  for (const auto& table : own_tables_) table->observer().event(event, view);
 }
 
-TROPHIC_INLINE bool RunFolder::wants_deliberations() const {
-  return tables_->senses.has_value();
+TROPHIC_INLINE bool RunFolder::wants_deliberations() {
+  bool any = tables_->senses.has_value();
+  for (const auto& table : own_tables_) any = table->observer().wants_deliberations() || any;
+  return any;
 }
 
 TROPHIC_INLINE void RunFolder::on_deliberation(const Deliberation& deliberation, const View& view) {
-  tables_->senses->on_deliberation(deliberation, view);
+  if (tables_->senses) tables_->senses->on_deliberation(deliberation, view);
+  for (const auto& table : own_tables_) table->observer().deliberation(deliberation, view);
 }
 
 TROPHIC_INLINE void RunFolder::on_reprieve(BodyIndex hunter, const View& view) {
   if (tables_->senses) tables_->senses->on_reprieve(hunter, view);
+  for (const auto& table : own_tables_) table->observer().reprieve(hunter, view);
 }
 
 TROPHIC_INLINE void RunFolder::on_frame(const Frame& frame) {
@@ -144,7 +163,7 @@ TROPHIC_INLINE double RunFolder::frame_hz() const {
 
 TROPHIC_INLINE std::vector<std::string> RunFolder::files() const {
   std::vector<std::string> names;
-  for (const auto& [name, sum] : tables_->sums()) names.push_back(name);
+  for (const auto& [name, sum] : sums()) names.push_back(name);
   names.emplace_back("manifest.json");
   if (recording_.frame_hz() > 0.0) names.emplace_back("replay.trp");
   return names;
@@ -158,18 +177,21 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
   if (tables_->senses) tables_->senses->on_tick(view);
   if (tables_->states) tables_->states->on_tick(view);
   manifest_.on_tick(view);
+  for (const auto& table : own_tables_) table->observer().tick(view);
 }
 
 TROPHIC_INLINE void RunFolder::on_end(const View& view) {
   tables_->events.on_end(view);
   tables_->phylogeny.on_end(view);
+  for (const auto& table : own_tables_) table->observer().end(view);
   recording_.on_end(view);
-  manifest_.set_tables(tables_->sums());
+  manifest_.set_tables(sums());
   manifest_.on_end(view);
 }
 
 TROPHIC_INLINE void RunFolder::on_failure(std::string_view what) {
-  manifest_.set_tables(tables_->sums());
+  for (const auto& table : own_tables_) table->observer().failure(what);
+  manifest_.set_tables(sums());
   manifest_.on_failure(what);
   recording_.on_failure(what);
 }

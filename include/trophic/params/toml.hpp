@@ -67,6 +67,12 @@ void read_value(T& target, const toml::node& node, const std::string& path) {
 template <class P>
 void read_table(P& params, const toml::table& table, const std::string& prefix);
 
+/// What reads the numbers of a table by itself: `path` is the table's, for errors.
+template <class T>
+concept ReadsNumbers = requires(T& value, const toml::table& table, const std::string& path) {
+  value.read_numbers(table, path);
+};
+
 /// Sets the field that has the name `key`.
 struct ReadField {
   std::string_view key;
@@ -80,7 +86,10 @@ struct ReadField {
     keys += (keys.empty() ? "" : ", ") + std::string{f.name};
     if (f.name != key) return;
     known = true;
-    if constexpr (HasFields<T> || (std::is_empty_v<T> && !std::is_enum_v<T>)) {
+    if constexpr (ReadsNumbers<T>) {
+      if (!node.is_table()) reject(path, node, "a table of numbers");
+      value.read_numbers(*node.as_table(), path);
+    } else if constexpr (HasFields<T> || (std::is_empty_v<T> && !std::is_enum_v<T>)) {
       if (!node.is_table()) reject(path, node, "a table of numbers");
       read_table(value, *node.as_table(), path);
     } else {

@@ -38,6 +38,12 @@ class SearchTree {
     return found.body;
   }
 
+  /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
+  template <class Visit>
+  void for_each_near(const GroundPose& point, double radius_m, Visit&& visit) const {
+    if (!levels_.empty()) grid_.for_each_near(point.x_m, point.y_m, radius_m, visit);
+  }
+
  private:
   struct Level {
     std::ptrdiff_t side;  ///< squares in a row

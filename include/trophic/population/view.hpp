@@ -14,6 +14,7 @@
 #include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/support/units.hpp>
+#include <vector>
 
 namespace trophic {
 
@@ -23,6 +24,7 @@ struct View {
   double time_s = 0.0;    ///< the ecology's clock
   std::int64_t tick = 0;  ///< number of this decision step; 0 at the start
   double tick_s = 2.0;    ///< length of a decision step
+  double robot_radius_m = 0.0;  ///< of the circle around a standing robot
   const FoodWeb& web;
   const Arena& arena;
   std::span<const Individual> robots;
@@ -63,6 +65,21 @@ struct View {
     } else {
       return closest_body(self, accepts, search);
     }
+  }
+
+  /// All bodies whose centres are at most `radius_m` from a point on the floor, ascending.
+  [[nodiscard]] std::vector<BodyIndex> within(const GroundPose& point, double radius_m) const {
+    std::vector<BodyIndex> bodies;
+    const auto take = [&](BodyIndex body) {
+      if (trophic::distance_m(point, poses[body]) <= radius_m) bodies.push_back(body);
+    };
+    if (tree != nullptr) {
+      tree->for_each_near(point, radius_m, take);
+      std::ranges::sort(bodies);
+    } else {
+      for (BodyIndex body = 0; body < poses.size(); ++body) take(body);
+    }
+    return bodies;
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/checkpoint/schedule.hpp>
 #include <trophic/observe/manifest.hpp>
+#include <trophic/observe/own_table.hpp>
 #include <trophic/observe/run_folder.hpp>
 
 namespace trophic::replicates {
@@ -17,6 +18,7 @@ struct Keeping {
   checkpoint::Schedule checkpoints = {};
   observe::Extent extent = {};                ///< how much of each run is written down
   std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
+  observe::OwnTables own_tables = {};         ///< that each run writes, too
 };
 
 }  // namespace trophic::replicates

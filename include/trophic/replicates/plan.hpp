@@ -10,6 +10,7 @@
 #include <string>
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/checkpoint/schedule.hpp>
+#include <trophic/observe/own_table.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
@@ -46,6 +47,7 @@ struct Plan {
   checkpoint::Schedule checkpoints = {};      ///< of each replicate
   observe::Extent extent = {};                ///< how much of each run is written down
   std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
+  observe::OwnTables own_tables = {};         ///< that each run writes, too
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

@@ -54,11 +54,11 @@ Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const 
                      });
 }
 
-/// Replicates of an experiment, for its `ecology.duration_s`.
-template <class Rules, Backend B, class... Observers>
-Outcome run(const Experiment<Rules, B>& experiment, const Plan& plan, const observe::Provenance& provenance, std::ostream& out,
+/// Replicates of an experiment on a backend, for its `ecology.duration_s`.
+template <class Rules, class... Observers>
+Outcome run(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan, const observe::Provenance& provenance, std::ostream& out,
             Observers&... extra) {
-  return run(simulations_of(experiment), experiment.ecology.duration_s, plan, provenance, out, extra...);
+  return run(simulations_of(experiment, backend), experiment.ecology.duration_s, plan, provenance, out, extra...);
 }
 
 }  // namespace trophic::replicates

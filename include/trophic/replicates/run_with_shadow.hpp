@@ -4,7 +4,7 @@
 
 #include <ostream>
 #include <string>
-#include <trophic/ecology/shadow_of.hpp>
+#include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/replicates/plan.hpp>
@@ -19,11 +19,13 @@ namespace trophic::replicates {
 std::vector<std::string> run_with_shadow(const MakeSimulation& make, const MakeSimulation& shadow, double until_s,
                                          const Plan& plan, const observe::Provenance& provenance, std::ostream& out);
 
-/// Of an experiment, for its `ecology.duration_s`.
-template <class Rules, Backend B>
-std::vector<std::string> run_with_shadow(const Experiment<Rules, B>& experiment, const Plan& plan, bool with_shadow,
+/// Of an experiment on a backend, for its `ecology.duration_s`.
+template <class Rules>
+std::vector<std::string> run_with_shadow(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan,
+                                         bool with_shadow,
                                          const observe::Provenance& provenance, std::ostream& out) {
-  return run_with_shadow(simulations_of(experiment), with_shadow ? simulations_of(shadow_of(experiment)) : nullptr,
+  return run_with_shadow(simulations_of(experiment, backend),
+                         with_shadow ? simulations_of(shadow_of(experiment), backend) : nullptr,
                          experiment.ecology.duration_s, plan, provenance, out);
 }
 

@@ -116,14 +116,3 @@ struct Released final {
 };
 
 }  // namespace trophic::rules
-
-// Where an ecology and a backend have been included before, their library has this table's ecology.
-#if defined(TROPHIC_COMPILED_ECOLOGIES) && defined(TROPHIC_HAS_KINEMATIC)
-extern template class trophic::Ecology<trophic::rules::Released, trophic::backend::Kinematic>;
-#endif
-#if defined(TROPHIC_COMPILED_ECOLOGIES) && defined(TROPHIC_HAS_MUJOCO)
-extern template class trophic::Ecology<trophic::rules::Released, trophic::backend::Mujoco>;
-#endif
-#if defined(TROPHIC_COMPILED_ECOLOGIES) && defined(TROPHIC_HAS_ODE)
-extern template class trophic::Ecology<trophic::rules::Released, trophic::backend::Ode>;
-#endif

@@ -31,7 +31,7 @@ int main() {
     std::cerr << "two translation units draw different numbers\n";
     return 1;
   }
-  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.seed = 42});
+  trophic::Ecology<trophic::rules::Paper> ecology({.seed = 42}, trophic::backend::Kinematic::Params{});
   ecology.run_until(20.0);
   std::cout << ecology.view().robots.size() << " robots lived " << ecology.time_s() << " s\n";
 #endif

@@ -30,6 +30,6 @@ struct NoTag {
 
 int main() {
   using Rules = trophic::with_newborn_tag<trophic::with_brain<trophic::rules::Paper, Reflex>, NoTag>;
-  trophic::Ecology<Rules, trophic::backend::Kinematic> ecology;
+  trophic::Ecology<Rules> ecology{{}, trophic::backend::Kinematic::Params{}};
   ecology.run_until(10.0);
 }

@@ -9,8 +9,8 @@
 
 int main() {
 #ifdef VALID
-  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.seed = 42});
+  trophic::Ecology<trophic::rules::Paper> ecology({.seed = 42}, trophic::backend::Kinematic::Params{});
 #else
-  trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic> ecology({.sed = 42});
+  trophic::Ecology<trophic::rules::Paper> ecology({.sed = 42}, trophic::backend::Kinematic::Params{});
 #endif
 }

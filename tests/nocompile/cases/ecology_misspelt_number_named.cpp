@@ -7,10 +7,10 @@
 #include <trophic/rules/paper.hpp>
 
 int main() {
-  using Ecology = trophic::Ecology<trophic::rules::Paper, trophic::backend::Kinematic>;
+  using Ecology = trophic::Ecology<trophic::rules::Paper>;
 #ifdef VALID
-  Ecology ecology(Ecology::Params{.seed = 42});
+  Ecology ecology(Ecology::Params{.seed = 42}, trophic::backend::Kinematic::Params{});
 #else
-  Ecology ecology(Ecology::Params{.sed = 42});
+  Ecology ecology(Ecology::Params{.sed = 42}, trophic::backend::Kinematic::Params{});
 #endif
 }

@@ -50,6 +50,6 @@ struct Table final {
 };
 
 int main() {
-  trophic::Ecology<Table, trophic::backend::Kinematic> ecology({.seed = 1});
+  trophic::Ecology<Table> ecology({.seed = 1}, trophic::backend::Kinematic::Params{});
   ecology.run_until(10.0);
 }

@@ -13,6 +13,6 @@ using Policy = trophic::rules::Paper::Floor;
 #endif
 
 int main() {
-  trophic::Ecology<trophic::with_reprieve<trophic::rules::Paper, Policy>, trophic::backend::Kinematic> ecology({.seed = 2});
+  trophic::Ecology<trophic::with_reprieve<trophic::rules::Paper, Policy>> ecology({.seed = 2}, trophic::backend::Kinematic::Params{});
   ecology.run_until(10.0);
 }

@@ -26,6 +26,6 @@ struct Odometer {
 
 int main() {
   using Sensors = trophic::perception::sensors::List<Odometer>;
-  trophic::Ecology<trophic::with_sensors<trophic::rules::Paper, Sensors>, trophic::backend::Kinematic> ecology;
+  trophic::Ecology<trophic::with_sensors<trophic::rules::Paper, Sensors>> ecology{{}, trophic::backend::Kinematic::Params{}};
   ecology.run_until(10.0);
 }

@@ -21,6 +21,6 @@ struct Age {
 
 int main() {
   using Sensors = trophic::perception::sensors::List<Age>;
-  trophic::Ecology<trophic::with_sensors<trophic::rules::Paper, Sensors>, trophic::backend::Kinematic> ecology;
+  trophic::Ecology<trophic::with_sensors<trophic::rules::Paper, Sensors>> ecology{{}, trophic::backend::Kinematic::Params{}};
   ecology.run_until(10.0);
 }

@@ -12,6 +12,6 @@ int main() {
 #else
   using Sensors = trophic::perception::sensors::SideOfAdversary;
 #endif
-  trophic::Ecology<trophic::with_sensors<trophic::rules::Paper, Sensors>, trophic::backend::Kinematic> ecology;
+  trophic::Ecology<trophic::with_sensors<trophic::rules::Paper, Sensors>> ecology{{}, trophic::backend::Kinematic::Params{}};
   ecology.run_until(10.0);
 }

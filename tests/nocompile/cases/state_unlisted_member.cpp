@@ -26,6 +26,6 @@ struct Keeper {
 };
 
 int main() {
-  trophic::Ecology<trophic::with_senescence<trophic::rules::Paper, Keeper>, trophic::backend::Kinematic> ecology;
+  trophic::Ecology<trophic::with_senescence<trophic::rules::Paper, Keeper>> ecology{{}, trophic::backend::Kinematic::Params{}};
   ecology.run_until(10.0);
 }

@@ -102,13 +102,13 @@ class Tables {
 
 /// `count` short runs of the paper's rules on the kinematic backend, all alike but for their seeds.
 std::vector<RunMetrics> pool_of_runs(std::size_t count) {
-  using Experiment = Ecology<rules::Paper, backend::Kinematic>;
+  using Experiment = Ecology<rules::Paper>;
   constexpr double until_s = 600.0;
   std::vector<RunMetrics> pool;
   for (std::size_t i = 0; i < count; ++i) {
     Experiment::Params params;
     params.seed = 1000 + i;
-    Experiment ecology{params};
+    Experiment ecology{params, backend::Kinematic::Params{}};
     Tables tables;
     ecology.run_until(until_s, tables);
     pool.push_back(std::move(tables).measured(test::prey_and_predators, 10.0, until_s));

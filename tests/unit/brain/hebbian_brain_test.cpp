@@ -23,7 +23,7 @@ const std::vector<double> weights{0.5, -0.3, 0.8, 0.1, 0.9, -0.7, -0.2, 0.4, 0.6
 constexpr std::array inputs{1.0, 0.25, -0.5};
 
 using Learning = with_brain<rules::Paper, HebbianBrain>;
-using Kinematics = Ecology<Learning, backend::Kinematic>;
+using Kinematics = Ecology<Learning>;
 
 /// Follows genomes and what is learnt through a run without mutations.
 struct Lives {
@@ -108,7 +108,7 @@ TEST_CASE("hebbian brain: weights stay bounded however long it learns") {
 TEST_CASE("hebbian brain: what is learnt ends with a life, and genomes are inherited as they were") {
   Kinematics::Params params{.seed = 4};
   params.rules.mutation.sd = 0.0;
-  Kinematics ecology{params};
+  Kinematics ecology{params, backend::Kinematic::Params{}};
   Lives lives{ecology};
   ecology.run_until(2000.0, lives);
   CHECK(lives.inherited > 20);

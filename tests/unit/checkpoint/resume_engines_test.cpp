@@ -16,9 +16,8 @@ using namespace trophic;
 using namespace trophic::test;
 
 /// Few robots in a small square, which touch from the start.
-template <class B>
-Experiment<rules::Released, B> crowd(const std::string& arena, double half_extent_m, double duration_s) {
-  Experiment<rules::Released, B> experiment;
+Experiment<rules::Released> crowd(const std::string& arena, double half_extent_m, double duration_s) {
+  Experiment<rules::Released> experiment;
   experiment.seed = 4;
   experiment.ecology.duration_s = duration_s;
   experiment.ecology.robots = 6;
@@ -28,28 +27,27 @@ Experiment<rules::Released, B> crowd(const std::string& arena, double half_exten
   return experiment;
 }
 
-constexpr auto other_threads = [](std::size_t part, auto& experiment) { experiment.backend.threads = part % 2 == 0 ? 2 : 1; };
+constexpr auto other_threads = [](std::size_t part, auto& backend) { backend.threads = part % 2 == 0 ? 2 : 1; };
 
 }  // namespace
 
 TEST_CASE("MuJoCo, fast, robots that touch, with another number of threads before and after") {
   const TemporaryFolder folder;
-  check_resumed(crowd<backend::Mujoco>("walled_square", 0.8, 40.0), folder.path(), {7, 13}, 8.0, other_threads);
+  check_resumed(crowd("walled_square", 0.8, 40.0), backend::Mujoco::Params{}, folder.path(), {7, 13}, 8.0, other_threads);
 }
 
 TEST_CASE("MuJoCo, islands, robots that touch") {
   const TemporaryFolder folder;
-  auto experiment = crowd<backend::Mujoco>("walled_square", 0.8, 16.0);
-  experiment.backend.stepping = backend::Mujoco::Stepping::islands;
-  check_resumed(experiment, folder.path(), {5}, 6.0, other_threads);
+  const backend::Mujoco::Params islands{.stepping = backend::Mujoco::Stepping::islands};
+  check_resumed(crowd("walled_square", 0.8, 16.0), islands, folder.path(), {5}, 6.0, other_threads);
 }
 
 TEST_CASE("MuJoCo, fast, on the slopes of a height field") {
   const TemporaryFolder folder;
-  check_resumed(crowd<backend::Mujoco>("height_field", 9.3, 24.0), folder.path(), {4, 9}, 4.0, other_threads);
+  check_resumed(crowd("height_field", 9.3, 24.0), backend::Mujoco::Params{}, folder.path(), {4, 9}, 4.0, other_threads);
 }
 
 TEST_CASE("ODE, robots that touch, with another number of threads before and after") {
   const TemporaryFolder folder;
-  check_resumed(crowd<backend::Ode>("walled_square", 0.8, 10.0), folder.path(), {3}, 2.0, other_threads);
+  check_resumed(crowd("walled_square", 0.8, 10.0), backend::Ode::Params{}, folder.path(), {3}, 2.0, other_threads);
 }

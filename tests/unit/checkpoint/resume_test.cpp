@@ -27,8 +27,8 @@ namespace fs = std::filesystem;
 constexpr auto unchanged = [](std::size_t, auto&) {};
 
 template <class Rules>
-Experiment<Rules, backend::Kinematic> brief(std::uint64_t seed, double duration_s = 600.0) {
-  Experiment<Rules, backend::Kinematic> experiment;
+Experiment<Rules> brief(std::uint64_t seed, double duration_s = 600.0) {
+  Experiment<Rules> experiment;
   experiment.seed = seed;
   experiment.ecology.duration_s = duration_s;
   return experiment;
@@ -59,7 +59,7 @@ void check_random_moments() {
     const std::vector<std::int64_t> cuts{static_cast<std::int64_t>(rng.index(ticks + 1))};
     CAPTURE(experiment.seed);
     CAPTURE(cuts[0]);
-    check_resumed(experiment, folder.path(), cuts, 10.0 + 200.0 * rng.uniform(), unchanged);
+    check_resumed(experiment, backend::Kinematic::Params{}, folder.path(), cuts, 10.0 + 200.0 * rng.uniform(), unchanged);
   }
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("so does a run that is cut off ten times") {
   Rng rng{1, Stream::user};
   for (int i = 0; i < 10; ++i) cuts.push_back(1 + static_cast<std::int64_t>(rng.index(300)));
   std::ranges::sort(cuts);
-  check_resumed(brief<rules::Released>(5), folder.path(), cuts, 30.0, unchanged);
+  check_resumed(brief<rules::Released>(5), backend::Kinematic::Params{}, folder.path(), cuts, 30.0, unchanged);
   const auto manifest = parse_json(content(folder.path() / "parts/manifest.json"));
   CHECK(manifest["status"] == "complete");
   CHECK(manifest["continued"].size() >= 5);
@@ -87,9 +87,9 @@ TEST_CASE("so does a run that is cut off ten times") {
 
 TEST_CASE("so does a run that was stopped, and one that is made longer") {
   const TemporaryFolder folder;
-  run_in_parts(brief<rules::Paper>(3), folder.path() / "whole", {}, 100.0, unchanged);
+  run_in_parts(brief<rules::Paper>(3), backend::Kinematic::Params{}, folder.path() / "whole", {}, 100.0, unchanged);
   const auto part = [&](double until_s, std::int64_t stop_tick) {
-    Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3, until_s)};
+    Ecology<rules::Paper> ecology{brief<rules::Paper>(3, until_s), backend::Kinematic::Params{}};
     const auto standing = checkpoint::standing_in(folder.path() / "parts", ecology.describe(until_s));
     observe::RunFolder files{folder.path() / "parts", {}, {}, standing.opening()};
     StopAt stop{.tick = stop_tick};
@@ -109,16 +109,16 @@ TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that 
   const TemporaryFolder folder;
   const fs::path whole = folder.path() / "whole";
   const fs::path parts = folder.path() / "parts";
-  run_part(brief<rules::Released>(5), whole, never, 50.0, {.agents_every_ticks = 7});
-  run_part(brief<rules::Released>(5), parts, 101, 50.0, {.agents_every_ticks = 7});
-  run_part(brief<rules::Released>(5), parts, 209, 50.0, {.agents_every_ticks = 1});
-  run_part(brief<rules::Released>(5), parts, never, 50.0, {.agents_every_ticks = 5});
+  run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, whole, never, 50.0, {.agents_every_ticks = 7});
+  run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, 101, 50.0, {.agents_every_ticks = 7});
+  run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, 209, 50.0, {.agents_every_ticks = 1});
+  run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, never, 50.0, {.agents_every_ticks = 5});
   CHECK(results_in(whole) == results_in(parts));
   const auto manifest = parse_json(content(parts / "manifest.json"));
   CHECK(manifest["agents_every_ticks"] == 7);
   CHECK(manifest["tables"]["agents.csv"]["rows"] == 30 * (300 / 7 + 1));
 
-  run_part(brief<rules::Released>(5), folder.path() / "all", never, 50.0);
+  run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, folder.path() / "all", never, 50.0);
   for (const char* file : {"events.csv", "phylogeny.csv", "genomes.csv", "replay.trp"}) {
     CAPTURE(file);
     CHECK(content(whole / file) == content(folder.path() / "all" / file));
@@ -131,10 +131,10 @@ TEST_CASE("so does a run with states.csv, with senses.csv beside it or not") {
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";
     const fs::path parts = folder.path() / "parts";
-    run_part(brief<rules::Released>(5), whole, never, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
-    run_part(brief<rules::Released>(5), parts, 101, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
-    run_part(brief<rules::Released>(5), parts, 209, 50.0, {.senses = !senses});
-    run_part(brief<rules::Released>(5), parts, never, 50.0);
+    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, whole, never, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
+    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, 101, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
+    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, 209, 50.0, {.senses = !senses});
+    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, never, 50.0);
     CHECK(results_in(whole) == results_in(parts));
     CHECK(fs::exists(parts / "senses.csv") == senses);
     const auto manifest = parse_json(content(parts / "manifest.json"));
@@ -148,18 +148,18 @@ TEST_CASE("so does a run with senses.csv, and no other file of it knows of that 
   const fs::path whole = folder.path() / "whole";
   const fs::path parts = folder.path() / "parts";
   const fs::path without = folder.path() / "without";
-  run_part(brief<rules::Paper>(5), whole, never, 50.0, {.agents_every_ticks = 2, .senses = true});
-  run_part(brief<rules::Paper>(5), parts, 101, 50.0, {.agents_every_ticks = 2, .senses = true});
-  run_part(brief<rules::Paper>(5), parts, 209, 50.0, {.agents_every_ticks = 1, .senses = false});
-  run_part(brief<rules::Paper>(5), parts, never, 50.0, {.agents_every_ticks = 5, .senses = true});
+  run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, whole, never, 50.0, {.agents_every_ticks = 2, .senses = true});
+  run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, parts, 101, 50.0, {.agents_every_ticks = 2, .senses = true});
+  run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, parts, 209, 50.0, {.agents_every_ticks = 1, .senses = false});
+  run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, parts, never, 50.0, {.agents_every_ticks = 5, .senses = true});
   CHECK(results_in(whole) == results_in(parts));
   auto manifest = parse_json(content(whole / "manifest.json"));
   CHECK(manifest["tables"]["senses.csv"]["rows"] == 30 * (300 / 2 + 1));
   CHECK(manifest["senses"]["inputs"].size() == 3);
 
   // what it began without it goes on without
-  run_part(brief<rules::Paper>(5), without, 101, 50.0, {.agents_every_ticks = 2, .senses = false});
-  run_part(brief<rules::Paper>(5), without, never, 50.0, {.agents_every_ticks = 2, .senses = true});
+  run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, without, 101, 50.0, {.agents_every_ticks = 2, .senses = false});
+  run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, without, never, 50.0, {.agents_every_ticks = 2, .senses = true});
   CHECK_FALSE(fs::exists(without / "senses.csv"));
   fs::remove(whole / "senses.csv");
   manifest.erase("senses");
@@ -170,18 +170,18 @@ TEST_CASE("so does a run with senses.csv, and no other file of it knows of that 
 
 TEST_CASE("a checkpoint of 30 robots is small") {
   const TemporaryFolder folder;
-  run_in_parts(brief<rules::Released>(3), folder.path() / "run", {}, 100.0, unchanged);
+  run_in_parts(brief<rules::Released>(3), backend::Kinematic::Params{}, folder.path() / "run", {}, 100.0, unchanged);
   CHECK(fs::file_size(folder.path() / "run" / checkpoint::file_name) < 50'000);
 }
 
 TEST_CASE("a checkpoint of another run, seed or number is refused, and nothing is changed") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
-  run_part(brief<rules::Paper>(3), run, 150, 100.0);
+  run_part(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, 150, 100.0);
   const std::string before = content(run / "agents.csv");
-  const auto refusal = [&]<class Rules>(const Experiment<Rules, backend::Kinematic>& experiment) {
+  const auto refusal = [&]<class Rules>(const Experiment<Rules>& experiment) {
     return message_of<std::invalid_argument>([&] {
-      const Ecology<Rules, backend::Kinematic> ecology{experiment};
+      const Ecology<Rules> ecology{experiment, backend::Kinematic::Params{}};
       static_cast<void>(checkpoint::standing_in(run, ecology.describe(experiment.ecology.duration_s)));
     });
   };
@@ -197,7 +197,7 @@ TEST_CASE("a checkpoint of another run, seed or number is refused, and nothing i
 TEST_CASE("a folder in which nothing can go on is set aside, one that another program works in is left alone") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
-  const Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3)};
+  const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
   const auto standing = [&] { return checkpoint::standing_in(run, ecology.describe(600.0)); };
   CHECK(standing().remark.empty());
   {
@@ -212,9 +212,9 @@ TEST_CASE("a folder in which nothing can go on is set aside, one that another pr
 
 TEST_CASE("a damaged checkpoint gives way to the one before it") {
   const TemporaryFolder folder;
-  run_in_parts(brief<rules::Paper>(3), folder.path() / "whole", {}, 50.0, unchanged);
+  run_in_parts(brief<rules::Paper>(3), backend::Kinematic::Params{}, folder.path() / "whole", {}, 50.0, unchanged);
   const fs::path run = folder.path() / "parts";
-  run_in_parts(brief<rules::Paper>(3), run, {150, 151}, 50.0, [&](std::size_t part, auto&) {
+  run_in_parts(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, {150, 151}, 50.0, [&](std::size_t part, auto&) {
     if (part == 1 || part == 2) fs::resize_file(run / checkpoint::file_name, 1000);
   });
   CHECK(results_in(folder.path() / "whole") == results_in(run));
@@ -223,9 +223,9 @@ TEST_CASE("a damaged checkpoint gives way to the one before it") {
 TEST_CASE("files that lost what they had at the checkpoint are refused") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
-  run_part(brief<rules::Paper>(3), run, 150, 50.0);
+  run_part(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, 150, 50.0);
   fs::resize_file(run / "agents.csv", 1000);
-  Ecology<rules::Paper, backend::Kinematic> ecology{brief<rules::Paper>(3)};
+  Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
   const auto standing = checkpoint::standing_in(run, ecology.describe(600.0));
   observe::RunFolder files{run, {}, {}, standing.opening()};
   CHECK(message_of<std::runtime_error>([&] {

@@ -55,10 +55,10 @@ struct Crash {
 inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
 /// Begins or goes on with a run in a folder, with a checkpoint every so many seconds of its clock, until it ends or crashes.
-template <class Rules, class B>
-void run_part(const Experiment<Rules, B>& experiment, const std::filesystem::path& folder, std::int64_t crash_tick,
-              double every_s, const observe::Extent& extent = {}) {
-  Ecology<Rules, B> ecology{experiment};
+template <class Rules>
+void run_part(const Experiment<Rules>& experiment, const BackendChoice& backend, const std::filesystem::path& folder,
+              std::int64_t crash_tick, double every_s, const observe::Extent& extent = {}) {
+  Ecology<Rules> ecology{experiment, backend};
   const double until_s = experiment.ecology.duration_s;
   const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
   Crash crash{.at_tick = crash_tick};
@@ -71,23 +71,23 @@ void run_part(const Experiment<Rules, B>& experiment, const std::filesystem::pat
   }
 }
 
-/// To its end, cut off at each of these ticks. `before` is called with the number of each part to change what must not change
-/// results.
-template <class Rules, class B, class Before>
-void run_in_parts(Experiment<Rules, B> experiment, const std::filesystem::path& folder, const std::vector<std::int64_t>& cuts,
-                  double every_s, Before&& before) {
+/// To its end, cut off at each of these ticks. `before` is called with the number of each part and the backend's numbers, to change
+/// what must not change results.
+template <class Rules, class BackendParams, class Before>
+void run_in_parts(const Experiment<Rules>& experiment, BackendParams backend, const std::filesystem::path& folder,
+                  const std::vector<std::int64_t>& cuts, double every_s, Before&& before) {
   for (std::size_t part = 0; part <= cuts.size(); ++part) {
-    before(part, experiment);
-    run_part(experiment, folder, part < cuts.size() ? cuts[part] : never, every_s);
+    before(part, backend);
+    run_part(experiment, backend, folder, part < cuts.size() ? cuts[part] : never, every_s);
   }
 }
 
 /// The tables of a run that was cut off and of one that was not are the same bytes.
-template <class Rules, class B, class Before>
-void check_resumed(const Experiment<Rules, B>& experiment, const std::filesystem::path& folder,
+template <class Rules, class BackendParams, class Before>
+void check_resumed(const Experiment<Rules>& experiment, const BackendParams& backend, const std::filesystem::path& folder,
                    const std::vector<std::int64_t>& cuts, double every_s, Before&& before) {
-  run_in_parts(experiment, folder / "whole", {}, every_s, [](std::size_t, auto&) {});
-  run_in_parts(experiment, folder / "parts", cuts, every_s, before);
+  run_in_parts(experiment, backend, folder / "whole", {}, every_s, [](std::size_t, auto&) {});
+  run_in_parts(experiment, backend, folder / "parts", cuts, every_s, before);
   const auto whole = results_in(folder / "whole");
   const auto parts = results_in(folder / "parts");
   REQUIRE(whole.size() == parts.size());

@@ -16,7 +16,7 @@ namespace {
 
 using namespace trophic;
 using namespace trophic::command;
-using Numbers = Experiment<rules::Paper, backend::Kinematic>;
+using Numbers = Experiment<rules::Paper>;
 
 Config config_of(const std::string& text, std::vector<std::string> assignments = {}) {
   const test::TemporaryFolder folder;

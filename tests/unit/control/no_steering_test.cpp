@@ -24,6 +24,6 @@ TEST_CASE("no steering: any target angle -> joint targets stay as they are") {
 
 TEST_CASE("no steering: a backend with joints -> accepted, as the rule says that it does not steer") {
   CHECK_NOTHROW(locomotion::check_steerable(load_robot("spider"), NoSteering{}));
-  Experiment<with_steering<rules::Paper, NoSteering>, test::ToyBackend> experiment{.seed = 1};
-  CHECK_NOTHROW(Ecology<with_steering<rules::Paper, NoSteering>, test::ToyBackend>{experiment});
+  Experiment<with_steering<rules::Paper, NoSteering>> experiment{.seed = 1};
+  CHECK_NOTHROW(Ecology<with_steering<rules::Paper, NoSteering>>{experiment, test::ToyBackend::Params{}});
 }

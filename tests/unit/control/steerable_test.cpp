@@ -56,11 +56,11 @@ std::string refusal(Act&& act) {
 }
 
 template <class Rules>
-std::string ecology_refusal(RobotModel robot, Experiment<Rules, test::ToyBackend> params = {}) {
+std::string ecology_refusal(RobotModel robot, Experiment<Rules> params = {}) {
   params.ecology.robots = 1;
   params.rules.community.predators = 1;
   Habitat habitat{.robot = std::move(robot), .arena = {}, .gait = load_gait("gecko_steered")};
-  return refusal([&] { Ecology<Rules, test::ToyBackend>{params, habitat}; });
+  return refusal([&] { Ecology<Rules>{params, test::ToyBackend::Params{}, habitat}; });
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ TEST_CASE("steerable: an ecology of jointed robots refuses before the run") {
   CHECK(ecology_refusal<rules::Paper>(snake()).starts_with("ecology.robot = snake with rules.steering = targeted_steering"));
   CHECK(ecology_refusal<with_steering<rules::Paper, Leans>>(snake()) == "");
   CHECK(ecology_refusal<with_steering<rules::Paper, SlowsAll>>(load_robot("gecko")).find("slows_all") != std::string::npos);
-  Experiment<rules::Paper, test::ToyBackend> params;
+  Experiment<rules::Paper> params;
   params.rules.steering.exponent = 0.0;
   CHECK(ecology_refusal<rules::Paper>(load_robot("gecko"), params).find("cannot be steered") != std::string::npos);
 }

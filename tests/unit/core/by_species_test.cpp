@@ -22,7 +22,7 @@ TEST_CASE("by species: each species has its own numbers, set and shown under its
   using Mutation = by_species<reproduction::mutation::NormalMutation, PredatorPrey>;
   using Rules = with_mutation<rules::Paper, Mutation>;
   CHECK(Mutation::name == "normal_mutation_by_species");
-  Ecology<Rules, backend::Kinematic>::Params params{.seed = 8};
+  Ecology<Rules>::Params params{.seed = 8};
   read_numbers(params, read_assignment("rules.mutation.prey.sd=0.5"));
   read_numbers(params, read_assignment("rules.mutation.predator.sd=0"));
   std::vector<std::string> paths;
@@ -39,7 +39,7 @@ TEST_CASE("by species: each species has its own numbers, set and shown under its
     std::size_t prey = 0;
     std::size_t predators = 0;
   } births;
-  Ecology<Rules, backend::Kinematic> ecology{params};
+  Ecology<Rules> ecology{params, backend::Kinematic::Params{}};
   ecology.run_until(2000.0, births);
   CHECK(births.prey > 5);
   CHECK(births.predators > 5);
@@ -78,9 +78,9 @@ TEST_CASE("by species: a rule with a state keeps it, each individual's by the nu
   CHECK(predator.energy_J == 7.0);
 
   using Rules = with_senescence<rules::Paper, Store>;
-  Ecology<Rules, backend::Kinematic>::Params params;
+  Ecology<Rules>::Params params;
   params.rules.senescence = numbers;
-  const Ecology<Rules, backend::Kinematic> ecology{params};
+  const Ecology<Rules> ecology{params, backend::Kinematic::Params{}};
   CHECK(ecology.states().senescence[0].energy_J == 7.0);
   CHECK(ecology.states().senescence[29].energy_J == 9.0);
 }

@@ -61,14 +61,14 @@ struct CountsSwitches {
 template <class Rules>
 Listener listen(std::uint64_t seed) {
   CAPTURE(seed);
-  Ecology<Rules, backend::Kinematic> ecology{{.seed = seed}};
+  Ecology<Rules> ecology{{.seed = seed}, backend::Kinematic::Params{}};
   Listener listener;
   CountsSwitches events;
   test::Recorder told;
   ecology.run_until(1500.0, listener, events, told);
   CHECK(listener.switched == events.switches);
 
-  Ecology<Rules, backend::Kinematic> alone{{.seed = seed}};
+  Ecology<Rules> alone{{.seed = seed}, backend::Kinematic::Params{}};
   test::Recorder untold;
   alone.run_until(1500.0, untold);
   CHECK(told.all == untold.all);

@@ -28,7 +28,7 @@ using observe::EventKind;
 namespace {
 
 template <class Rules>
-using Kinematics = Ecology<Rules, backend::Kinematic>;
+using Kinematics = Ecology<Rules>;
 
 /// Follows every event and tick of a run and checks what must hold in any.
 struct Auditor {
@@ -151,7 +151,7 @@ struct Auditor {
 
 template <class Rules>
 std::vector<std::string> record(typename Kinematics<Rules>::Params params, double until_s) {
-  Kinematics<Rules> ecology{params};
+  Kinematics<Rules> ecology{params, backend::Kinematic::Params{}};
   test::Recorder recorder;
   ecology.run_until(until_s, recorder);
   return recorder.all;
@@ -162,7 +162,7 @@ std::vector<std::string> record(typename Kinematics<Rules>::Params params, doubl
 TEST_CASE("runs: the paper's rules keep their balances and floors for 6000 s") {
   for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
-    Kinematics<rules::Paper> ecology{{.seed = seed}};
+    Kinematics<rules::Paper> ecology{{.seed = seed}, backend::Kinematic::Params{}};
     Auditor audit{30};
     ecology.run_until(6000.0, audit);
     CHECK(audit.ticks == 3001);
@@ -181,7 +181,7 @@ TEST_CASE("runs: the paper's rules keep their balances and floors for 6000 s") {
 TEST_CASE("runs: the released rules keep their balances and floors for 6000 s") {
   for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
-    Kinematics<rules::Released> ecology{{.seed = seed}};
+    Kinematics<rules::Released> ecology{{.seed = seed}, backend::Kinematic::Params{}};
     Auditor audit{30};
     audit.cool_down_s = 100.0;
     ecology.run_until(6000.0, audit);
@@ -197,7 +197,7 @@ TEST_CASE("runs: the released rules keep their balances and floors for 6000 s") 
 
 TEST_CASE("runs: under the paper's rules procedures come 25 - p ticks apart, p as left by the one before") {
   using Rules = with_reprieve<rules::Paper, death::reprieve::NoReprieve>;  // so that each procedure has a victim
-  Kinematics<Rules> ecology{{.seed = 4}};
+  Kinematics<Rules> ecology{{.seed = 4}, backend::Kinematic::Params{}};
   Auditor audit{30};
   ecology.run_until(6000.0, audit);
   std::int64_t next = 25 - 14;
@@ -218,7 +218,7 @@ TEST_CASE("runs: under the paper's rules procedures come 25 - p ticks apart, p a
 }
 
 TEST_CASE("runs: under the released rules a predator starves once 50 - 2 p seconds have passed, p of this tick and above 7") {
-  Kinematics<rules::Released> ecology{{.seed = 5}};
+  Kinematics<rules::Released> ecology{{.seed = 5}, backend::Kinematic::Params{}};
   Auditor audit{30};
   audit.cool_down_s = 100.0;
   ecology.run_until(6000.0, audit);
@@ -248,7 +248,7 @@ TEST_CASE("runs: the same seed gives the same run to the last bit, another seed 
 
 TEST_CASE("runs: observers and pauses do not change the run") {
   const auto alone = record<rules::Paper>({.seed = 8}, 800.0);
-  Kinematics<rules::Paper> ecology{{.seed = 8}};
+  Kinematics<rules::Paper> ecology{{.seed = 8}, backend::Kinematic::Params{}};
   test::Recorder recorder;
   Auditor audit{30};
   struct Counter {
@@ -265,7 +265,7 @@ TEST_CASE("runs: observers and pauses do not change the run") {
   CHECK(counter.starts == 4);
   CHECK(counter.ends == 4);
 
-  Kinematics<rules::Paper> unobserved{{.seed = 8}};
+  Kinematics<rules::Paper> unobserved{{.seed = 8}, backend::Kinematic::Params{}};
   unobserved.run_until(800.0);
   CHECK(unobserved.view().robots[7].id == ecology.view().robots[7].id);
   CHECK(unobserved.view().poses[7].x_m == ecology.view().poses[7].x_m);
@@ -285,7 +285,7 @@ TEST_CASE("runs: when an observer throws, all are told, none hears of an end, an
     bool ended = false;
     std::string told;
   } other;
-  Kinematics<rules::Paper> ecology{{.seed = 9}};
+  Kinematics<rules::Paper> ecology{{.seed = 9}, backend::Kinematic::Params{}};
   CHECK_THROWS_WITH_AS(ecology.run_until(100.0, other, thrower), "disk full", std::runtime_error);
   CHECK(thrower.told == "disk full");
   CHECK(other.told == "disk full");
@@ -300,7 +300,7 @@ TEST_CASE("runs: an observer that says stop ends the run after that tick, cleanl
     std::int64_t last = -1;
     std::int64_t ended_at = -1;
   } stop;
-  Kinematics<rules::Paper> ecology{{.seed = 10}};
+  Kinematics<rules::Paper> ecology{{.seed = 10}, backend::Kinematic::Params{}};
   ecology.run_until(100.0, stop);
   CHECK(ecology.tick() == 10);
   CHECK(stop.ended_at == 10);
@@ -342,7 +342,7 @@ TEST_CASE("runs: a food chain of three species lives by both rule sets") {
   using Released = with_community<rules::Released, Pasture>;
   for (const auto seed : {std::uint64_t{11}, std::uint64_t{12}}) {
     CAPTURE(seed);
-    live(std::make_unique<Kinematics<Paper>>(typename Kinematics<Paper>::Params{.seed = seed}));
-    live(std::make_unique<Kinematics<Released>>(typename Kinematics<Released>::Params{.seed = seed}));
+    live(std::make_unique<Kinematics<Paper>>(typename Kinematics<Paper>::Params{.seed = seed}, backend::Kinematic::Params{}));
+    live(std::make_unique<Kinematics<Released>>(typename Kinematics<Released>::Params{.seed = seed}, backend::Kinematic::Params{}));
   }
 }

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <support/hand_population.hpp>
 #include <support/recorder.hpp>
+#include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/control/decision_order/decide_in_turn.hpp>
 #include <trophic/death/reprieve/near_remembered_adversary.hpp>
@@ -76,7 +77,9 @@ struct Backwards {
 };
 
 template <class Rules>
-using Kinematics = Ecology<Rules, backend::Kinematic>;
+using Kinematics = Ecology<Rules>;
+
+const backend::Kinematic::Params still{.speed_scale = 0.0, .turn_scale = 0.0};
 
 /// A scene's numbers: nobody moves, no floors, newborn become active at once unless somebody stands on them.
 template <class Rules>
@@ -84,8 +87,6 @@ typename Kinematics<Rules>::Params scene(std::vector<GroundPose> poses) {
   Places::poses = std::move(poses);
   typename Kinematics<Rules>::Params params;
   params.ecology.robots = Places::poses.size();
-  params.backend.speed_scale = 0.0;
-  params.backend.turn_scale = 0.0;
   params.rules.activation.distance_m = 0.1;
   params.rules.floor.floor = 0;
   if constexpr (requires { params.rules.rescue.below; }) params.rules.rescue.below = 0;
@@ -97,7 +98,7 @@ using ChainScene = with_community<Scene, Chain>;
 
 template <class Rules>
 Lines events(const typename Kinematics<Rules>::Params& params, double until_s) {
-  Kinematics<Rules> ecology{params};
+  Kinematics<Rules> ecology{params, still};
   test::Recorder recorder;
   ecology.run_until(until_s, recorder);
   return recorder.events;
@@ -136,7 +137,7 @@ TEST_CASE("ecology: starvation, then rescue, then perception in the same tick") 
       }
     }
   } perception;
-  Kinematics<Scene> ecology{params};
+  Kinematics<Scene> ecology{params, still};
   test::Recorder recorder;
   ecology.run_until(46.0, recorder, perception);
   // Delta = 25 - 2 = 23 ticks; the two predators are equally hungry, so the earlier born starves
@@ -158,7 +159,7 @@ TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's b
   params.rules.capture.reach_m = 7.6;
   Places::poses = {{.x_m = 8.0}, {.x_m = 0.5}, {.x_m = 0.5}};
   params.rules.activation.distance_m = 0.2;  // body 1 stands on the predator and stays inactive
-  Kinematics<Rules> ecology{params};
+  Kinematics<Rules> ecology{params, still};
   ecology.run_until(0.0);
   const auto robots = ecology.view().robots;
   CHECK(robots[0].parent == 2);
@@ -219,10 +220,10 @@ TEST_CASE("ecology: the tags that the brain lists are told, and refused before t
   params.rules.community.predators = 1;
   const auto made_with = [&](std::vector<int> tags) {
     ScriptedTags::listed = std::move(tags);
-    return rule_error([&] { Kinematics<Rules>{params}; });
+    return rule_error([&] { Kinematics<Rules>{params, still}; });
   };
   CHECK(made_with({1, -1}) == "");
-  CHECK(Kinematics<Rules>{params}.describe(1.0).tags == std::vector<int>{1, -1});
+  CHECK(Kinematics<Rules>{params, still}.describe(1.0).tags == std::vector<int>{1, -1});
   CHECK(made_with({}) == "the policy in rules.brain returned no tags(): must list every tag that it may choose");
   CHECK(made_with({1, -1, 1}) == "the policy in rules.brain returned tags() with 1 twice: must list each tag once");
 }
@@ -254,7 +255,7 @@ TEST_CASE("ecology: a brain may list three tags") {
     }
     std::map<int, std::size_t> shown;
   } tags;
-  Kinematics<Rules> ecology{{.seed = 3}};
+  Kinematics<Rules> ecology{{.seed = 3}, backend::Kinematic::Params{}};
   test::Recorder recorder;
   ecology.run_until(300.0, tags, recorder);
   REQUIRE(tags.shown.size() == 3);
@@ -281,7 +282,7 @@ TEST_CASE("ecology: a policy that returns what does not exist is named") {
     auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
     params.rules.community.predators = 1;
     Scripted::captures_at_0 = std::move(captures);
-    return rule_error([&] { Kinematics<Rules>{params}.run_until(0.0); });
+    return rule_error([&] { Kinematics<Rules>{params, still}.run_until(0.0); });
   };
   CHECK(message({{.hunter = 1, .victim = 0}}).empty());
   CHECK(message({{.hunter = 2, .victim = 0}}) == "the policy in rules.capture returned hunter 2: must be < 2");
@@ -330,16 +331,16 @@ TEST_CASE("ecology: nobody is given up who was born of the same rescue") {
 TEST_CASE("ecology: founders and places are as many as robots, and places are somewhere") {
   using Few = with_community<Scene, Short>;
   const auto few = scene<Few>({{.x_m = 0.0}, {.x_m = 0.5}});
-  CHECK(rule_error([&] { Kinematics<Few>{few}; }) ==
+  CHECK(rule_error([&] { Kinematics<Few>{few, still}; }) ==
         "the policy in rules.community returned 1 founders: must be 2, the number of robots");
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
   params.ecology.robots = 3;
-  CHECK(rule_error([&] { Kinematics<Scene>{params}; }) ==
+  CHECK(rule_error([&] { Kinematics<Scene>{params, still}; }) ==
         "the policy in rules.placement returned 2 places: must be 3, the number of robots");
   params.ecology.robots = 2;
   Places::poses[1].y_m = std::numeric_limits<double>::quiet_NaN();
-  CHECK(rule_error([&] { Kinematics<Scene>{params}; }) ==
+  CHECK(rule_error([&] { Kinematics<Scene>{params, still}; }) ==
         "the policy in rules.placement returned a place of body 1 that is not finite");
 }
 
@@ -349,7 +350,7 @@ TEST_CASE("ecology: a parent without a genome is named") {
   params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}};
-  CHECK(rule_error([&] { Kinematics<Rules>{params}.run_until(0.0); }) ==
+  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(0.0); }) ==
         "the policy in rules.capture_parent returned individual 0 as a parent: must have a genome of 15 weights");
 }
 
@@ -358,9 +359,9 @@ TEST_CASE("ecology: only the brain's tags are shown") {
   auto params = scene<Rules>({{.x_m = 0.0}});
   params.rules.community.predators = 0;
   ScriptedTag::given = -1;
-  CHECK(rule_error([&] { Kinematics<Rules>{params}; }).empty());
+  CHECK(rule_error([&] { Kinematics<Rules>{params, still}; }).empty());
   ScriptedTag::given = 2;
-  CHECK(rule_error([&] { Kinematics<Rules>{params}; }) ==
+  CHECK(rule_error([&] { Kinematics<Rules>{params, still}; }) ==
         "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
 }
 
@@ -384,7 +385,7 @@ TEST_CASE("ecology: the floor stops catches within a tick") {
     auto params = scene<Scene>({{.x_m = 0.3}, {.x_m = 0.5}, {.x_m = 0.0}});
     params.rules.community.predators = 1;
     params.rules.floor.floor = floor;
-    Kinematics<Scene> ecology{params};
+    Kinematics<Scene> ecology{params, still};
     ecology.run_until(0.0);
     CHECK(ecology.view().count(test::prey) == floor);
     if (floor == 1) CHECK(ecology.view().robots[0].species == test::predator);  // the closer one was caught
@@ -396,7 +397,7 @@ TEST_CASE("ecology: the floor stops sacrifices") {
   params.rules.community.predators = 0;
   params.rules.rescue.below = 3;
   params.rules.floor.floor = 1;
-  Kinematics<Scene> ecology{params};
+  Kinematics<Scene> ecology{params, still};
   ecology.run_until(0.0);
   CHECK(ecology.view().count(test::predator) == 1);  // one a tick
   ecology.run_until(20.0);
@@ -408,7 +409,7 @@ TEST_CASE("ecology: everybody perceives the same moment, before the first tag ch
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
-  Kinematics<Rules> ecology{params};
+  Kinematics<Rules> ecology{params, still};
   test::Recorder recorder;
   ecology.run_until(0.0, recorder);
   for (BodyIndex body = 0; body < 2; ++body) {
@@ -429,7 +430,7 @@ TEST_CASE("ecology: in turn, who decides later sees the tags that earlier ones h
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
-  Kinematics<Rules> ecology{params};
+  Kinematics<Rules> ecology{params, still};
   ecology.run_until(0.0);
   CHECK(ecology.view().robots[0].adversary == 1);   // both showed +1 when body 0 looked
   CHECK_FALSE(ecology.view().robots[1].adversary);  // body 0 has switched meanwhile
@@ -442,7 +443,7 @@ TEST_CASE("ecology: a sampled tag's clock starts again without a switch, a cool-
     using Rules = typename decltype(rules)::type;
     auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
     params.rules.community.predators = 0;
-    Kinematics<Rules> ecology{params};
+    Kinematics<Rules> ecology{params, still};
     ecology.run_until(until_s);
     return ecology.view().robots[0].tag_since_s;
   };
@@ -467,7 +468,7 @@ TEST_CASE("ecology: the heading that rules see is the table's") {
   using Rules = with_heading<Scene, Backwards>;
   auto params = scene<Rules>({{.x_m = 0.0, .heading_rad = 0.25}});
   params.rules.community.predators = 0;
-  Kinematics<Rules> ecology{params};
+  Kinematics<Rules> ecology{params, still};
   ecology.run_until(2.0);
   CHECK(ecology.view().poses[0].heading_rad == doctest::Approx(wrap_angle(3.25)));
 }
@@ -480,7 +481,7 @@ TEST_CASE("ecology: a remembered prey is renewed only when another body becomes 
   params.rules.senescence.max_age_s = 20.0;
   params.rules.starvation_schedule.base_ticks = 1000;
   params.rules.tag_switch.cool_down_s = 1e6;
-  Kinematics<Rules> ecology{params};
+  Kinematics<Rules> ecology{params, still};
   ecology.run_until(24.0);
   const auto robots = ecology.view().robots;
   CHECK(robots[0].id == 2);  // reborn at tick 10, seen again from tick 11 on
@@ -493,7 +494,7 @@ TEST_CASE("ecology: a remembered prey is renewed only when another body becomes 
 TEST_CASE("ecology: without adversary the brain decides or keeps still, by the rule") {
   auto params = scene<Scene>({{.x_m = 0.0}});
   params.rules.community.predators = 0;
-  Kinematics<Scene> asked{params};
+  Kinematics<Scene> asked{params, still};
   asked.run_until(0.0);
   CHECK(std::abs(asked.view().robots[0].target_angle_rad) == 0.7);
   CHECK_FALSE(asked.view().robots[0].adversary);
@@ -502,7 +503,7 @@ TEST_CASE("ecology: without adversary the brain decides or keeps still, by the r
   using Keeps = with_blind_rule<Scene, perception::blind_rule::BlindKeepsDecision>;
   auto keeps_params = scene<Keeps>({{.x_m = 0.0}});
   keeps_params.rules.community.predators = 0;
-  Kinematics<Keeps> kept{keeps_params};
+  Kinematics<Keeps> kept{keeps_params, still};
   kept.run_until(200.0);
   CHECK(kept.view().robots[0].target_angle_rad == 0.0);
   CHECK(kept.view().robots[0].tag == 1);
@@ -532,7 +533,7 @@ TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species o
     params.rules.senescence.max_age_s = 20.0;
     params.rules.starvation_schedule.base_ticks = 1000;
     params.rules.genome_source.random_share = 0.0;
-    Kinematics<Rules> ecology{params};
+    Kinematics<Rules> ecology{params, still};
     ecology.run_until(20.0);
     const auto robots = ecology.view().robots;
     CHECK(robots[0].species == test::prey);
@@ -551,7 +552,7 @@ TEST_CASE("ecology: a parent of another species than the heir is refused") {
   params.rules.senescence.max_age_s = 20.0;
   params.rules.starvation_schedule.base_ticks = 1000;
   params.rules.genome_source.random_share = 0.0;
-  CHECK(rule_error([&] { Kinematics<Rules>{params}.run_until(20.0); }) ==
+  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(20.0); }) ==
         "the policy in rules.senescence_parent returned individual 2, a prey, as the parent of a predator: must be of its "
         "offspring's species");
 }
@@ -566,7 +567,7 @@ TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey o
     params.rules.reprieve.range_m = 0.0;
     params.rules.activation.distance_m = 5.0;
     params.rules.starvation_parent.range_m = 12.0;
-    Kinematics<Scene> ecology{params};
+    Kinematics<Scene> ecology{params, still};
     ecology.run_until(48.0);  // Delta = 24 ticks
     const Individual& born = ecology.view().robots[1];
     CHECK(born.id == 2);
@@ -586,7 +587,7 @@ TEST_CASE("ecology: who is spared lives, and the next procedure comes an interva
 TEST_CASE("ecology: runs whole ticks, goes on where it was, and does nothing for a time in the past") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
-  Kinematics<Scene> ecology{params};
+  Kinematics<Scene> ecology{params, still};
   CHECK(ecology.tick() == 0);
   ecology.run_until(3.0);
   CHECK(ecology.tick() == 2);
@@ -605,7 +606,7 @@ TEST_CASE("ecology: the physics runs clock_scale times faster than the clock") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
   params.ecology.clock_scale = 1.5;
-  Kinematics<Scene> ecology{params};
+  Kinematics<Scene> ecology{params, still};
   ecology.run_until(10.0);
   CHECK(ecology.tick() == 5);
   CHECK(ecology.backend().time_s() == doctest::Approx(15.0));
@@ -617,7 +618,7 @@ TEST_CASE("ecology: bad numbers are named before anything runs") {
     params.rules.community.predators = 1;
     change(params);
     try {
-      Kinematics<Scene>{params};
+      Kinematics<Scene>{params, still};
     } catch (const std::invalid_argument& error) {
       return std::string{error.what()};
     }
@@ -632,5 +633,7 @@ TEST_CASE("ecology: bad numbers are named before anything runs") {
         "rules.capture.reach_m = nan: must be finite");
   CHECK(message([](auto& p) { p.ecology.tick_s = 0.001; }) ==
         "ecology.tick_s = 0.001: tick_s * clock_scale * control_hz = 0.06 control steps, must be a whole number >= 1");
-  CHECK(message([](auto& p) { p.backend.timestep_s = 0.0; }).starts_with("backend.timestep_s = 0: must be > 0"));
+  CHECK(test::message_of<std::invalid_argument>([] {
+          Ecology<rules::Paper>{{}, backend::Kinematic::Params{.timestep_s = 0.0}};
+        }).starts_with("backend.timestep_s = 0: must be > 0"));
 }

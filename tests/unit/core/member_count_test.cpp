@@ -128,6 +128,6 @@ TEST_CASE("member count: everything that a manifest echoes lists all its numbers
   CHECK(lists_all<backend::Kinematic::Params>());
   CHECK(lists_all<RuleParams<rules::Paper>>());
   CHECK(lists_all<RuleParams<rules::Released>>());
-  CHECK(lists_all<Experiment<rules::Paper, backend::Kinematic>>());
+  CHECK(lists_all<Experiment<rules::Paper>>());
   CHECK(lists_all<gait_evolution::Params<gait_evolution::Paper, backend::Kinematic>>());
 }

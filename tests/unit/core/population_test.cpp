@@ -11,7 +11,6 @@
 #include <trophic/ecology/population.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
-#include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
@@ -25,8 +24,9 @@ namespace {
 /// A population in bodies that stand in a row, and a view of it at any tick.
 template <class Rules>
 struct Row {
-  explicit Row(const RuleParams<Rules>& numbers = {}, std::vector<Species> founders = {prey, prey, predator, predator})
-      : policies{make_policies<Rules>(numbers)}, population{policies, web, 99, founders}, poses(founders.size()) {
+  explicit Row(const RuleParams<Rules>& numbers = {}, std::vector<Species> founders = {prey, prey, predator, predator},
+               bool shadow = false)
+      : policies{make_policies<Rules>(numbers)}, population{policies, web, 99, founders, shadow}, poses(founders.size()) {
     for (std::size_t i = 0; i < poses.size(); ++i) poses[i].x_m = static_cast<double>(i);
   }
   [[nodiscard]] View view(std::int64_t tick) const {
@@ -122,9 +122,8 @@ TEST_CASE("population: a shared genome stays one object and each mutation reache
 
 TEST_CASE(
     "population: in the neutral shadow births have the same parents, labels and places, but genomes as founders have them") {
-  using Shadow = rules::neutral_shadow<rules::Paper>;
   Row<rules::Paper> row{inheriting<rules::Paper>(0.0)};
-  Row<Shadow> shadow{inheriting<Shadow>(0.0)};
+  Row<rules::Paper> shadow{inheriting<rules::Paper>(0.0), {prey, prey, predator, predator}, true};
   row.catch_first(7);
   shadow.catch_first(7);
   const Individual& born = shadow.population[0];
@@ -236,4 +235,28 @@ TEST_CASE("population: two thirds inherit, by the number of the newborn and not 
   Row<rules::Paper> fewer{{}, {prey, predator}};
   Row<rules::Paper> more;
   CHECK(fewer.population[1].genome->weights == more.population[1].genome->weights);
+}
+
+TEST_CASE("population: activation, a new tag and a birth are marked in its tree") {
+  Row<rules::Paper> row;
+  CHECK(row.population.tree() == nullptr);
+  row.population.stand_at(row.poses);
+  const auto found = [&](Species species, int tag) {
+    View view = row.view(1);
+    view.tree = row.population.tree();
+    const auto is_species = [&](Species other) { return other == species; };
+    const auto accepts = [&](const Individual& other) { return other.species == species && other.tag == tag && other.active; };
+    return view.closest(3, accepts, {.among = view.marks(is_species, tag, true)});
+  };
+  CHECK_FALSE(found(prey, 1));
+  row.population.activate(1, 0.0, false);
+  CHECK(found(prey, 1) == 1);
+  CHECK_FALSE(found(prey, -1));
+  row.population.show_tag(1, -1);
+  CHECK(found(prey, -1) == 1);
+  CHECK(found(predator, 1) == 2);
+  row.population.show_tag(2, -1);
+  row.catch_first(1);  // a predator is born in body 0
+  row.population.show_tag(0, 1);
+  CHECK(found(predator, 1) == 0);
 }

@@ -116,10 +116,10 @@ using Other = with_mutation<Frugal, OtherMutation>;
 
 template <class Rules>
 test::Recorder record(double until_s) {
-  typename Ecology<Rules, backend::Kinematic>::Params params{.seed = 21};
+  typename Ecology<Rules>::Params params{.seed = 21};
   params.rules.rescue.below = 12;  // many sacrifices
   params.rules.capture.min_age_s = 4.0;
-  Ecology<Rules, backend::Kinematic> ecology{std::move(params)};
+  Ecology<Rules> ecology{std::move(params), backend::Kinematic::Params{}};
   test::Recorder recorder;
   ecology.run_until(until_s, recorder);
   return recorder;
@@ -172,10 +172,10 @@ TEST_CASE("random streams: whom a hazy robot sees depends on the two and the tic
     }
     std::size_t seen = 0;
   } check;
-  Ecology<Rules, backend::Kinematic>::Params params{.seed = 12};
+  Ecology<Rules>::Params params{.seed = 12};
   params.ecology.robots = 80;  // so many are searched on a grid
   params.rules.tag_switch.cool_down_s = 1e6;
-  Ecology<Rules, backend::Kinematic> ecology{params};
+  Ecology<Rules> ecology{params, backend::Kinematic::Params{}};
   ecology.run_until(60.0, check);
   CHECK(check.seen > 1000);
 }

@@ -13,7 +13,6 @@
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/rules/neutral_shadow.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
@@ -58,7 +57,7 @@ struct Diary {
 /// Counts the same from outside.
 template <class Rules>
 struct Watch {
-  explicit Watch(const Ecology<Rules, backend::Kinematic>& run) : ecology{run} {}
+  explicit Watch(const Ecology<Rules>& run) : ecology{run} {}
 
   void on_event(const observe::Event& event, const View& view) {
     const Diary::State& own = ecology.states().senescence[event.body];
@@ -93,7 +92,7 @@ struct Watch {
     before.assign(view.poses.begin(), view.poses.end());
   }
 
-  const Ecology<Rules, backend::Kinematic>& ecology;
+  const Ecology<Rules>& ecology;
   bool inherits = true;
   std::vector<Diary::State> seen;
   std::vector<GroundPose> before;
@@ -111,15 +110,15 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
 
 TEST_CASE("rule states: a policy is told what its bodies go through, and says what a newborn starts with") {
   using Rules = with_senescence<rules::Paper, Diary>;
-  Ecology<Rules, backend::Kinematic> ecology{{.seed = 5}};
+  Ecology<Rules> ecology{{.seed = 5}, backend::Kinematic::Params{}};
   Watch<Rules> watch{ecology};
   ecology.run_until(1500.0, watch);
   CHECK(watch.longest > 2);
 }
 
 TEST_CASE("rule states: where nothing is inherited no state is either") {
-  using Rules = rules::neutral_shadow<with_senescence<rules::Paper, Diary>>;
-  Ecology<Rules, backend::Kinematic> ecology{{.seed = 5}};
+  using Rules = with_senescence<rules::Paper, Diary>;
+  Ecology<Rules> ecology{{.seed = 5, .shadow = true}, backend::Kinematic::Params{}};
   Watch<Rules> watch{ecology};
   watch.inherits = false;
   ecology.run_until(500.0, watch);
@@ -127,8 +126,8 @@ TEST_CASE("rule states: where nothing is inherited no state is either") {
 }
 
 TEST_CASE("rule states: a rule that only keeps a diary changes nothing of the run") {
-  Ecology<rules::Paper, backend::Kinematic> plain{{.seed = 5}};
-  Ecology<with_senescence<rules::Paper, Diary>, backend::Kinematic> kept{{.seed = 5}};
+  Ecology<rules::Paper> plain{{.seed = 5}, backend::Kinematic::Params{}};
+  Ecology<with_senescence<rules::Paper, Diary>> kept{{.seed = 5}, backend::Kinematic::Params{}};
   plain.run_until(500.0);
   kept.run_until(500.0);
   for (BodyIndex body = 0; body < 30; ++body) {
@@ -150,7 +149,7 @@ TEST_CASE("rule states: a table without states keeps nothing") {
 
 TEST_CASE("state log: a column for each member of each state, a row for each robot and tick") {
   const test::TemporaryFolder folder;
-  Ecology<rules::Released, backend::Kinematic> ecology{{.seed = 6}};
+  Ecology<rules::Released> ecology{{.seed = 6}, backend::Kinematic::Params{}};
   observe::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
   ecology.run_until(200.0, log);
   const auto lines = lines_of(folder.path() / "states.csv");
@@ -180,11 +179,11 @@ TEST_CASE("rule states: a sensor's state is kept for each body, told to its brai
       CHECK(deliberation.inputs[1] == ecology.states().senescence[deliberation.body].walked_m);
       ++decisions;
     }
-    const Ecology<Rules, backend::Kinematic>& ecology;
+    const Ecology<Rules>& ecology;
     std::size_t decisions = 0;
   };
   const test::TemporaryFolder folder;
-  Ecology<Rules, backend::Kinematic> ecology{{.seed = 6}};
+  Ecology<Rules> ecology{{.seed = 6}, backend::Kinematic::Params{}};
   Told told{ecology};
   observe::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
   ecology.run_until(400.0, told, log);
@@ -196,7 +195,7 @@ TEST_CASE("rule states: a sensor's state is kept for each body, told to its brai
 
 TEST_CASE("state log: a table without states has the first four columns") {
   const test::TemporaryFolder folder;
-  Ecology<rules::Paper, backend::Kinematic> ecology;
+  Ecology<rules::Paper> ecology{{}, backend::Kinematic::Params{}};
   observe::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
   ecology.run_until(0.0, log);
   const auto lines = lines_of(folder.path() / "states.csv");

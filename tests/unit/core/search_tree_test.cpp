@@ -132,3 +132,22 @@ TEST_CASE("horizon: what a rule says in advance holds for itself alone") {
   CHECK(perception::ask::horizon(perception::visibility::WithinRange{{.range_m = 3.0}}, self).within_m == 3.0);
   CHECK_FALSE(perception::ask::horizon(Sharp{}, self).tag);
 }
+
+TEST_CASE("view: within lists the bodies in a circle, ascending, with a tree as without") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    const HandPopulation robots = on_crossings(seed, 5 + 11 * seed);
+    const SearchTree tree{robots.poses, robots.individuals};
+    const View plain = robots.view();
+    for (const GroundPose point : {GroundPose{.x_m = 4.0, .y_m = 4.0}, GroundPose{.x_m = -20.0, .y_m = 8.5}}) {
+      for (const double radius_m : {0.0, 1.0, 2.5, 100.0}) {
+        std::vector<BodyIndex> expected;
+        for (BodyIndex body = 0; body < robots.poses.size(); ++body) {
+          if (distance_m(point, robots.poses[body]) <= radius_m) expected.push_back(body);
+        }
+        CHECK(plain.within(point, radius_m) == expected);
+        CHECK(with_tree(robots, tree).within(point, radius_m) == expected);
+      }
+    }
+  }
+}

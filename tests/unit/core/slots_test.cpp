@@ -14,8 +14,8 @@
 using namespace trophic;
 
 TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, durations and names") {
-  using Paper = Ecology<rules::Paper, backend::Kinematic>;
-  const auto fingerprint = [](auto params) { return Paper{std::move(params)}.describe(1.0).fingerprint; };
+  using Paper = Ecology<rules::Paper>;
+  const auto fingerprint = [](auto params) { return Paper{std::move(params), backend::Kinematic::Params{}}.describe(1.0).fingerprint; };
   const std::string paper = fingerprint(Paper::Params{});
   CHECK(fingerprint(Paper::Params{.seed = 77}) == paper);
   Paper::Params longer;
@@ -25,13 +25,13 @@ TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, dura
   wider.rules.capture.reach_m = 1.25;
   CHECK(fingerprint(wider) != paper);
   using Same = with_floor<rules::Paper, death::floor::VictimFloor>;
-  CHECK(Ecology<Same, backend::Kinematic>{}.describe(1.0).fingerprint == paper);
+  CHECK(Ecology<Same>{{}, backend::Kinematic::Params{}}.describe(1.0).fingerprint == paper);
   using Other = with_mutation<rules::Paper, reproduction::mutation::UniformMutation>;
-  CHECK(Ecology<Other, backend::Kinematic>{}.describe(1.0).fingerprint != paper);
+  CHECK(Ecology<Other>{{}, backend::Kinematic::Params{}}.describe(1.0).fingerprint != paper);
   Habitat quicker = load_habitat(Paper::Params{}.ecology);
   Paper::Params own_gait;
   own_gait.ecology.gait = quicker.gait.name;
-  CHECK(Paper(own_gait, quicker).describe(1.0).fingerprint == paper);
+  CHECK(Paper(own_gait, backend::Kinematic::Params{}, quicker).describe(1.0).fingerprint == paper);
   quicker.robot.walk.turn_rate_per_rad *= 1.1;
-  CHECK(Paper(own_gait, quicker).describe(1.0).fingerprint != paper);
+  CHECK(Paper(own_gait, backend::Kinematic::Params{}, quicker).describe(1.0).fingerprint != paper);
 }

@@ -50,8 +50,8 @@ TEST_CASE("founders start active: after the first tick of an ecology -> all foun
       }
     }
   } founders, founders_of_paper;
-  Ecology<with_activation<rules::Paper, FoundersStartActive>, backend::Kinematic>{{.seed = 1}}.run_until(4.0, founders);
-  Ecology<rules::Paper, backend::Kinematic>{{.seed = 1}}.run_until(4.0, founders_of_paper);
+  Ecology<with_activation<rules::Paper, FoundersStartActive>>{{.seed = 1}, backend::Kinematic::Params{}}.run_until(4.0, founders);
+  Ecology<rules::Paper>{{.seed = 1}, backend::Kinematic::Params{}}.run_until(4.0, founders_of_paper);
   CHECK(founders.inactive == 0);
   CHECK(founders_of_paper.inactive > 0);
 }

@@ -52,7 +52,7 @@ TEST_CASE("food chain: more founders than robots -> an error that names the coun
 
 TEST_CASE("food chain: 600 s with the paper's other rules -> all three species are still there") {
   using Chain = with_community<rules::Paper, FoodChain>;
-  Ecology<Chain, backend::Kinematic> ecology{{.seed = 1}};
+  Ecology<Chain> ecology{{.seed = 1}, backend::Kinematic::Params{}};
   ecology.run_until(600.0);
   for (const std::size_t members : {ecology.view().count(FoodChain::grazer), ecology.view().count(FoodChain::hunter),
                                     ecology.view().count(FoodChain::apex)}) {

@@ -47,10 +47,10 @@ TEST_CASE("a recording is new, and its rate is a number that makes sense") {
 TEST_CASE("a recording of many robots holds few frames back, and is where its robots were") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "replay.trp";
-  Experiment<rules::Paper, backend::Kinematic> numbers;
+  Experiment<rules::Paper> numbers;
   numbers.ecology.robots = 40000;
   numbers.ecology.arena = "walled_by_density";
-  Ecology<rules::Paper, backend::Kinematic> ecology{numbers};
+  Ecology<rules::Paper> ecology{numbers, backend::Kinematic::Params{}};
   Recording recording{path, 5.0};
   ecology.run_until(8.0, recording);
   const std::string bytes = bytes_of(path);
@@ -76,7 +76,7 @@ TEST_CASE("a recording of many robots holds few frames back, and is where its ro
 TEST_CASE("a checkpoint that tells of a recording that cannot be is refused") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "replay.trp";
-  Ecology<rules::Paper, backend::Kinematic> ecology{Experiment<rules::Paper, backend::Kinematic>{}};
+  Ecology<rules::Paper> ecology{Experiment<rules::Paper>{}, backend::Kinematic::Params{}};
   Recording recording{path, 5.0};
   struct Keep {
     void on_tick(const View&) {  // with frames that wait for their block
@@ -107,10 +107,10 @@ TEST_CASE("a checkpoint that tells of a recording that cannot be is refused") {
 }
 
 TEST_CASE("a recorded run has the bytes of one that is not, and the recording is where its tables say") {
-  using Kinematics = Ecology<rules::Paper, backend::Kinematic>;
+  using Kinematics = Ecology<rules::Paper>;
   const test::TemporaryFolder folder;
   for (const double hz : {0.0, 5.0, 30.0}) {
-    Kinematics ecology{{.seed = 5}};
+    Kinematics ecology{{.seed = 5}, backend::Kinematic::Params{}};
     observe::RunFolder files{folder.path() / number_text(hz), {}, {.replay_hz = hz}};
     ecology.run_until(120.0, files);
   }

@@ -14,7 +14,7 @@ TEST_CASE("states: a column for each member of each State, a row a robot and tic
   using Rules = with_senescence<rules::Paper, death::senescence::EnergyStore>;
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "states.csv";
-  Ecology<Rules, backend::Kinematic> ecology;
+  Ecology<Rules> ecology{{}, backend::Kinematic::Params{}};
   observe::StateLog log{path, ecology.state_columns()};
   ecology.run_until(4.0, log);
   const std::string text = test::content(path);

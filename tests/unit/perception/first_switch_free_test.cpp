@@ -70,7 +70,7 @@ TEST_CASE("first switch free: in an ecology -> first switches come within 50 s o
       }
     }
   } switches;
-  Ecology<with_tag_switch<rules::Paper, FirstSwitchFree>, backend::Kinematic>{{.seed = 3}}.run_until(1000.0, switches);
+  Ecology<with_tag_switch<rules::Paper, FirstSwitchFree>>{{.seed = 3}, backend::Kinematic::Params{}}.run_until(1000.0, switches);
   CHECK(switches.at_birth > 0);
   CHECK(switches.early > switches.at_birth);
 }

@@ -26,7 +26,7 @@ using namespace trophic;
 using test::message_of;
 using test::TemporaryFolder;
 namespace fs = std::filesystem;
-using PaperRun = trophic::Experiment<rules::Paper, backend::Kinematic>;
+using PaperRun = trophic::Experiment<rules::Paper>;
 
 PaperRun brief(double duration_s = 200.0) {
   PaperRun experiment;
@@ -53,7 +53,7 @@ std::string results(const fs::path& run) {
 template <class... Observers>
 replicates::Outcome run(const replicates::Plan& plan, std::ostream& out, const PaperRun& experiment = brief(),
                         Observers&... observers) {
-  return replicates::run(experiment, plan, {}, out, observers...);
+  return replicates::run(experiment, backend::Kinematic::Params{}, plan, {}, out, observers...);
 }
 
 /// Throws at a time in the run of one seed.
@@ -188,7 +188,7 @@ TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
 TEST_CASE("two programs cannot work in one folder") {
   const TemporaryFolder folder;
   const replicates::Plan plan{.out = folder.path() / "set", .count = 1, .resume = true};
-  const observe::RunDescription any = Ecology<rules::Paper, backend::Kinematic>{brief()}.describe(200.0);
+  const observe::RunDescription any = Ecology<rules::Paper>{brief(), backend::Kinematic::Params{}}.describe(200.0);
   const replicates::Folder held{plan, any, {}};
   CHECK(message_of<std::runtime_error>([&] {
           const replicates::Folder second{plan, any, {}};

@@ -17,7 +17,7 @@ using namespace trophic;
 
 namespace {
 
-using Ecosystem = Ecology<rules::Paper, backend::Kinematic>;
+using Ecosystem = Ecology<rules::Paper>;
 
 [[nodiscard]] std::vector<double> places(const Ecosystem& ecology) {
   std::vector<double> numbers;
@@ -28,10 +28,10 @@ using Ecosystem = Ecology<rules::Paper, backend::Kinematic>;
 }  // namespace
 
 TEST_CASE("a run waits for who looks, goes on with him, and ends where it ends without him") {
-  Ecosystem alone{{.seed = 5}};
+  Ecosystem alone{{.seed = 5}, backend::Kinematic::Params{}};
   alone.run_until(200.0);
 
-  Ecosystem watched{{.seed = 5}};
+  Ecosystem watched{{.seed = 5}, backend::Kinematic::Params{}};
   watch::Exchange exchange;
   watch::Spectator spectator{exchange};
   std::atomic<bool> is_over = false;
@@ -68,7 +68,7 @@ TEST_CASE("a run waits for who looks, goes on with him, and ends where it ends w
 TEST_CASE("who tells nobody asks for nothing") {
   watch::Spectator nobody;
   CHECK(nobody.frame_hz() == 0.0);
-  Ecosystem ecology{{.seed = 5}};
+  Ecosystem ecology{{.seed = 5}, backend::Kinematic::Params{}};
   ecology.run_until(20.0, nobody);
   CHECK(ecology.time_s() == 20.0);
 }

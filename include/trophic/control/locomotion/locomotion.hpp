@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/steering/contract.hpp>
@@ -38,44 +39,24 @@ class Locomotion {
 
   /// Takes `steps` control steps with these target angles, one per robot. `gives_up()` is asked between the control steps of a
   /// backend with joints; if it says true no more are taken. Returns whether all were.
-  template <Backend B, class GivesUp>
-  bool advance(B& backend, std::int64_t steps, std::span<const double> target_angles_rad, GivesUp&& gives_up) {
-    static_assert(JointDriven<B> || SteeringDriven<B>,
-                  "a backend needs void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) or "
-                  "void set_target_angle(std::size_t robot, double target_angle_rad); see trophic/backend/contract.hpp");
-    if constexpr (JointDriven<B>) {
-      for (std::int64_t step = 0; step < steps; ++step) {
-        if (gives_up()) return false;
-        if (taken_ < idle_steps_) {
-          wait(backend, 1);
-          continue;
-        }
-        cpg_.step(states_);
-        for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
-          cpg_.outputs(states_, robot, targets_rad_);
-          steering_.steer(target_angles_rad[robot], sides_, targets_rad_);
-          backend.set_joint_targets(robot, targets_rad_);
-        }
-        ++taken_;
-        backend.advance_to(time_s());
-      }
-    } else {
-      for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
-        backend.set_target_angle(robot, target_angles_rad[robot]);
-      }
-      taken_ += steps;
-      backend.advance_to(time_s());
+  template <class GivesUp>
+  bool advance(AnyBackend& backend, std::int64_t steps, std::span<const double> target_angles_rad, GivesUp&& gives_up) {
+    if (backend.has_joints()) return advance_joints(backend, steps, target_angles_rad, gives_up);
+    for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
+      backend.set_target_angle(robot, target_angles_rad[robot]);
     }
+    wait(backend, steps);
     return true;
   }
-  template <Backend B>
+  /// The same for a backend whose type is known, without giving up.
+  template <JointDriven B>
   void advance(B& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
-    advance(backend, steps, target_angles_rad, [] { return false; });
+    advance_joints(backend, steps, target_angles_rad, [] { return false; });
   }
 
   /// Lets control steps pass without control: the CPG rests, the servos keep their targets.
-  template <Backend B>
-  void wait(B& backend, std::int64_t steps) {
+  template <class Bodies>
+  void wait(Bodies& backend, std::int64_t steps) {
     taken_ += steps;
     backend.advance_to(time_s());
   }
@@ -104,6 +85,26 @@ class Locomotion {
   }
 
  private:
+  template <class Bodies, class GivesUp>
+  bool advance_joints(Bodies& backend, std::int64_t steps, std::span<const double> target_angles_rad, GivesUp&& gives_up) {
+    for (std::int64_t step = 0; step < steps; ++step) {
+      if (gives_up()) return false;
+      if (taken_ < idle_steps_) {
+        wait(backend, 1);
+        continue;
+      }
+      cpg_.step(states_);
+      for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
+        cpg_.outputs(states_, robot, targets_rad_);
+        steering_.steer(target_angles_rad[robot], sides_, targets_rad_);
+        backend.set_joint_targets(robot, targets_rad_);
+      }
+      ++taken_;
+      backend.advance_to(time_s());
+    }
+    return true;
+  }
+
   SteeringRule steering_;
   std::vector<Side> sides_;
   Cpg cpg_;

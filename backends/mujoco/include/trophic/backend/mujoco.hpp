@@ -45,6 +45,7 @@ class Mujoco {
   friend constexpr std::array<std::string_view, 3> enum_names(Stepping) { return {"fast", "islands", "one_model"}; }
 
   struct Params {
+    using Backend = Mujoco;
     Stepping stepping = Stepping::fast;
     std::size_t threads = 1;
     mujoco::BoxDepth box_depth = mujoco::BoxDepth::engine;
@@ -98,8 +99,6 @@ class Mujoco {
 };
 
 static_assert(JointDriven<Mujoco>);
-
-#define TROPHIC_HAS_MUJOCO
 
 }  // namespace trophic::backend
 

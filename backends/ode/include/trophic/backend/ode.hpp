@@ -65,8 +65,6 @@ class Ode {
 };
 static_assert(JointDriven<Ode>);
 
-#define TROPHIC_HAS_ODE
-
 }  // namespace trophic::backend
 
 #if TROPHIC_HEADER_ONLY

@@ -8,6 +8,10 @@
 #include <trophic/params/params.hpp>
 #include <tuple>
 
+namespace trophic::backend {
+class Ode;
+}
+
 namespace trophic::backend::ode {
 
 /// `quick_step`: dWorldQuickStep, a number of relaxation sweeps over all constraints. Friction is limited by the normal force
@@ -30,6 +34,8 @@ inline constexpr int sweeps_without_draws = 8;
 ///   friction damping half of that (of a pyramidal cone with coefficient 1), and for hinges beyond their range
 ///   with inertia 1.8e-4 kg m2 and d = 0.95: 9.5 N m/rad and 0.36 N m s/rad.
 struct Params {
+  using Backend = Ode;
+
   std::size_t threads = 1;
   Solver solver = Solver::quick_step;
   int sweeps = sweeps_without_draws;

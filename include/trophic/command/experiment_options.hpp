@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What an experiment's command line says, and its rule tables on its backends.
+// What an experiment's command line says.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/checkpoint/schedule.hpp>
-#include <trophic/command/any_experiment.hpp>
 #include <trophic/observe/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/observe/own_table.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/toml.hpp>
-#include <trophic/replicates/sweep/claim.hpp>
 #include <vector>
 
 namespace trophic::command {
@@ -53,6 +51,7 @@ struct ExperimentOptions {
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
   observe::Provenance provenance;
+  observe::OwnTables own_tables;  ///< that the program has each run write
 };
 
 /// A run at a moment of which others begin.
@@ -65,13 +64,6 @@ struct OriginRun {
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
   /// Makes in a folder what it was at the moment, as `replay`.
   std::function<bool(const std::filesystem::path& folder)> make;
-};
-
-/// One rule table on one backend. A program has one for each that it was built with.
-struct Pairing {
-  std::string table;
-  std::string backend;
-  std::unique_ptr<AnyExperiment> (*experiment)();  ///< with the numbers that the table has
 };
 
 }  // namespace trophic::command

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-// All flips of the table `released` on the MuJoCo backend.
-#include <trophic/backend/mujoco.hpp>
-#include <trophic/command/run_flip.hpp>
-#include <trophic/rules/paper.hpp>
-#include <trophic/rules/released.hpp>
-
-template std::vector<std::string> trophic::command::run_flip<trophic::rules::Released, trophic::rules::Paper,
-                                                             trophic::backend::Mujoco>(const std::string&, const Study&);

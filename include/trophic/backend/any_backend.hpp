@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// A backend whose type is erased: what the ecology and its locomotion move.
+#pragma once
+
+#include <any>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <trophic/backend/contract.hpp>
+#include <trophic/habitat/arena.hpp>
+#include <trophic/habitat/physics.hpp>
+#include <trophic/habitat/pose.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/params/archive.hpp>
+#include <utility>
+
+namespace trophic {
+
+/// The bodies of one run in a backend of any type. Each function does what the contract of backends says; an ecology calls them some
+/// 60 times a second and robot, so that a virtual call costs nothing beside them.
+class AnyBackend {
+ public:
+  /// Builds a backend of type B. Throws as its constructor does.
+  template <Backend B>
+  AnyBackend(std::in_place_type_t<B>, const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
+             const Physics& physics, const typename B::Params& params)
+      : bodies_{std::make_unique<BodiesIn<B>>(robot, arena, starts, physics, params)} {}
+
+  void advance_to(double time_s) { bodies_->advance_to(time_s); }
+  [[nodiscard]] std::size_t robots() const { return bodies_->robots(); }
+  [[nodiscard]] double time_s() const { return bodies_->time_s(); }
+  [[nodiscard]] Pose pose(std::size_t robot) const { return bodies_->pose(robot); }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return bodies_->joint_angles(robot); }
+
+  /// Whether robots are driven by joint targets; if not, by the target angle alone.
+  [[nodiscard]] bool has_joints() const { return bodies_->has_joints(); }
+  /// Throws std::logic_error if the backend has no joints.
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) { bodies_->set_joint_targets(robot, targets_rad); }
+  /// Throws std::logic_error if the backend has joints.
+  void set_target_angle(std::size_t robot, double target_angle_rad) { bodies_->set_target_angle(robot, target_angle_rad); }
+
+  /// The backend's State, for `restore` of the same AnyBackend.
+  [[nodiscard]] std::any save() const { return bodies_->save(); }
+  void restore(const std::any& state) { bodies_->restore(state); }
+  /// Writes the backend's State to an archive, or reads and restores it.
+  void persist(Archive& archive) { bodies_->persist(archive); }
+
+  /// The backend itself; null if it is not a B.
+  template <Backend B>
+  [[nodiscard]] const B* as() const {
+    const auto* bodies = dynamic_cast<const BodiesIn<B>*>(bodies_.get());
+    return bodies == nullptr ? nullptr : &bodies->backend;
+  }
+
+ private:
+  class Bodies {
+   public:
+    Bodies() = default;
+    Bodies(const Bodies&) = delete;
+    Bodies& operator=(const Bodies&) = delete;
+    virtual ~Bodies() = default;
+    virtual void advance_to(double time_s) = 0;
+    [[nodiscard]] virtual std::size_t robots() const = 0;
+    [[nodiscard]] virtual double time_s() const = 0;
+    [[nodiscard]] virtual Pose pose(std::size_t robot) const = 0;
+    [[nodiscard]] virtual std::span<const double> joint_angles(std::size_t robot) const = 0;
+    [[nodiscard]] virtual bool has_joints() const = 0;
+    virtual void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) = 0;
+    virtual void set_target_angle(std::size_t robot, double target_angle_rad) = 0;
+    [[nodiscard]] virtual std::any save() const = 0;
+    virtual void restore(const std::any& state) = 0;
+    virtual void persist(Archive& archive) = 0;
+  };
+
+  template <Backend B>
+  class BodiesIn final : public Bodies {
+    static_assert(JointDriven<B> || SteeringDriven<B>,
+                  "a backend needs void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) or "
+                  "void set_target_angle(std::size_t robot, double target_angle_rad); see trophic/backend/contract.hpp");
+
+   public:
+    BodiesIn(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
+             const typename B::Params& params)
+        : backend(robot, arena, starts, physics, params) {}
+
+    void advance_to(double time_s) override { backend.advance_to(time_s); }
+    [[nodiscard]] std::size_t robots() const override { return backend.robots(); }
+    [[nodiscard]] double time_s() const override { return backend.time_s(); }
+    [[nodiscard]] Pose pose(std::size_t robot) const override { return backend.pose(robot); }
+    [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override { return backend.joint_angles(robot); }
+    [[nodiscard]] bool has_joints() const override { return JointDriven<B>; }
+    void set_joint_targets([[maybe_unused]] std::size_t robot, [[maybe_unused]] std::span<const double> targets_rad) override {
+      if constexpr (JointDriven<B>) {
+        backend.set_joint_targets(robot, targets_rad);
+      } else {
+        throw std::logic_error{"backend " + std::string{B::name} + ": has no joints to set targets of"};
+      }
+    }
+    void set_target_angle([[maybe_unused]] std::size_t robot, [[maybe_unused]] double target_angle_rad) override {
+      if constexpr (SteeringDriven<B> && !JointDriven<B>) {
+        backend.set_target_angle(robot, target_angle_rad);
+      } else {
+        throw std::logic_error{"backend " + std::string{B::name} + ": is driven by joint targets, not by a target angle"};
+      }
+    }
+    [[nodiscard]] std::any save() const override { return backend.save(); }
+    void restore(const std::any& state) override { backend.restore(std::any_cast<const typename B::State&>(state)); }
+    void persist(Archive& archive) override {
+      typename B::State state = backend.save();
+      archive(state);
+      if (archive.reads()) backend.restore(state);
+    }
+
+    B backend;
+  };
+
+  std::unique_ptr<Bodies> bodies_;
+};
+
+}  // namespace trophic

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Which backend an experiment runs on, with that backend's numbers: its type is erased.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <trophic/backend/any_backend.hpp>
+#include <trophic/backend/contract.hpp>
+#include <trophic/params/named_params.hpp>
+#include <trophic/params/params.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic {
+
+/// A backend and its numbers, before it has bodies. Made from the numbers: `backend::Mujoco::Params{.threads = 2}`.
+class BackendChoice {
+ public:
+  template <class Params>
+  requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
+      BackendChoice(Params params)  // NOLINT(google-explicit-constructor): the numbers are the choice
+      : choice_{std::make_unique<Of<typename Params::Backend>>(std::move(params))} {}
+
+  BackendChoice(const BackendChoice& other) : choice_{other.choice_->copy()} {}
+  BackendChoice(BackendChoice&&) noexcept = default;
+  BackendChoice& operator=(const BackendChoice& other) {
+    choice_ = other.choice_->copy();
+    return *this;
+  }
+  BackendChoice& operator=(BackendChoice&&) noexcept = default;
+  ~BackendChoice() = default;
+
+  [[nodiscard]] std::string name() const { return std::string{choice_->name()}; }
+  [[nodiscard]] std::string version() const { return choice_->version(); }
+  /// Sentences on numbers of `physics` that have no effect.
+  [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const { return choice_->remarks(physics); }
+  [[nodiscard]] bool has_joints() const { return choice_->has_joints(); }
+  /// Its threads; null for a backend that has none to choose.
+  [[nodiscard]] std::size_t* threads() { return choice_->threads(); }
+
+  /// Throws std::invalid_argument naming the first number out of its bounds, as "PATH.NAME".
+  void validate(std::string_view path) const { choice_->validate(path); }
+  void append_named_params(std::string_view path, NamedParams& named_params) const {
+    choice_->append_named_params(path, named_params);
+  }
+
+  /// The numbers of backend B; null if another one was chosen.
+  template <Backend B>
+  [[nodiscard]] typename B::Params* as() {
+    auto* choice = dynamic_cast<Of<B>*>(choice_.get());
+    return choice == nullptr ? nullptr : &choice->params;
+  }
+
+  /// The backend with one body for each start pose. Throws as the backend's constructor does.
+  [[nodiscard]] AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
+                                 const Physics& physics) const {
+    return choice_->build(robot, arena, starts, physics);
+  }
+
+ private:
+  class Any {
+   public:
+    Any() = default;
+    Any(const Any&) = default;
+    Any& operator=(const Any&) = delete;
+    virtual ~Any() = default;
+    [[nodiscard]] virtual std::unique_ptr<Any> copy() const = 0;
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] virtual std::string version() const = 0;
+    [[nodiscard]] virtual std::vector<std::string> remarks(const Physics& physics) const = 0;
+    [[nodiscard]] virtual bool has_joints() const = 0;
+    [[nodiscard]] virtual std::size_t* threads() = 0;
+    virtual void validate(std::string_view path) const = 0;
+    virtual void append_named_params(std::string_view path, NamedParams& named_params) const = 0;
+    [[nodiscard]] virtual AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
+                                           const Physics& physics) const = 0;
+  };
+
+  template <Backend B>
+  class Of final : public Any {
+   public:
+    explicit Of(typename B::Params own) : params(std::move(own)) {}
+    [[nodiscard]] std::unique_ptr<Any> copy() const override { return std::make_unique<Of>(*this); }
+    [[nodiscard]] std::string_view name() const override { return B::name; }
+    [[nodiscard]] std::string version() const override { return B::version(); }
+    [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const override { return B::remarks(physics); }
+    [[nodiscard]] bool has_joints() const override { return JointDriven<B>; }
+    [[nodiscard]] std::size_t* threads() override {
+      if constexpr (requires { params.threads; }) return &params.threads;
+      return nullptr;
+    }
+    void validate(std::string_view path) const override { trophic::validate(params, path); }
+    void append_named_params(std::string_view path, NamedParams& named_params) const override {
+      detail::append_named_params(params, path, named_params);
+    }
+    [[nodiscard]] AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
+                                   const Physics& physics) const override {
+      return AnyBackend{std::in_place_type<B>, robot, arena, starts, physics, params};
+    }
+
+    typename B::Params params;
+  };
+
+  std::unique_ptr<Any> choice_;
+};
+
+}  // namespace trophic

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A program for rule tables: `int main(int argc, char** argv) { return trophic::experiment<MyRules>(argc, argv); }`.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <trophic/command/any_experiment.hpp>
+#include <trophic/command/backends.hpp>
+#include <trophic/command/experiment_program.hpp>
+#include <trophic/command/run_command.hpp>
+#include <trophic/command/selection.hpp>
+#include <trophic/command/table_experiment.hpp>
+#include <trophic/command/watching.hpp>
+#include <trophic/observe/own_table.hpp>
+#include <trophic/rules/table.hpp>
+#include <utility>
+// Programs that are linked with trophic::mpi or trophic::mpi_compiled have this definition.
+#ifdef TROPHIC_WITH_MPI
+#include <trophic/mpi/find_team.hpp>
+#endif
+
+namespace trophic {
+
+/// Backends of one's own for `experiment_on`; the first is the default.
+using command::BackendList;
+
+/// The command line of an experiment with rule tables to choose from, on backends of one's own choice:
+/// `experiment_on<BackendList<MyBackend>, MyRules>(argc, argv)`. `own_tables`: see `experiment`.
+template <class Backends, class... Rules>
+[[nodiscard]] int experiment_on(int argc, const char* const* argv, observe::OwnTables own_tables = {}) {
+  static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
+  return command::guarded(argv[0], [&] {
+    const command::Offer offer{
+        .tables = {command::OfferedTable{
+            table_name<Rules>(),
+            [](const command::LinkedBackend& backend) -> std::unique_ptr<command::AnyExperiment> {
+              return std::make_unique<command::TableExperiment<Rules>>(backend);
+            }}...},
+        .backends = command::linked_backends<Backends>(),
+        .default_backend = std::string{Backends::default_backend}};
+    command::LinkedParts linked{.own_tables = std::move(own_tables)};
+#ifdef TROPHIC_WITH_MPI
+    linked.find_team = &mpi::find_team;
+#endif
+#ifdef TROPHIC_WITH_WATCH
+    linked.open_window = &command::open_window;
+#endif
+    return command::experiment_program(argc, argv, offer, linked);
+  });
+}
+
+/// The command line of an experiment with rule tables to choose from, the first of them the default, on the kinematic backend and
+/// every engine that the program is linked with: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume,
+/// --sweep and more. `own_tables`: observers that write a table of one's own into the folder of every run, shadows and runs of
+/// sweeps included: `experiment<MyRules>(argc, argv, observe::own_tables<Distances>())`.
+/// Returns the exit code: 0; 1 if a run failed; 2 if the arguments are wrong; 3 if a signal stopped a run.
+template <class... Rules>
+[[nodiscard]] int experiment(int argc, const char* const* argv, observe::OwnTables own_tables = {}) {
+  return experiment_on<command::LinkedBackends, Rules...>(argc, argv, std::move(own_tables));
+}
+
+}  // namespace trophic
