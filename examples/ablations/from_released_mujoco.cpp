@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All flips of the table `released` on the MuJoCo backend.
+#include <tools/ablations/run_flip.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/command/run_flip.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 

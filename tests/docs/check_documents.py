@@ -59,7 +59,7 @@ class Tree:
             yield include / "trophic"
             yield include / "trophic" / "backend"
             yield from (path for path in sorted((include / "trophic" / "backend").glob("*")) if path.is_dir())
-        yield from (self.root / folder for folder in ("models", "tests", "examples", "python", "viewer"))
+        yield from (self.root / folder for folder in ("models", "tests", "examples", "tools", "tools/python", "tools/viewer"))
 
     def has_path(self, named: str, document: Document) -> bool:
         """<slot> and * stand for any name, ... for any folders, {a,b} for both."""

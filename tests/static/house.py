@@ -10,7 +10,7 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1])
 CORE = ROOT / "include"
-PARTS = ("backends", "mpi", "pictures")  # what stands beside the core, each with its own include folder
+PARTS = ("backends", "tools")  # what stands beside the core
 SKIPPED = 77
 
 
@@ -31,6 +31,11 @@ def lines_with(pattern: str, files: list[pathlib.Path]) -> list[str]:
 def engine_free_core():
     """The core includes no engine."""
     return lines_with(r'#\s*include\s*[<"](mujoco|ode|pugixml)', sources("include"))
+
+
+def tools_above_all():
+    """The library includes nothing of the programs that stand on it."""
+    return lines_with(r'#\s*include\s*[<"]tools/', sources("include", "src", "backends", "tools/mpi", "tools/pictures"))
 
 
 def rule_free_backends():
@@ -67,8 +72,8 @@ def header_start():
 def policies_have_tests():
     """Each policy, each metric and each observer has a test file of its name."""
     tests = {path.name for path in (ROOT / "tests").rglob("*_test.cpp")}
-    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "analysis", "observe")]
-    policies = [path for path in sources(*folders) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
+    folders = [*(f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "observe")), "tools/analysis"]
+    policies = [path for path in sources(*folders, suffixes=(".hpp",)) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
     return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
 
 
@@ -151,7 +156,7 @@ def analysis_rooms():
     return [
         offence
         for room, known in seen.items()
-        for offence in lines_with(rf"#include <trophic/analysis/(?!({'|'.join(known)})/)", sources(f"include/trophic/analysis/{room}"))
+        for offence in lines_with(rf"#include <tools/analysis/(?!({'|'.join(known)})/)", sources(f"tools/analysis/{room}"))
     ]
 
 
