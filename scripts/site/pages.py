@@ -128,7 +128,7 @@ def converted(root: pathlib.Path, path: str, names: set[str], images: pathlib.Pa
 
 def write(root: pathlib.Path, out: pathlib.Path, images: pathlib.Path, cards: list) -> None:
     names = {str(document.path.relative_to(root)) for document in all_documents(root)}
-    names = {name for name in names if not name.startswith((".github/", "debian/", "docs/paper/"))}
+    names = {name for name in names if not name.startswith((".github/", "packaging/", "docs/paper/"))}
     wanted = [name for name, _ in ORDER if name in names]
     wanted += sorted(names - set(wanted))
     (out / "references.md").write_text(references.page(root))
