@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which differences between the paper's text and its released code matter: each flipped alone, and in groups, from either table
 // towards the other, in replicates.
-#include <trophic/command/ablations.hpp>
+#include <tools/ablations/ablations.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 

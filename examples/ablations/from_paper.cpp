@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // All flips of the table `paper`.
-#include <trophic/command/run_flip.hpp>
+#include <tools/ablations/run_flip.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 
 template std::vector<std::string> trophic::command::run_flip<trophic::rules::Paper, trophic::rules::Released>(const std::string&,
-                                                  const Study&);
+                                                                                                              const Study&);

@@ -21,7 +21,7 @@ import pandas as pd
 from pictures import catches, film_strip, phylogeny, trajectories
 from style import COLOURS, COLUMN_IN, NULL_COLOUR, Missing, caption, colour, line, save_all
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/python"))
 from trophic.runs import RunError, read_analysis  # noqa: E402
 
 HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": "...."}

@@ -31,11 +31,10 @@ template <class Backends, class... Rules>
   static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
   return command::guarded(argv[0], [&] {
     const command::Offer offer{
-        .tables = {command::OfferedTable{
-            table_name<Rules>(),
-            [](const command::LinkedBackend& backend) -> std::unique_ptr<command::AnyExperiment> {
-              return std::make_unique<command::TableExperiment<Rules>>(backend);
-            }}...},
+        .tables = {command::OfferedTable{table_name<Rules>(),
+                                         [](const command::LinkedBackend& backend) -> std::unique_ptr<command::AnyExperiment> {
+                                           return std::make_unique<command::TableExperiment<Rules>>(backend);
+                                         }}...},
         .backends = command::linked_backends<Backends>(),
         .default_backend = std::string{Backends::default_backend}};
     command::LinkedParts linked{.own_tables = std::move(own_tables)};

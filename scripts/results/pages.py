@@ -4,7 +4,7 @@ import csv
 import re
 import sys
 
-PAGES = ["RESULTS.md", "docs/open-choices.md"]
+PAGES = ["docs/RESULTS.md", "docs/open-choices.md"]
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
     "attribution_caught": "inherited among the caught prey", "attribution_credited": "prey deaths credited to inherited predators",

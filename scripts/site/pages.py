@@ -13,11 +13,11 @@ ORDER = [  # what a reader meets in the site's tree, with their parents
     ("README.md", None),
     ("docs/tutorial.md", None),
     ("docs/how-to/README.md", None),
-    ("GLOSSARY.md", None),
-    ("RESULTS.md", None),
-    ("docs/open-choices.md", "RESULTS.md"),
-    ("docs/results/any-prey.md", "RESULTS.md"),
-    ("ARCHITECTURE.md", None),
+    ("docs/GLOSSARY.md", None),
+    ("docs/RESULTS.md", None),
+    ("docs/open-choices.md", "docs/RESULTS.md"),
+    ("docs/results/any-prey.md", "docs/RESULTS.md"),
+    ("docs/ARCHITECTURE.md", None),
     ("docs/decisions/README.md", None),
     ("docs/files.md", None),
     ("docs/tables.md", "docs/files.md"),
@@ -128,7 +128,7 @@ def converted(root: pathlib.Path, path: str, names: set[str], images: pathlib.Pa
 
 def write(root: pathlib.Path, out: pathlib.Path, images: pathlib.Path, cards: list) -> None:
     names = {str(document.path.relative_to(root)) for document in all_documents(root)}
-    names = {name for name in names if not name.startswith((".github/", "debian/", "docs/paper/"))}
+    names = {name for name in names if not name.startswith((".github/", "packaging/", "docs/paper/"))}
     wanted = [name for name, _ in ORDER if name in names]
     wanted += sorted(names - set(wanted))
     (out / "references.md").write_text(references.page(root))

@@ -8,7 +8,7 @@ import re
 def entries(root: pathlib.Path) -> dict[str, dict[str, str]]:
     """Key -> field -> text."""
     found = {}
-    for entry in re.split(r"^@\w+\{", (root / "references.bib").read_text(), flags=re.MULTILINE)[1:]:
+    for entry in re.split(r"^@\w+\{", (root / "docs/references.bib").read_text(), flags=re.MULTILINE)[1:]:
         key, rest = entry.split(",", 1)
         fields = re.findall(r"^  (\w+) = \{(.*?)\},$", rest, re.MULTILINE | re.DOTALL)
         found[key] = {name: re.sub(r"[{}]", "", " ".join(re.sub(r"\\'e", "é", text).split())) for name, text in fields}

@@ -93,7 +93,7 @@ def snake(slot: str) -> str:
 def flips(root: pathlib.Path) -> list[list[str]]:
     """The rows of RESULTS.md's tables of flips: put into, metric, base, flipped, difference, p."""
     rows = []
-    for table in parse(root / "RESULTS.md").tables:
+    for table in parse(root / "docs/RESULTS.md").tables:
         if table.rows[0][0].startswith("put into"):
             into = re.sub(r"[`\s]|put into", "", table.rows[0][0])
             rows += [[into, *row] for row in table.rows[2:]]

@@ -59,7 +59,7 @@ class Tree:
             yield include / "trophic"
             yield include / "trophic" / "backend"
             yield from (path for path in sorted((include / "trophic" / "backend").glob("*")) if path.is_dir())
-        yield from (self.root / folder for folder in ("models", "tests", "examples", "python", "viewer"))
+        yield from (self.root / folder for folder in ("models", "tests", "examples", "tools", "tools/python", "tools/viewer"))
 
     def has_path(self, named: str, document: Document) -> bool:
         """<slot> and * stand for any name, ... for any folders, {a,b} for both."""
@@ -204,7 +204,7 @@ def unexplained(tree: Tree, document: Document) -> list[str]:
     """Words of the glossary that are not linked to it where they are first used; <!-- plain: WORDS --> are meant as everybody does."""
     plain = set(document.noted("plain").split())
     offences = []
-    for term in sorted(re.findall(r'<a id="([^"]+)">', (tree.root / "GLOSSARY.md").read_text())):
+    for term in sorted(re.findall(r'<a id="([^"]+)">', (tree.root / "docs/GLOSSARY.md").read_text())):
         plural = term[:-1] + "(y|ies)" if term.endswith("y") else term + "s?"
         word = re.compile(rf"\b{plural.replace('-', '[ -]')}\b", re.IGNORECASE)
         for line, text in document.paragraphs:
@@ -212,8 +212,8 @@ def unexplained(tree: Tree, document: Document) -> list[str]:
             if not (first := word.search(re.sub(r"\]\([^)]*\)", lambda m: "]" + " " * (len(m[0]) - 1), text))):
                 continue
             link = next((m for m in re.finditer(r"\[[^\]]*\]\(([^)]*)\)", text) if m.start() <= first.start() < m.end()), None)
-            if term not in plain and not (link and link[1] == f"GLOSSARY.md#{term}"):
-                offences.append(f"{line}: '{first[0]}' is a word of the glossary, and its first use is not linked to GLOSSARY.md#{term}")
+            if term not in plain and not (link and link[1] == f"docs/GLOSSARY.md#{term}"):
+                offences.append(f"{line}: '{first[0]}' is a word of the glossary, and its first use is not linked to docs/GLOSSARY.md#{term}")
             break
     return offences
 

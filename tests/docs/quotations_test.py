@@ -18,7 +18,7 @@ import sys
 from documents import all_documents
 
 HERE = pathlib.Path(__file__).parent
-CODE = ("include", "src", "backends", "mpi", "pictures", "examples", "models")
+CODE = ("include", "src", "backends", "tools", "examples", "models")
 HISTORY = {"CHANGELOG.md"}  # may quote what was wrong
 NAMES_PAPER = re.compile(r'\bSec\. "|\b[Tt]he (paper|text|authors)\b|\b[Dd]raft\b')
 CITATION = re.compile(r'\bSec\. "([^"]*)"')
@@ -135,9 +135,9 @@ def in_tree(root: pathlib.Path, paper: Paper) -> list[str]:
             said = judged(block, paper, quoted, document.noted("ours"))
             offences += [f"{document.path.relative_to(root)}:{line}: {one}" for one in said]
     offences += [f"paper_sentences.txt: nothing quotes: {one.text}" for one in paper.sentences if one.text not in quoted]
-    listed = re.search(r"sections = \{([^}]*)\}", (root / "references.bib").read_text())[1]
+    listed = re.search(r"sections = \{([^}]*)\}", (root / "docs/references.bib").read_text())[1]
     titles = [" ".join(title.split()) for title in listed.split(";")]
-    return offences + [f'references.bib: the paper has no section "{title}"' for title in titles if title not in paper.sections]
+    return offences + [f'docs/references.bib: the paper has no section "{title}"' for title in titles if title not in paper.sections]
 
 
 def in_source(tex: str, paper: Paper) -> list[str]:

@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 #include <support/forged_recording.hpp>
-#include <trophic/analysis/data/read_run.hpp>
+#include <tools/analysis/data/read_run.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/checkpoint/checkpoint_file.hpp>
 #include <trophic/command/config.hpp>

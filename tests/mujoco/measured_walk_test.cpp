@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <tools/gait_evolution/measure_walk.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/gait_evolution/measure_walk.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>

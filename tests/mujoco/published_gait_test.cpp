@@ -4,9 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <tools/gait_evolution/tables.hpp>
+#include <tools/gait_evolution/trial.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/gait_evolution/tables.hpp>
-#include <trophic/gait_evolution/trial.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
 

@@ -25,7 +25,7 @@ from in_folder import InFolderWithSets  # noqa: E402
 PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HAS_MUJOCO = ", mujoco" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
-sys.path.insert(0, str(ROOT / "python"))
+sys.path.insert(0, str(ROOT / "tools/python"))
 from trophic import RecordingError, read_replay  # noqa: E402
 
 

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "python")]
+sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "tools/python")]
 from figures_python import PYTHON  # noqa: E402
 
 if PYTHON is None:

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <span>
-#include <trophic/analysis/statistics/equivalence.hpp>
-#include <trophic/analysis/statistics/interval.hpp>
+#include <tools/analysis/statistics/equivalence.hpp>
+#include <tools/analysis/statistics/interval.hpp>
 #include <vector>
 
 namespace trophic::test {

@@ -21,8 +21,8 @@
 #include <string>
 #include <string_view>
 #include <support/memory.hpp>
-#include <trophic/analysis/data/csv_reader.hpp>
-#include <trophic/analysis/statistics/equivalence.hpp>
+#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/analysis/statistics/equivalence.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/checkpoint/go_on.hpp>

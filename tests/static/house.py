@@ -10,7 +10,7 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1])
 CORE = ROOT / "include"
-PARTS = ("backends", "mpi", "pictures")  # what stands beside the core, each with its own include folder
+PARTS = ("backends", "tools")  # what stands beside the core
 SKIPPED = 77
 
 
@@ -31,6 +31,11 @@ def lines_with(pattern: str, files: list[pathlib.Path]) -> list[str]:
 def engine_free_core():
     """The core includes no engine."""
     return lines_with(r'#\s*include\s*[<"](mujoco|ode|pugixml)', sources("include"))
+
+
+def tools_above_all():
+    """The library includes nothing of the programs that stand on it."""
+    return lines_with(r'#\s*include\s*[<"]tools/', sources("include", "src", "backends", "tools/mpi", "tools/pictures"))
 
 
 def rule_free_backends():
@@ -67,8 +72,8 @@ def header_start():
 def policies_have_tests():
     """Each policy, each metric and each observer has a test file of its name."""
     tests = {path.name for path in (ROOT / "tests").rglob("*_test.cpp")}
-    folders = [f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "analysis", "observe")]
-    policies = [path for path in sources(*folders) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
+    folders = [*(f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "observe")), "tools/analysis"]
+    policies = [path for path in sources(*folders, suffixes=(".hpp",)) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
     return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
 
 
@@ -86,8 +91,8 @@ def two_policies_per_slot():
 
 
 def references() -> dict[str, str]:
-    """Key -> entry of references.bib."""
-    entries = re.split(r"^@\w+\{", (ROOT / "references.bib").read_text(), flags=re.MULTILINE)[1:]
+    """Key -> entry of docs/references.bib."""
+    entries = re.split(r"^@\w+\{", (ROOT / "docs/references.bib").read_text(), flags=re.MULTILINE)[1:]
     return {entry.split(",", 1)[0]: entry for entry in entries}
 
 
@@ -95,7 +100,7 @@ def sources_cited():
     """Every policy's `source`, and every citation of code and documents, names a section and equation of the paper or a key of
     references.bib; an entry has a DOI, an address or says that it has none, and somebody cites it."""
     entries = references()
-    offences = [f"references.bib: {key} needs a doi or a url" for key, text in entries.items() if not re.search(r"doi = |url = |no DOI", text)]
+    offences = [f"docs/references.bib: {key} needs a doi or a url" for key, text in entries.items() if not re.search(r"doi = |url = |no DOI", text)]
     paper = entries["kachler2023"]
     sections = {" ".join(title.split()) for title in re.search(r"sections = \{([^}]*)\}", paper)[1].split(";")}
     equations = int(re.search(r"equations = \{(\d+)\}", paper)[1])
@@ -119,11 +124,11 @@ def sources_cited():
         for key in re.findall(r"(?:\[|@)([a-z]+(?:1[89]|20)\d\d[a-z]?)\b", text):
             cited.add(key)
             if key not in entries:
-                offences.append(f"{name}: [{key}] is not in references.bib")
+                offences.append(f"{name}: [{key}] is not in docs/references.bib")
         for author in re.findall(r"\b[A-Z][a-z]+(?: et al\.| and [A-Z]\w+)?,? \(?(?:1[89]\d\d|20[0-3]\d)\b", prose if path.suffix != ".md" else ""):
             if not author.startswith("June"):
                 offences.append(f"{name}: '{author}': cite the key of references.bib")
-    return offences + [f"references.bib: nobody cites {key}" for key in entries if key not in cited]
+    return offences + [f"docs/references.bib: nobody cites {key}" for key in entries if key not in cited]
 
 
 def pure_policies():
@@ -151,7 +156,7 @@ def analysis_rooms():
     return [
         offence
         for room, known in seen.items()
-        for offence in lines_with(rf"#include <trophic/analysis/(?!({'|'.join(known)})/)", sources(f"include/trophic/analysis/{room}"))
+        for offence in lines_with(rf"#include <tools/analysis/(?!({'|'.join(known)})/)", sources(f"tools/analysis/{room}"))
     ]
 
 
@@ -159,6 +164,12 @@ def nothing_unfinished():
     """What is in the tree is done."""
     files = sources("include", *PARTS, "examples", "tests", "models", suffixes=(".hpp", ".ipp", ".cpp", ".md", ".toml", ".txt"))
     return lines_with(r"\b(TODO|FIXME|XXX)\b", files)
+
+
+def short_top_level():
+    """Who looks at the repository first sees at most 18 entries."""
+    entries = sorted(path.name for path in ROOT.iterdir() if not path.name.startswith((".", "build")) and path.name != "runs")
+    return [f"{len(entries)} entries at the top level, must be <= 18: {' '.join(entries)}"] if len(entries) > 18 else []
 
 
 def formatted():

@@ -18,8 +18,8 @@
 
 namespace trophic {
 
-/// The bodies of one run in a backend of any type. Each function does what the contract of backends says; an ecology calls them some
-/// 60 times a second and robot, so that a virtual call costs nothing beside them.
+/// The bodies of one run in a backend of any type. Each function does what the contract of backends says; an ecology calls them
+/// some 60 times a second and robot, so that a virtual call costs nothing beside them.
 class AnyBackend {
  public:
   /// Builds a backend of type B. Throws as its constructor does.
@@ -37,7 +37,9 @@ class AnyBackend {
   /// Whether robots are driven by joint targets; if not, by the target angle alone.
   [[nodiscard]] bool has_joints() const { return bodies_->has_joints(); }
   /// Throws std::logic_error if the backend has no joints.
-  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) { bodies_->set_joint_targets(robot, targets_rad); }
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+    bodies_->set_joint_targets(robot, targets_rad);
+  }
   /// Throws std::logic_error if the backend has joints.
   void set_target_angle(std::size_t robot, double target_angle_rad) { bodies_->set_target_angle(robot, target_angle_rad); }
 

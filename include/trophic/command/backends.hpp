@@ -75,10 +75,8 @@ template <Backend B>
           .version = B::version(),
           .has_joints = JointDriven<B>,
           .choice = [] { return BackendChoice{typename B::Params{}}; },
-          .read =
-              [](BackendChoice& choice, const toml::table& numbers, const std::string& path) {
-                trophic::detail::read_table(*choice.as<B>(), numbers, path);
-              },
+          .read = [](BackendChoice& choice, const toml::table& numbers,
+                     const std::string& path) { trophic::detail::read_table(*choice.as<B>(), numbers, path); },
           .save_mjcf =
               []([[maybe_unused]] const AnyBackend& bodies, [[maybe_unused]] const std::string& path,
                  [[maybe_unused]] std::span<const Colour> colours) {

@@ -10,8 +10,8 @@
 #include <trophic/checkpoint/rewind.hpp>
 #include <trophic/checkpoint/schedule.hpp>
 #include <trophic/observe/manifest.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/own_table.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/run_folder.hpp>
 #include <trophic/params/toml.hpp>
 #include <vector>

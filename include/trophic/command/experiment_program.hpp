@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 #include <trophic/command/selection.hpp>
-#include <trophic/observe/own_table.hpp>
 #include <trophic/command/watching.hpp>
+#include <trophic/observe/own_table.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 

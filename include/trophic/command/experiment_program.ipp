@@ -129,16 +129,14 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
                               ", what this program makes of its numbers; rules, models or engine changed"};
 }
 
-[[nodiscard]] TROPHIC_INLINE int run_selection(ExperimentOptions& options, const Offer& offer,
-                                               OpenWindow open_window) {
+[[nodiscard]] TROPHIC_INLINE int run_selection(ExperimentOptions& options, const Offer& offer, OpenWindow open_window) {
   Config config = read_config(options.config, options.assignments);
   const auto tables = offer.table_names();
   const auto backends = offer.backend_names();
   std::optional<OriginRun> origin;
   if (!options.from.empty()) origin = read_origin(options);
   const std::string table = options.rules.value_or(config.rule_table.value_or(origin ? origin->rule_table : tables.front()));
-  const std::string backend =
-      options.backend.value_or(config.engine.value_or(origin ? origin->engine : offer.default_backend));
+  const std::string backend = options.backend.value_or(config.engine.value_or(origin ? origin->engine : offer.default_backend));
   const Selection selection{offer.table(table), offer.backend(backend)};
   if (selection.table == nullptr) {
     throw std::invalid_argument{must_be_one_of("--rules " + table, tables) + did_you_mean(nearest_word(table, tables))};

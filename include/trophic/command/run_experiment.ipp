@@ -209,7 +209,8 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
                                          checkpoint::Standing standing, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out, options.provenance, extent_of(options), standing.opening(), ecology.state_columns(), options.own_tables};
+  observe::RunFolder folder{options.out,        options.provenance,      extent_of(options),
+                            standing.opening(), ecology.state_columns(), options.own_tables};
   observe::Progress progress;
   try {
     if (standing.begins) {
@@ -342,7 +343,8 @@ TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, 
 TROPHIC_INLINE int run_experiment(const Selection& selection, const ExperimentOptions& options, const Config& config,
                                   const std::optional<OriginRun>& origin, OpenWindow open_window) {
   const auto experiment = detail::experiment_of(selection, options, config);
-  if (options.print_config) return detail::print_config(selection.table->name, selection.backend->name, experiment->named_params());
+  if (options.print_config)
+    return detail::print_config(selection.table->name, selection.backend->name, experiment->named_params());
   if (!options.print_table.empty()) return print_text(experiment->table_text(options.print_table));
   return options.replicates ? detail::run_replicates(options, *experiment, origin)
                             : detail::run_once(options, *experiment, origin, open_window);

@@ -33,7 +33,7 @@ struct Offer {
   [[nodiscard]] std::vector<std::string> table_names() const { return names_of(tables); }
   [[nodiscard]] std::vector<std::string> backend_names() const { return names_of(backends); }
 
-  [[nodiscard]] const OfferedTable* table(const std::string& name) const { return find(tables, name); }      ///< null: none
+  [[nodiscard]] const OfferedTable* table(const std::string& name) const { return find(tables, name); }       ///< null: none
   [[nodiscard]] const LinkedBackend* backend(const std::string& name) const { return find(backends, name); }  ///< null: none
 
  private:

@@ -103,7 +103,8 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   }
 }
 
-[[nodiscard]] inline PlannedRun first_of(const Selection& selection, const sweep::Settings& settings, std::size_t cell, bool shadow) {
+[[nodiscard]] inline PlannedRun first_of(const Selection& selection, const sweep::Settings& settings, std::size_t cell,
+                                         bool shadow) {
   const PlannedFacts facts = command::facts(selection, config_of(settings), shadow);
   return {.index = 0,
           .cell = cell,

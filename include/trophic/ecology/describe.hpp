@@ -26,7 +26,8 @@ template <class Rules>
 }
 
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
-/// fingerprint. `tags`: those that the table's brains may choose. A neutral shadow is described as the table with NothingInherited.
+/// fingerprint. `tags`: those that the table's brains may choose. A neutral shadow is described as the table with
+/// NothingInherited.
 template <class Rules>
 [[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
                                                const Habitat& habitat, std::vector<int> tags, double until_s) {

@@ -31,8 +31,8 @@ struct Experiment {
   }
 };
 
-/// The neutral shadow of an experiment: the same seed and numbers, without inheritance. Labels, places and times of birth come about
-/// as in the experiment itself, so a metric that differs between the two shows what inheritance does.
+/// The neutral shadow of an experiment: the same seed and numbers, without inheritance. Labels, places and times of birth come
+/// about as in the experiment itself, so a metric that differs between the two shows what inheritance does.
 template <class Rules>
 [[nodiscard]] Experiment<Rules> shadow_of(Experiment<Rules> experiment) {
   experiment.shadow = true;

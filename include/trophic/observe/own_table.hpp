@@ -30,7 +30,8 @@ concept OwnTable = Observer<O> && Persists<O> && std::constructible_from<O, cons
     requires(const O& table) {
   { O::file_name } -> std::convertible_to<std::string_view>;
   { table.sum() } -> std::same_as<TableSum>;
-} && !detail::Names_on_frame<O> && !detail::Names_between_ticks<O> && !detail::Names_keep_running<O> && !detail::Names_gives_up_tick<O>;
+} && !detail::Names_on_frame<O> && !detail::Names_between_ticks<O> && !detail::Names_keep_running<O> &&
+    !detail::Names_gives_up_tick<O>;
 
 /// A table of one's own whatever its type.
 class AnyOwnTable {

@@ -40,9 +40,9 @@ struct Extent {
 };
 
 /// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, where asked for, senses.csv
-/// and states.csv in a new folder, with tables of one's own (own_table.hpp). Tables are flushed at every tick, so that a crash keeps what happened before it; the manifest
-/// says how the run ended, and how many rows each table has. Watches one call of run_until. No other program can go on in the
-/// folder meanwhile.
+/// and states.csv in a new folder, with tables of one's own (own_table.hpp). Tables are flushed at every tick, so that a crash
+/// keeps what happened before it; the manifest says how the run ended, and how many rows each table has. Watches one call of
+/// run_until. No other program can go on in the folder meanwhile.
 class RunFolder {
  public:
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint

@@ -21,9 +21,9 @@ namespace trophic {
 /// The world as rules see it at one tick. `robots` and `poses` have one element per body, in the same order. Spans refer to the
 /// ecology's own data: within a tick a view shows each birth and death as soon as it has happened.
 struct View {
-  double time_s = 0.0;    ///< the ecology's clock
-  std::int64_t tick = 0;  ///< number of this decision step; 0 at the start
-  double tick_s = 2.0;    ///< length of a decision step
+  double time_s = 0.0;          ///< the ecology's clock
+  std::int64_t tick = 0;        ///< number of this decision step; 0 at the start
+  double tick_s = 2.0;          ///< length of a decision step
   double robot_radius_m = 0.0;  ///< of the circle around a standing robot
   const FoodWeb& web;
   const Arena& arena;

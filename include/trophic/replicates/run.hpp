@@ -56,8 +56,8 @@ Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const 
 
 /// Replicates of an experiment on a backend, for its `ecology.duration_s`.
 template <class Rules, class... Observers>
-Outcome run(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan, const observe::Provenance& provenance, std::ostream& out,
-            Observers&... extra) {
+Outcome run(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan,
+            const observe::Provenance& provenance, std::ostream& out, Observers&... extra) {
   return run(simulations_of(experiment, backend), experiment.ecology.duration_s, plan, provenance, out, extra...);
 }
 

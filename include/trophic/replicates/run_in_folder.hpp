@@ -21,8 +21,8 @@ template <class... Observers>
 void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const Keeping& keeping,
                    observe::JointProgress::Part progress, const observe::StopOnSignal& stop, Observers&... extra) {
   checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(until_s), keeping.past);
-  observe::RunFolder files{folder, keeping.provenance, keeping.extent, standing.opening(), ecology.state_columns(),
-                           keeping.own_tables};
+  observe::RunFolder files{
+      folder, keeping.provenance, keeping.extent, standing.opening(), ecology.state_columns(), keeping.own_tables};
   if (standing.begins) {
     checkpoint::begin_at(standing, keeping.past->moment, ecology, files.manifest(),
                          checkpoint::parts_of(files, progress, stop, extra...));

@@ -22,11 +22,10 @@ std::vector<std::string> run_with_shadow(const MakeSimulation& make, const MakeS
 /// Of an experiment on a backend, for its `ecology.duration_s`.
 template <class Rules>
 std::vector<std::string> run_with_shadow(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan,
-                                         bool with_shadow,
-                                         const observe::Provenance& provenance, std::ostream& out) {
+                                         bool with_shadow, const observe::Provenance& provenance, std::ostream& out) {
   return run_with_shadow(simulations_of(experiment, backend),
-                         with_shadow ? simulations_of(shadow_of(experiment), backend) : nullptr,
-                         experiment.ecology.duration_s, plan, provenance, out);
+                         with_shadow ? simulations_of(shadow_of(experiment), backend) : nullptr, experiment.ecology.duration_s,
+                         plan, provenance, out);
 }
 
 }  // namespace trophic::replicates

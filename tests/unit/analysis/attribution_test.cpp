@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/analysis/metrics/attribution.hpp>
+#include <tools/analysis/metrics/attribution.hpp>
 #include <unit/analysis/catches.hpp>
 #include <vector>
 

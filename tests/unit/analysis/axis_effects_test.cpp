@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <trophic/analysis/report/axis_effects.hpp>
+#include <tools/analysis/report/axis_effects.hpp>
 #include <trophic/support/rng.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>

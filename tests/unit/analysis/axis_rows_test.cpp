@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/axis_rows.hpp>
+#include <tools/analysis/report/axis_rows.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 

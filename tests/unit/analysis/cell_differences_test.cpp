@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/cell_differences.hpp>
+#include <tools/analysis/report/cell_differences.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <trophic/analysis/report/claim_conclusion.hpp>
+#include <tools/analysis/report/claim_conclusion.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/claims_text.hpp>
+#include <tools/analysis/report/claims_text.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
 

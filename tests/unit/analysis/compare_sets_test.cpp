@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/compare_sets.hpp>
+#include <tools/analysis/report/compare_sets.hpp>
 #include <vector>
 
 namespace {

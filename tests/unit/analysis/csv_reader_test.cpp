@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/csv_reader.hpp>
+#include <tools/analysis/data/csv_reader.hpp>
 #include <trophic/population/individual.hpp>
 
 using namespace trophic;

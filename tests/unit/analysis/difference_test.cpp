@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <trophic/analysis/statistics/difference.hpp>
+#include <tools/analysis/statistics/difference.hpp>
 #include <vector>
 
 using namespace trophic::analysis;

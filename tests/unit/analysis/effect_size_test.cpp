@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <trophic/analysis/statistics/effect_size.hpp>
+#include <tools/analysis/statistics/effect_size.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

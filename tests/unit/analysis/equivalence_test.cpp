@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <trophic/analysis/statistics/equivalence.hpp>
+#include <tools/analysis/statistics/equivalence.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/analysis/statistics/estimate.hpp>
+#include <tools/analysis/statistics/estimate.hpp>
 #include <vector>
 
 using namespace trophic::analysis;

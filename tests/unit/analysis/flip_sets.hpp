@@ -2,7 +2,7 @@
 // Sets of runs to compare, written by hand.
 #pragma once
 
-#include <trophic/analysis/metrics/run_set.hpp>
+#include <tools/analysis/metrics/run_set.hpp>
 
 namespace trophic::test {
 

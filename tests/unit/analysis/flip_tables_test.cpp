@@ -4,7 +4,7 @@
 #include <span>
 #include <sstream>
 #include <string>
-#include <trophic/analysis/report/flip_tables.hpp>
+#include <tools/analysis/report/flip_tables.hpp>
 #include <trophic/observe/csv.hpp>
 #include <unit/analysis/flip_sets.hpp>
 #include <vector>

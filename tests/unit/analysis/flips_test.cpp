@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <trophic/analysis/report/flips.hpp>
+#include <tools/analysis/report/flips.hpp>
 #include <unit/analysis/flip_sets.hpp>
 #include <vector>
 

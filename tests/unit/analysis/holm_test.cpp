@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/analysis/statistics/holm.hpp>
+#include <tools/analysis/statistics/holm.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

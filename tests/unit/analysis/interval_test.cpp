@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cmath>
-#include <trophic/analysis/statistics/interval.hpp>
+#include <tools/analysis/statistics/interval.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/analysis/metrics/measurement.hpp>
+#include <tools/analysis/metrics/measurement.hpp>
 #include <vector>
 
 using namespace trophic::analysis;

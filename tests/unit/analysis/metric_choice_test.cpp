@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/metrics/metric_choice.hpp>
+#include <tools/analysis/metrics/metric_choice.hpp>
 #include <vector>
 
 using namespace trophic;

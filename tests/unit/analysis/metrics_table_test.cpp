@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/metrics_table.hpp>
+#include <tools/analysis/report/metrics_table.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
 

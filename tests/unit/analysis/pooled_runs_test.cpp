@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/pooled_runs.hpp>
+#include <tools/analysis/data/pooled_runs.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <utility>
 #include <vector>

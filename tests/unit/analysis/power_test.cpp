@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <trophic/analysis/statistics/power.hpp>
+#include <tools/analysis/statistics/power.hpp>
 #include <vector>
 
 using namespace trophic;

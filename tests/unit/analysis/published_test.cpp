@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 #include <string>
-#include <trophic/analysis/metrics/run_metrics.hpp>
-#include <trophic/analysis/report/claim_conclusion.hpp>
-#include <trophic/analysis/report/published.hpp>
+#include <tools/analysis/metrics/run_metrics.hpp>
+#include <tools/analysis/report/claim_conclusion.hpp>
+#include <tools/analysis/report/published.hpp>
 #include <unit/analysis/rows.hpp>
 
 using namespace trophic;

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/read_run.hpp>
+#include <tools/analysis/data/read_run.hpp>
 #include <unit/analysis/rows.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>

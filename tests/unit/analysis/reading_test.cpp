@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/analysis/report/reading.hpp>
+#include <tools/analysis/report/reading.hpp>
 
 using namespace trophic::analysis;
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/run_manifest.hpp>
+#include <tools/analysis/data/run_manifest.hpp>
 #include <unit/analysis/run_files.hpp>
 
 using namespace trophic;

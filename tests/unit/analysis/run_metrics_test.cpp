@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <trophic/analysis/metrics/run_metrics.hpp>
+#include <tools/analysis/metrics/run_metrics.hpp>
 #include <unit/analysis/rows.hpp>
 
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/metrics/run_set.hpp>
+#include <tools/analysis/metrics/run_set.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
 

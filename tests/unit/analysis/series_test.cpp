@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <stdexcept>
-#include <trophic/analysis/metrics/series.hpp>
+#include <tools/analysis/metrics/series.hpp>
 
 using trophic::analysis::Mean;
 using trophic::analysis::WindowMean;

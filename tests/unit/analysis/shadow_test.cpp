@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/shadow.hpp>
+#include <tools/analysis/data/shadow.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/analysis/metrics/stuck.hpp>
+#include <tools/analysis/metrics/stuck.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
-#include <trophic/analysis/statistics/student_t.hpp>
+#include <tools/analysis/statistics/student_t.hpp>
 
 using namespace trophic::analysis;
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/summary_json.hpp>
+#include <tools/analysis/report/summary_json.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 #include <stdexcept>
-#include <trophic/analysis/report/summary.hpp>
+#include <tools/analysis/report/summary.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>
 

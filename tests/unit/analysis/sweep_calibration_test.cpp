@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <trophic/analysis/report/cell_differences.hpp>
-#include <trophic/analysis/statistics/power.hpp>
+#include <tools/analysis/report/cell_differences.hpp>
+#include <tools/analysis/statistics/power.hpp>
 #include <trophic/support/rng.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/sweep_grid.hpp>
+#include <tools/analysis/data/sweep_grid.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <functional>
 #include <string>
-#include <trophic/analysis/data/sweep_grid.hpp>
-#include <trophic/analysis/metrics/sweep_values.hpp>
+#include <tools/analysis/data/sweep_grid.hpp>
+#include <tools/analysis/metrics/sweep_values.hpp>
 #include <trophic/replicates/sweep/plan_file.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <utility>

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <trophic/analysis/report/sweep_json.hpp>
+#include <tools/analysis/report/sweep_json.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <trophic/analysis/report/sweep_rows.hpp>
+#include <tools/analysis/report/sweep_rows.hpp>
 #include <trophic/observe/csv.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/sweep_runs.hpp>
+#include <tools/analysis/data/sweep_runs.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/sweep_tables.hpp>
+#include <tools/analysis/report/sweep_tables.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <array>
 #include <sstream>
 #include <string>
-#include <trophic/analysis/report/sweep_text.hpp>
+#include <tools/analysis/report/sweep_text.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/metrics/sweep_values.hpp>
+#include <tools/analysis/metrics/sweep_values.hpp>
 #include <unit/analysis/rows.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>

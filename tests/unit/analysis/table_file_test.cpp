@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/metrics_table.hpp>
-#include <trophic/analysis/report/table_file.hpp>
+#include <tools/analysis/report/metrics_table.hpp>
+#include <tools/analysis/report/table_file.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/support/whole_file.hpp>
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/data/table_reader.hpp>
-#include <trophic/analysis/report/metrics_table.hpp>
+#include <tools/analysis/data/table_reader.hpp>
+#include <tools/analysis/report/metrics_table.hpp>
 #include <trophic/observe/csv.hpp>
 #include <trophic/observe/tables.hpp>
 #include <unit/analysis/rows.hpp>

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <trophic/analysis/data/tables.hpp>
+#include <tools/analysis/data/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <trophic/analysis/metrics/tag_symmetry.hpp>
+#include <tools/analysis/metrics/tag_symmetry.hpp>
 #include <unit/analysis/rows.hpp>
 #include <utility>
 #include <vector>

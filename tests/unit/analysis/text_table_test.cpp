@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/analysis/report/claims_text.hpp>
-#include <trophic/analysis/report/text_table.hpp>
+#include <tools/analysis/report/claims_text.hpp>
+#include <tools/analysis/report/text_table.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <vector>
 

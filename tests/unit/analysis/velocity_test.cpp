@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <trophic/analysis/metrics/velocity.hpp>
+#include <tools/analysis/metrics/velocity.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>
 

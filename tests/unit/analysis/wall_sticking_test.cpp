@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/analysis/metrics/wall_sticking.hpp>
+#include <tools/analysis/metrics/wall_sticking.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>
 

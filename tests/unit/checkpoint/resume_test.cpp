@@ -131,8 +131,10 @@ TEST_CASE("so does a run with states.csv, with senses.csv beside it or not") {
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";
     const fs::path parts = folder.path() / "parts";
-    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, whole, never, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
-    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, 101, 50.0, {.agents_every_ticks = 2, .senses = senses, .states = true});
+    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, whole, never, 50.0,
+             {.agents_every_ticks = 2, .senses = senses, .states = true});
+    run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, 101, 50.0,
+             {.agents_every_ticks = 2, .senses = senses, .states = true});
     run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, 209, 50.0, {.senses = !senses});
     run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, never, 50.0);
     CHECK(results_in(whole) == results_in(parts));

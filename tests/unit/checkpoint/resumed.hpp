@@ -71,8 +71,8 @@ void run_part(const Experiment<Rules>& experiment, const BackendChoice& backend,
   }
 }
 
-/// To its end, cut off at each of these ticks. `before` is called with the number of each part and the backend's numbers, to change
-/// what must not change results.
+/// To its end, cut off at each of these ticks. `before` is called with the number of each part and the backend's numbers, to
+/// change what must not change results.
 template <class Rules, class BackendParams, class Before>
 void run_in_parts(const Experiment<Rules>& experiment, BackendParams backend, const std::filesystem::path& folder,
                   const std::vector<std::int64_t>& cuts, double every_s, Before&& before) {

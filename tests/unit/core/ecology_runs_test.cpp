@@ -343,6 +343,7 @@ TEST_CASE("runs: a food chain of three species lives by both rule sets") {
   for (const auto seed : {std::uint64_t{11}, std::uint64_t{12}}) {
     CAPTURE(seed);
     live(std::make_unique<Kinematics<Paper>>(typename Kinematics<Paper>::Params{.seed = seed}, backend::Kinematic::Params{}));
-    live(std::make_unique<Kinematics<Released>>(typename Kinematics<Released>::Params{.seed = seed}, backend::Kinematic::Params{}));
+    live(std::make_unique<Kinematics<Released>>(typename Kinematics<Released>::Params{.seed = seed},
+                                                backend::Kinematic::Params{}));
   }
 }

@@ -331,17 +331,20 @@ TEST_CASE("ecology: nobody is given up who was born of the same rescue") {
 TEST_CASE("ecology: founders and places are as many as robots, and places are somewhere") {
   using Few = with_community<Scene, Short>;
   const auto few = scene<Few>({{.x_m = 0.0}, {.x_m = 0.5}});
-  CHECK(rule_error([&] { Kinematics<Few>{few, still}; }) ==
-        "the policy in rules.community returned 1 founders: must be 2, the number of robots");
+  CHECK(rule_error([&] {
+          Kinematics<Few>{few, still};
+        }) == "the policy in rules.community returned 1 founders: must be 2, the number of robots");
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
   params.ecology.robots = 3;
-  CHECK(rule_error([&] { Kinematics<Scene>{params, still}; }) ==
-        "the policy in rules.placement returned 2 places: must be 3, the number of robots");
+  CHECK(rule_error([&] {
+          Kinematics<Scene>{params, still};
+        }) == "the policy in rules.placement returned 2 places: must be 3, the number of robots");
   params.ecology.robots = 2;
   Places::poses[1].y_m = std::numeric_limits<double>::quiet_NaN();
-  CHECK(rule_error([&] { Kinematics<Scene>{params, still}; }) ==
-        "the policy in rules.placement returned a place of body 1 that is not finite");
+  CHECK(rule_error([&] {
+          Kinematics<Scene>{params, still};
+        }) == "the policy in rules.placement returned a place of body 1 that is not finite");
 }
 
 TEST_CASE("ecology: a parent without a genome is named") {
@@ -350,8 +353,9 @@ TEST_CASE("ecology: a parent without a genome is named") {
   params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}};
-  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(0.0); }) ==
-        "the policy in rules.capture_parent returned individual 0 as a parent: must have a genome of 15 weights");
+  CHECK(rule_error([&] {
+          Kinematics<Rules>{params, still}.run_until(0.0);
+        }) == "the policy in rules.capture_parent returned individual 0 as a parent: must have a genome of 15 weights");
 }
 
 TEST_CASE("ecology: only the brain's tags are shown") {
@@ -361,8 +365,9 @@ TEST_CASE("ecology: only the brain's tags are shown") {
   ScriptedTag::given = -1;
   CHECK(rule_error([&] { Kinematics<Rules>{params, still}; }).empty());
   ScriptedTag::given = 2;
-  CHECK(rule_error([&] { Kinematics<Rules>{params, still}; }) ==
-        "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
+  CHECK(rule_error([&] {
+          Kinematics<Rules>{params, still};
+        }) == "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
 }
 
 TEST_CASE("ecology: who has been caught in this tick does not catch any more") {
@@ -552,7 +557,9 @@ TEST_CASE("ecology: a parent of another species than the heir is refused") {
   params.rules.senescence.max_age_s = 20.0;
   params.rules.starvation_schedule.base_ticks = 1000;
   params.rules.genome_source.random_share = 0.0;
-  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(20.0); }) ==
+  CHECK(rule_error([&] {
+          Kinematics<Rules>{params, still}.run_until(20.0);
+        }) ==
         "the policy in rules.senescence_parent returned individual 2, a prey, as the parent of a predator: must be of its "
         "offspring's species");
 }

@@ -6,10 +6,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tools/gait_evolution/tables.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/gait_evolution/tables.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/detail/member_count.hpp>
 #include <trophic/rules/paper.hpp>

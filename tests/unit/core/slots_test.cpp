@@ -15,7 +15,9 @@ using namespace trophic;
 
 TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, durations and names") {
   using Paper = Ecology<rules::Paper>;
-  const auto fingerprint = [](auto params) { return Paper{std::move(params), backend::Kinematic::Params{}}.describe(1.0).fingerprint; };
+  const auto fingerprint = [](auto params) {
+    return Paper{std::move(params), backend::Kinematic::Params{}}.describe(1.0).fingerprint;
+  };
   const std::string paper = fingerprint(Paper::Params{});
   CHECK(fingerprint(Paper::Params{.seed = 77}) == paper);
   Paper::Params longer;

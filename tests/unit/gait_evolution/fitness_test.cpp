@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <support/toy_backend.hpp>
-#include <trophic/gait_evolution/fitness.hpp>
-#include <trophic/gait_evolution/trial.hpp>
+#include <tools/gait_evolution/fitness.hpp>
+#include <tools/gait_evolution/trial.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <vector>

@@ -3,9 +3,9 @@
 #include <rapidcheck.h>
 
 #include <set>
-#include <trophic/gait_evolution/genome_toml.hpp>
-#include <trophic/gait_evolution/network.hpp>
-#include <trophic/gait_evolution/variation.hpp>
+#include <tools/gait_evolution/genome_toml.hpp>
+#include <tools/gait_evolution/network.hpp>
+#include <tools/gait_evolution/variation.hpp>
 
 namespace gait_evolution = trophic::gait_evolution;
 using gait_evolution::Genome;

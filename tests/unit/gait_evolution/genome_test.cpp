@@ -3,8 +3,8 @@
 
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/gait_evolution/genome_toml.hpp>
-#include <trophic/gait_evolution/variation.hpp>
+#include <tools/gait_evolution/genome_toml.hpp>
+#include <tools/gait_evolution/variation.hpp>
 
 namespace gait_evolution = trophic::gait_evolution;
 using gait_evolution::Activation;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <trophic/gait_evolution/network.hpp>
+#include <tools/gait_evolution/network.hpp>
 
 namespace gait_evolution = trophic::gait_evolution;
 using doctest::Approx;

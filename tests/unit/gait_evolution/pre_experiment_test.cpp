@@ -10,8 +10,8 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <support/toy_backend.hpp>
-#include <trophic/gait_evolution/archive.hpp>
-#include <trophic/gait_evolution/pre_experiment.hpp>
+#include <tools/gait_evolution/archive.hpp>
+#include <tools/gait_evolution/pre_experiment.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <support/temporary_folder.hpp>
-#include <trophic/gait_evolution/selection.hpp>
+#include <tools/gait_evolution/selection.hpp>
 
 namespace gait_evolution = trophic::gait_evolution;
 using Indices = std::vector<std::size_t>;

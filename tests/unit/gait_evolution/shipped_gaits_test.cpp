@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <trophic/gait_evolution/cppn_gait.hpp>
-#include <trophic/gait_evolution/gait_file.hpp>
+#include <tools/gait_evolution/cppn_gait.hpp>
+#include <tools/gait_evolution/gait_file.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// A program that flips the differences between two rule tables, in replicates. `trophic flip-table` reads the result.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <tools/ablations/flips.hpp>
+#include <trophic/command/backends.hpp>
+#include <trophic/command/option.hpp>
+#include <trophic/command/provenance.hpp>
+#include <trophic/command/run_command.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/rules/table.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail::ablations {
+
+struct Options {
+  std::string from = "both";
+  std::string backend{backend::Kinematic::name};
+  std::uint64_t seed = 1;
+  double duration_s = 6000.0;
+  std::optional<std::uint64_t> replicates;
+  std::uint64_t jobs = 1;
+  std::vector<std::string> only;
+  bool shadow = false;
+  bool resume = false;
+  bool list = false;
+  std::string out;
+};
+
+/// Every flip of one table, with the same seeds. Stops at the first with an unfinished replicate.
+template <class Base, class Other>
+[[nodiscard]] bool run_from(const Options& options, Study study) {
+  study.plan.out /= std::string{direction_prefix} + table_name<Base>();
+  for (const Flip& flip : flips<Base, Other>()) {
+    if (!options.only.empty() && std::ranges::find(options.only, flip.name) == options.only.end()) continue;
+    const auto unfinished = run_flip<Base, Other>(flip.name, study);
+    for (const std::string& sentence : unfinished) {
+      std::cerr << "unfinished: " << direction_prefix << table_name<Base>() << "/" << sentence << "\n";
+    }
+    if (!unfinished.empty()) return false;
+  }
+  return true;
+}
+
+template <class Base, class Other>
+void list(std::ostream& out) {
+  for (const Flip& flip : flips<Base, Other>()) {
+    out << direction_prefix << table_name<Base>() << "/" << flip.name << "  " << flip.change << "\n";
+  }
+}
+
+template <class Base, class Other>
+[[nodiscard]] std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const auto& flips : {flips<Base, Other>(), flips<Other, Base>()}) {
+    for (const Flip& flip : flips) {
+      if (std::ranges::find(all, flip.name) == all.end()) all.push_back(flip.name);
+    }
+  }
+  return all;
+}
+
+template <class Base, class Other>
+[[nodiscard]] int run(const Options& options, const observe::Provenance& provenance) {
+  const bool forth = options.from != table_name<Other>();
+  const bool back = options.from != table_name<Base>();
+  if (options.list) {
+    if (forth) list<Base, Other>(std::cout);
+    if (back) list<Other, Base>(std::cout);
+    return 0;
+  }
+  const bool is_kinematic = options.backend == backend::Kinematic::name;
+  const auto backends = linked_backends<LinkedBackends>();
+  const auto chosen = std::ranges::find(backends, options.backend, &LinkedBackend::name);
+  if (chosen == backends.end()) {
+    throw std::invalid_argument{about_missing_backend(options.backend, backend_names<LinkedBackends>())};
+  }
+  // Hundreds of runs that nobody watches are not recorded.
+  const Study study{.plan = {.out = options.out,
+                             .master_seed = options.seed,
+                             .count = options.replicates.value_or(is_kinematic ? 30 : 10),
+                             .jobs = options.jobs,
+                             .resume = options.resume,
+                             .extent = {.replay_hz = 0.0}},
+                    .backend = chosen->choice(),
+                    .duration_s = options.duration_s,
+                    .shadow = options.shadow,
+                    .provenance = provenance};
+  study.plan.check();
+  if ((!forth || run_from<Base, Other>(options, study)) && (!back || run_from<Other, Base>(options, study))) return 0;
+  std::cerr << "the same command with --resume runs what is missing and no more\n";
+  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+}
+
+}  // namespace detail::ablations
+
+/// The command line of a study of two tables, on every backend that the program is linked with. It needs run_flip in both
+/// directions: include trophic/command/run_flip.hpp and instantiate them explicitly, in files of their own, as they take long to
+/// compile.
+template <class Base, class Other>
+[[nodiscard]] int ablations(int argc, const char* const* argv) {
+  return guarded(argv[0], [&] {
+    detail::ablations::Options options;
+    const std::string base = table_name<Base>();
+    const std::string other = table_name<Other>();
+    const auto backends = backend_names<LinkedBackends>();
+    return run_command(
+        argc, argv,
+        {.name = {},
+         .about = "The tables " + base + " and " + other +
+                  ", and each with one rule or number as in the other, or a group of them. Sets of replicates go to OUT/from_" +
+                  base + "/NAME and OUT/from_" + other + "/NAME; trophic flip-table OUT says what each flip changes.",
+         .options = {{"--from",
+                      &options.from,
+                      "the table whose rules are flipped: " + one_of(std::vector{base, other, std::string{"both"}}) + " (both)",
+                      {base, other, "both"},
+                      Words::demanded},
+                     {"--backend", &options.backend, "physics: " + one_of(backends) + " (kinematic)", backends},
+                     {"--seed", &options.seed, "the seeds of all replicates follow from it (1)"},
+                     {"--duration", &options.duration_s, "length of each run, seconds of the ecology's clock (6000)"},
+                     {"--replicates", &options.replicates, "runs of each set (30; 10 with an engine)"},
+                     {"--jobs", &options.jobs, "replicates at a time (1); results do not depend on it"},
+                     {"--only", &options.only, "these sets only; trophic flip-table needs base",
+                      detail::ablations::names<Base, Other>(), Words::demanded},
+                     {"--shadow", &options.shadow, "run each set's neutral shadow too, into its folder shadow"},
+                     {"--resume", &options.resume, "run only what OUT lacks"},
+                     {"--list", &options.list, "list all sets, with what each changes, and stop"},
+                     {"--out", &options.out, "folder for the sets' folders"}},
+         .work = [&] { return detail::ablations::run<Base, Other>(options, provenance(argc, argv)); },
+         .subcommands = {},
+         .version = version_text(backend_versions<LinkedBackends>())});
+  });
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// How a flip becomes a table and runs.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tools/ablations/flips.hpp>
+#include <trophic/ecology/experiment.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/rules/with_sensor.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail {
+
+template <class Table>
+std::vector<std::string> run_table(const std::string& name, Experiment<Table> experiment, const Study& study) {
+  std::cout << name << ": " << table_name<Table>() << std::endl;
+  experiment.ecology.duration_s = study.duration_s;
+  replicates::Plan plan = study.plan;
+  plan.out /= name;
+  auto unfinished = replicates::run_with_shadow(experiment, study.backend, plan, study.shadow, study.provenance, std::cout);
+  for (std::string& sentence : unfinished) sentence.insert(0, name + "/");
+  return unfinished;
+}
+
+/// Base with one number as Other has it.
+template <class Base, class Other>
+Experiment<Base> with_number_of(const std::string& name) {
+  for (const rules::RuleDifference& difference : rules::differences<Base, Other>()) {
+    if (difference.name != name || !difference.is_number()) continue;
+    const bool of_rule = !name.starts_with("ecology.") && !name.starts_with("physics.");
+    Experiment<Base> experiment;
+    read_numbers(experiment, read_assignment((of_rule ? "rules." : "") + name + "=" + difference.there));
+    return experiment;
+  }
+  throw std::invalid_argument{"flip " + name + ": the tables do not differ in it"};
+}
+
+template <class Base, class Other, std::size_t group>
+std::vector<std::string> run_group(const std::string& name, const Study& study) {
+  Experiment<rules::with_rules_of<Base, Other, slot_groups[group].slots>> experiment;
+  if (group == ecology_group) {
+    experiment.ecology = Other::ecology();
+    experiment.physics = Other::physics();
+  }
+  return run_table(name, std::move(experiment), study);
+}
+
+/// Base with the sensor at one place of its list as Other has it, if `name` is that flip.
+template <class Base, class Other, std::size_t place>
+std::optional<std::vector<std::string>> run_sensor(const std::string& name, const Study& study) {
+  if constexpr (Base::Sensors::count == Other::Sensors::count) {
+    if (name.empty() || name != sensor_flip<Base, Other, place>()) return std::nullopt;
+    using Old = typename Base::Sensors::template At<place>;
+    using New = typename Other::Sensors::template At<place>;
+    return run_table(name, Experiment<rules::with_sensor<Base, Old, New>>{}, study);
+  }
+  return std::nullopt;
+}
+
+template <class Base, class Other, std::size_t... place>
+std::optional<std::vector<std::string>> run_sensors(const std::string& name, const Study& study, std::index_sequence<place...>) {
+  std::optional<std::vector<std::string>> unfinished;
+  static_cast<void>(((unfinished = run_sensor<Base, Other, place>(name, study)).has_value() || ...));
+  return unfinished;
+}
+
+}  // namespace detail
+
+template <class Base, class Other>
+std::vector<std::string> run_flip(const std::string& name, const Study& study) {
+  if (name == base_name) return detail::run_table(name, Experiment<Base>{}, study);
+  if (const std::string why = needs_joints(name); !study.backend.has_joints() && !why.empty()) {
+    std::cout << why << std::endl;
+    return {};
+  }
+  if (name == biases_name) {
+    Experiment<with_brain<Base, typename Base::Brain::WithBiases>> experiment;
+    experiment.rules.brain.turn_angle_rad = RuleParams<Base>{}.brain.turn_angle_rad;
+    return detail::run_table(name, std::move(experiment), study);
+  }
+  if (name == slot_groups[0].name) return detail::run_group<Base, Other, 0>(name, study);
+  if (name == slot_groups[1].name) return detail::run_group<Base, Other, 1>(name, study);
+  if (name == slot_groups[2].name) return detail::run_group<Base, Other, 2>(name, study);
+  if (name == slot_groups[3].name) return detail::run_group<Base, Other, 3>(name, study);
+  static_assert(slot_groups.size() == 4);
+  constexpr std::make_index_sequence<Base::Sensors::count> places;
+  if (const auto unfinished = detail::run_sensors<Base, Other>(name, study, places)) return *unfinished;
+#define TROPHIC_RUN_FLIP(Slot, member, kind, Contract)                                                                    \
+  if constexpr (!std::same_as<typename Base::Slot, typename Other::Slot>) {                                               \
+    if (name == #member) {                                                                                                \
+      return detail::run_table(name, Experiment<rules::with_rules_of<Base, Other, rules::slots({#member})>>{}, study); \
+    }                                                                                                                     \
+  }
+  TROPHIC_RULE_SLOTS(TROPHIC_RUN_FLIP)
+#undef TROPHIC_RUN_FLIP
+  return detail::run_table(name, detail::with_number_of<Base, Other>(name), study);
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Reads a table file into the rows that it was written from.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <tools/analysis/data/csv_reader.hpp>
+#include <trophic/observe/column.hpp>
+#include <trophic/population/food_web.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// The rows of a file by their columns, which may stand anywhere; columns that the row does not list are passed over.
+template <observe::TableRow Row>
+class TableReader {
+ public:
+  /// `web` names the species; it must outlive the reader. Throws std::runtime_error as CsvReader.
+  TableReader(const std::filesystem::path& path, const FoodWeb& web) : csv_{path, {}}, web_{web} {
+    observe::for_each_column<Row>([&](const auto& column) {
+      if constexpr (observe::is_list_columns<std::remove_cvref_t<decltype(column)>>) {
+        for (; csv_.has(name_in_list(column.name, list_size_)); ++list_size_) csv_.want(name_in_list(column.name, list_size_));
+      } else {
+        csv_.want(column.name);
+      }
+    });
+  }
+
+  /// Reads the next row; false after the last. Throws std::runtime_error "FILE:LINE: COLUMN = "TEXT": must be ...".
+  bool next(Row& row) {
+    if (!csv_.next()) return false;
+    std::size_t place = 0;
+    observe::for_each_column<Row>([&](const auto& column) {
+      using Kind = std::remove_cvref_t<decltype(column)>;
+      auto& value = row.*column.member;
+      if constexpr (observe::is_list_columns<Kind>) {
+        value.clear();
+        for (std::size_t i = 0; i < list_size_; ++i) value.push_back(csv_.get<double>(place++));
+      } else if constexpr (observe::is_species_column<Kind>) {
+        value = species(place++);
+      } else if constexpr (requires { value.has_value(); }) {
+        value = csv_.get_optional<typename std::remove_cvref_t<decltype(value)>::value_type>(place++, column.written.none);
+      } else {
+        value = csv_.get<std::remove_cvref_t<decltype(value)>>(place++);
+      }
+    });
+    return true;
+  }
+
+  [[nodiscard]] const CsvReader& csv() const { return csv_; }
+
+  /// Throws std::runtime_error about a cell of the row at hand.
+  [[noreturn]] void reject(std::string_view column, std::string_view must) const { csv_.reject(csv_.place_of(column), must); }
+
+ private:
+  [[nodiscard]] static std::string name_in_list(std::string_view name, std::size_t i) {
+    return std::string{name} + std::to_string(i);
+  }
+
+  [[nodiscard]] Species species(std::size_t place) const {
+    for (Species species = 0; species < web_.size(); ++species) {
+      if (web_.name(species) == csv_.text(place)) return species;
+    }
+    csv_.reject(place, "a species of the run's manifest");
+  }
+
+  CsvReader csv_;
+  const FoodWeb& web_;
+  std::size_t list_size_ = 0;
+};
+
+}  // namespace trophic::analysis

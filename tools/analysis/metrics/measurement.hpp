@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What was measured in a run, each value with the baselines that it has to be set beside.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tools/analysis/metrics/series.hpp>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// What a measurement means.
+struct MetricName {
+  std::string metric;
+  std::string species;  ///< "prey"; of a metric of two: "prey+predator"
+  std::string group;    ///< all, random, inherited, active, inherited_active; of deaths a cause, of ticks_at a number of members
+  std::string unit;     ///< "1" for shares
+  friend auto operator<=>(const MetricName&, const MetricName&) = default;
+};
+
+/// What another value of a measurement is for. Only a null, which is what chance alone would give, gets a verdict.
+enum class Role { reference, paper, null };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Role) {
+  return {"reference", "paper", "null"};
+}
+
+/// A value to set a measurement beside. `paper`: the baseline that the paper compares with.
+struct Baseline {
+  std::string name;
+  Role role = Role::reference;
+  std::optional<double> value;
+};
+
+/// One number of one run; none where it cannot be computed.
+struct Measurement {
+  MetricName name;
+  std::optional<double> value;
+  std::vector<Baseline> baselines;
+};
+
+/// A curve over the time of one run; `baseline` is empty for what was observed.
+struct Curve {
+  MetricName name;
+  std::string baseline;
+  Series points;
+};
+
+struct RunMetrics {
+  std::vector<Measurement> measurements;
+  std::vector<Curve> curves;
+};
+
+/// What runs have as a metric's value; runs without one are left out.
+[[nodiscard]] inline std::vector<double> values_of(std::span<const RunMetrics> runs, const MetricName& name) {
+  std::vector<double> values;
+  for (const RunMetrics& run : runs) {
+    const auto found = std::ranges::find(run.measurements, name, &Measurement::name);
+    if (found != run.measurements.end() && found->value) values.push_back(*found->value);
+  }
+  return values;
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// sweep_effects.csv, and the effects that are decided for people.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <tools/analysis/report/axis_effects.hpp>
+#include <tools/analysis/report/reading.hpp>
+#include <tools/analysis/report/table_file.hpp>
+#include <tools/analysis/report/text_table.hpp>
+#include <trophic/observe/column.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// sweep_effects.csv: one row a metric at a value of an axis.
+struct AxisEffectRow {
+  std::string axis = {};
+  std::string value = {};
+  std::string reference = {};
+  std::string metric = {};
+  std::string species = {};
+  std::string group = {};
+  std::string unit = {};
+  std::string compared = {};
+  std::size_t settings = 0;
+  std::size_t seeds = 0;
+  std::optional<double> mean = {};
+  std::optional<double> mean_reference = {};
+  std::optional<double> difference = {};
+  std::optional<double> lower = {};
+  std::optional<double> upper = {};
+  std::optional<double> p = {};
+  std::optional<double> p_holm = {};
+  std::string decided = {};
+
+  static constexpr auto columns() {
+    using observe::column;
+    return std::tuple{
+        column("axis", &AxisEffectRow::axis, "", "what varies: a setting's path, rule_table or engine"),
+        column("value", &AxisEffectRow::value, "", "its value here"),
+        column("reference", &AxisEffectRow::reference, "", "its value in the reference cell"),
+        column("metric", &AxisEffectRow::metric, "", "what was measured"),
+        column("species", &AxisEffectRow::species, "", "of whom; of a metric of two: prey+predator"),
+        column("group", &AxisEffectRow::group, "", "as in metrics.csv"),
+        column("unit", &AxisEffectRow::unit, "", "of means, differences and intervals"),
+        column("compared", &AxisEffectRow::compared, "", "raw, or over_shadow: each run over its shadow first"),
+        column("settings", &AxisEffectRow::settings, "", "of the other axes, over which was averaged"),
+        column("seeds", &AxisEffectRow::seeds, "", "with a value in all of these cells"),
+        column("mean", &AxisEffectRow::mean, "", "with the axis at this value, over settings and seeds"),
+        column("mean_reference", &AxisEffectRow::mean_reference, "", "with the axis at the reference cell's value"),
+        column("difference", &AxisEffectRow::difference, "", "mean - mean_reference"),
+        column("lower", &AxisEffectRow::lower, "", "of this effect's own 95 % interval, over seeds; empty for fewer than 6"),
+        column("upper", &AxisEffectRow::upper, "", "of this effect's own 95 % interval"),
+        column("p", &AxisEffectRow::p, "", "of this effect alone"),
+        column("p_holm", &AxisEffectRow::p_holm, "", "corrected for all effects of the analysis"),
+        column("decided", &AxisEffectRow::decided, "", "yes where p_holm <= 0.05, else no; empty without a p value")};
+  }
+};
+
+[[nodiscard]] inline AxisEffectRow row_of(const AxisEffect& of) {
+  const Difference& d = of.difference;
+  return {.axis = of.axis,
+          .value = of.value,
+          .reference = of.reference,
+          .metric = of.name.metric,
+          .species = of.name.species,
+          .group = of.name.group,
+          .unit = of.name.unit,
+          .compared = of.over_shadow ? "over_shadow" : "raw",
+          .settings = of.settings,
+          .seeds = of.seeds,
+          .mean = of.mean,
+          .mean_reference = of.mean_reference,
+          .difference = d.value,
+          .lower = lower_of(d.interval),
+          .upper = upper_of(d.interval),
+          .p = d.p,
+          .p_holm = d.adjusted,
+          .decided = decided_text(d)};
+}
+
+/// Writes sweep_effects.csv. Throws std::runtime_error if it exists or cannot be written.
+inline void write_axis_effects(const std::filesystem::path& path, std::span<const AxisEffect> effects) {
+  TableFile<AxisEffectRow> file{path};
+  for (const AxisEffect& effect : effects) file.write(row_of(effect));
+  file.finish();
+}
+
+/// One line for each axis and metric of which a value is decided, the value with the largest effect.
+inline void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects) {
+  if (effects.empty()) return;
+  std::size_t decided = 0;
+  std::vector<const AxisEffect*> largest;
+  for (const AxisEffect& effect : effects) {
+    if (!effect.difference.differs()) continue;
+    ++decided;
+    const auto found = std::ranges::find_if(
+        largest, [&](const AxisEffect* other) { return other->axis == effect.axis && other->name == effect.name; });
+    if (found == largest.end()) {
+      largest.push_back(&effect);
+    } else if (std::abs(*effect.difference.value) > std::abs(*(*found)->difference.value)) {
+      *found = &effect;
+    }
+  }
+  out << "averaged over the other axes, " << decided << " of " << effects.size() << " effects of an axis are decided (Holm)";
+  if (largest.empty()) {
+    out << "\n";
+    return;
+  }
+  out << "; the largest of each:\n";
+  constexpr std::size_t shown = 20;
+  for (std::size_t i = 0; i < std::min(shown, largest.size()); ++i) {
+    const AxisEffect& effect = *largest[i];
+    const Reading reading{effect.name};
+    out << detail::padded(metric_title(effect.name) + (effect.over_shadow ? ", over shadow" : ""), 44)
+        << detail::padded(reading.with_interval(effect.difference.value, effect.difference.interval, true), 28) << effect.axis
+        << " " << effect.reference << " -> " << effect.value << "\n";
+  }
+  if (largest.size() > shown) out << "and " << largest.size() - shown << " more: decided in sweep_effects.csv\n";
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Many sets of runs, each with something flipped, against the one set in which nothing is.
+#pragma once
+
+#include <span>
+#include <string>
+#include <tools/analysis/metrics/measurement.hpp>
+#include <tools/analysis/report/compare_sets.hpp>
+#include <tools/analysis/statistics/difference.hpp>
+#include <tools/analysis/statistics/estimate.hpp>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// What a flip changes in one metric.
+struct FlipEffect {
+  std::string flip;
+  MetricName name;
+  bool over_shadow = false;  ///< both sets were set over their shadows before they were compared
+  Estimate base;
+  Estimate flipped;
+  Difference difference;
+};
+
+/// Whether a metric moves with the composition of the population alone, so that only a shadow tells what inheritance does.
+[[nodiscard]] inline bool needs_shadow(const MetricName& name) {
+  return name.metric.starts_with("attribution") || name.metric.starts_with("velocity");
+}
+
+/// One effect a metric: over the shadows where the metric needs it and both sets have one, else raw. The p values are not yet
+/// adjusted: `adjust_together` does it for all flips at once.
+[[nodiscard]] inline std::vector<FlipEffect> effects_of(const std::string& flip, std::span<const SetDifference> differences) {
+  std::vector<FlipEffect> effects;
+  for (const SetDifference& d : differences) {
+    const bool over_shadow = needs_shadow(d.name) && d.over_shadow.value.has_value();
+    Difference difference = over_shadow ? d.over_shadow : d.raw;
+    difference.adjusted.reset();
+    effects.push_back({flip, d.name, over_shadow, d.a, d.b, difference});
+  }
+  return effects;
+}
+
+/// Holm's correction over all flips and metrics of a list.
+inline void adjust_together(std::vector<FlipEffect>& effects) {
+  std::vector<Difference*> together;
+  for (FlipEffect& effect : effects) together.push_back(&effect.difference);
+  adjust_together(together);
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Results for machines: metrics.csv.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <tools/analysis/metrics/measurement.hpp>
+#include <tools/analysis/metrics/run_set.hpp>
+#include <tools/analysis/report/summary.hpp>
+#include <tools/analysis/report/table_file.hpp>
+#include <trophic/observe/column.hpp>
+#include <tuple>
+
+namespace trophic::analysis {
+
+/// metrics.csv: every measurement and every curve of every run, one value a row.
+struct MetricRow {
+  std::string set = {};
+  std::string run = {};
+  std::uint64_t seed = 0;
+  std::string metric = {};
+  std::string species = {};
+  std::string group = {};
+  std::string baseline = {};
+  std::optional<double> time_s = {};
+  std::optional<double> value = {};
+  std::string unit = {};
+
+  static constexpr auto columns() {
+    using observe::column;
+    return std::tuple{
+        column("set", &MetricRow::set, "", "name of the rule table"),
+        column("run", &MetricRow::run, "", "name of the run's folder"),
+        column("seed", &MetricRow::seed, "", "of the run"),
+        column("metric", &MetricRow::metric, "", "what was measured"),
+        column("species", &MetricRow::species, "", "of whom; of a metric of two: prey+predator"),
+        column("group", &MetricRow::group, "",
+               "all, random, inherited, active (at that tick) or inherited_active; of deaths a cause, of ticks_at a number of "
+               "members"),
+        column("baseline", &MetricRow::baseline, "", "empty: observed; shadow: observed in the shadow of that seed"),
+        column("time_s", &MetricRow::time_s, "s", "of a curve the end of its window; empty: of the whole run"),
+        column("value", &MetricRow::value, "", "in `unit`; empty: could not be computed"),
+        column("unit", &MetricRow::unit, "", "of the value; 1 for shares and counts")};
+  }
+};
+
+/// Throws std::runtime_error if the file exists or cannot be written.
+inline void write_metrics(const std::filesystem::path& path, std::span<const ShadowedSet> sets) {
+  TableFile<MetricRow> file{path};
+  const auto write = [&](const std::string& label, const RunSet& set, bool is_shadow) {
+    for (std::size_t i = 0; i < set.runs.size(); ++i) {
+      std::string run = set.manifests[i].folder.lexically_normal().filename().string();
+      std::ranges::replace(run, ',', '_');
+      const auto row = [&](const MetricName& name, const std::string& baseline, std::optional<double> time_s,
+                           std::optional<double> value) {
+        if (is_shadow && !baseline.empty()) return;  // its own baselines say nothing about the set
+        file.write({.set = label,
+                    .run = run,
+                    .seed = set.manifests[i].seed,
+                    .metric = name.metric,
+                    .species = name.species,
+                    .group = name.group,
+                    .baseline = is_shadow ? std::string{shadow_name} : baseline,
+                    .time_s = time_s,
+                    .value = value,
+                    .unit = name.unit});
+      };
+      for (const Measurement& measurement : set.runs[i].measurements) {
+        row(measurement.name, "", {}, measurement.value);
+        for (const Baseline& baseline : measurement.baselines) row(measurement.name, baseline.name, {}, baseline.value);
+      }
+      for (const Curve& curve : set.runs[i].curves) {
+        for (const Point& point : curve.points) row(curve.name, curve.baseline, point.time_s, point.value);
+      }
+      file.flush();
+    }
+  };
+  for (const ShadowedSet& set : sets) {
+    write(set.ours.label, set.ours, false);
+    if (set.shadow) write(set.ours.label, *set.shadow, true);
+  }
+  file.finish();
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A metric as people read it: its name, its values in handy units.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <tools/analysis/metrics/measurement.hpp>
+#include <tools/analysis/statistics/estimate.hpp>
+#include <tools/analysis/statistics/interval.hpp>
+
+namespace trophic::analysis {
+
+/// A value in the unit that people read: velocities in cm/s, shares with three decimals, counts with one.
+class Reading {
+ public:
+  explicit Reading(const MetricName& name)
+      : factor_{name.unit == "m/s" ? 100.0 : 1.0},
+        decimals_{name.unit == "m/s"                                                               ? 2
+                  : name.unit == "ticks" || name.metric == "deaths" || name.metric == "population" ? 1
+                                                                                                   : 3} {}
+
+  [[nodiscard]] std::string operator()(double value, bool sign = false) const {
+    std::string text(64, '\0');
+    const int length = std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", decimals_, factor_ * value);
+    text.resize(static_cast<std::size_t>(length));
+    return text;
+  }
+  [[nodiscard]] std::string operator()(const std::optional<double>& value, bool sign = false) const {
+    return value ? (*this)(*value, sign) : "missing";
+  }
+  [[nodiscard]] std::string with_interval(const std::optional<double>& value, const std::optional<Interval>& interval,
+                                          bool sign = false) const {
+    if (!value) return "missing";
+    if (!interval) return (*this)(*value, sign);
+    return (*this)(*value, sign) + " [" + (*this)(interval->lower, sign) + ", " + (*this)(interval->upper, sign) + "]";
+  }
+  /// A mean with its interval, or with the spread between runs where there are too few for one.
+  [[nodiscard]] std::string of(const Estimate& estimate) const {
+    if (estimate.interval || !estimate.deviation) return with_interval(estimate.mean, estimate.interval);
+    return (*this)(estimate.mean) + " (sd " + (*this)(estimate.deviation) + ")";
+  }
+
+ private:
+  double factor_;
+  int decimals_;
+};
+
+/// "velocity prey (random), cm/s".
+[[nodiscard]] inline std::string metric_title(const MetricName& name) {
+  return name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")") +
+         (name.unit == "m/s" ? ", cm/s" : "");
+}
+
+}  // namespace trophic::analysis

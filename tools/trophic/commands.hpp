@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The subcommands of the program trophic, one file each, so that they compile side by side.
+#pragma once
+
+#include <trophic/command/option.hpp>
+
+namespace trophic::command {
+
+[[nodiscard]] Command analyze();
+[[nodiscard]] Command cross_check_engines();
+[[nodiscard]] Command evolve_gait();
+[[nodiscard]] Command export_run();
+[[nodiscard]] Command film();
+[[nodiscard]] Command flip_table();
+[[nodiscard]] Command measure_gait();
+[[nodiscard]] Command show();
+
+}  // namespace trophic::command

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// `trophic cross-check`, what depends on the engine: one gait in MuJoCo and ODE at several timesteps and settings, and the
+// metrics of two sets of runs.
+#include "commands.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <tools/trophic/cross_check/ecologies.hpp>
+#include <tools/trophic/cross_check/gait_report.hpp>
+#include <tools/trophic/cross_check/report.hpp>
+#include <tools/trophic/cross_check/walk.hpp>
+#include <trophic/command/backends.hpp>
+#include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/habitat/ecology_params.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/load/habitat.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/replicates/parallel.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::command {
+
+namespace cross_check {
+
+struct Options {
+  std::string out;
+  std::uint64_t seconds = 40;
+  EcologyParams ecology;
+  std::vector<std::string> runs;
+  std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency());
+};
+
+void check(const Options& options) {
+  if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
+  if (options.seconds != 0 && (options.seconds < 10 || options.seconds > 1000 || options.seconds % 2 != 0)) {
+    throw std::invalid_argument{"--seconds " + std::to_string(options.seconds) + ": must be 0 or an even number from 10 to 1000"};
+  }
+  if (options.jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+  if (options.seconds == 0 && options.runs.empty()) {
+    throw std::invalid_argument{"--seconds 0: needs --runs, nothing is left to compare"};
+  }
+  validate(options.ecology, "ecology");
+}
+
+#if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
+/// Walks that differ in engine, timestep or settings, MuJoCo's at the default timestep first.
+struct Task {
+  Condition condition;
+  std::function<std::vector<Walk>()> walk;
+};
+[[nodiscard]] std::vector<Task> tasks_for(const Habitat& habitat, double target_angle_rad, double duration_s) {
+  std::vector<Task> tasks;
+  const auto add = [&]<class B>(const std::string& settings, double timestep_s, const typename B::Params& params) {
+    const Condition condition{std::string{B::name}, settings, timestep_s, target_angle_rad};
+    tasks.push_back({condition, [=, &habitat] { return walk<B>(habitat, condition, duration_s, params); }});
+  };
+  const std::string unchanged{default_settings};
+  const double usual_s = Physics{}.timestep_s;
+  for (const double finer : {1.0, 2.0, 4.0}) add.operator()<backend::Mujoco>(unchanged, usual_s / finer, {});
+  for (const double finer : {1.0, 2.0, 4.0}) add.operator()<backend::Ode>(unchanged, usual_s / finer, {});
+  backend::Ode::Params many_sweeps;
+  many_sweeps.sweeps = 100;
+  add.operator()<backend::Ode>("100 sweeps", usual_s, many_sweeps);
+  backend::Ode::Params world_step;
+  world_step.solver = backend::ode::Solver::world_step;
+  add.operator()<backend::Ode>("world_step", usual_s, world_step);
+  backend::Ode::Params hard;  // half the time constant, the same damping ratio
+  hard.contact_stiffness_N_m *= 4.0;
+  hard.contact_damping_N_s_m *= 2.0;
+  hard.friction_damping_N_s_m *= 2.0;
+  add.operator()<backend::Ode>("springs 4x", usual_s, hard);
+  backend::Ode::Params creeping;
+  creeping.friction_damping_N_s_m /= 10.0;
+  add.operator()<backend::Ode>("creep 10x", usual_s, creeping);
+  return tasks;
+}
+
+void compare_gaits(const Options& options, const Habitat& habitat, Csv& csv) {
+  GaitReport report{options.out, csv};
+  for (const double target_angle_rad : {0.7, -0.7, 0.0}) {
+    const auto tasks = tasks_for(habitat, target_angle_rad, static_cast<double>(options.seconds));
+    std::vector<Outcome> outcomes(tasks.size());
+    const auto attempts = replicates::in_parallel(
+        tasks.size(), options.jobs,
+        [&](std::size_t i) {
+          outcomes[i] = {tasks[i].condition, tasks[i].walk()};
+        },
+        [] { return true; });
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const Condition& c = tasks[i].condition;
+      if (!attempts[i].error.empty()) {
+        throw std::runtime_error{c.engine + ", " + c.settings + ", timestep_s = " + number_text(c.timestep_s) + ": " +
+                                 attempts[i].error};
+      }
+    }
+    report.add(outcomes);
+  }
+}
+
+#endif
+
+[[nodiscard]] int run(const Options& options) {
+  check(options);
+  const Habitat habitat = load_habitat(options.ecology);
+  std::optional<Ecologies> sets;
+  if (!options.runs.empty()) sets = read_ecologies(options.runs[0], options.runs[1]);
+#if !defined(TROPHIC_WITH_MUJOCO) || !defined(TROPHIC_WITH_ODE)
+  if (options.seconds != 0) {
+    throw std::invalid_argument{"--seconds " + std::to_string(options.seconds) +
+                                ": must be 0, walks need both engines and this program was built with " +
+                                backend_versions<LinkedBackends>()};
+  }
+#endif
+  Csv csv{observe::make_new_folder(options.out) / "cross_check.csv"};
+#if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
+  if (options.seconds != 0) compare_gaits(options, habitat, csv);
+#endif
+  if (sets) compare_ecologies(*sets, csv);
+  std::cout << "files   " << options.out << "\n";
+  flush_output();
+  return 0;
+}
+
+}  // namespace cross_check
+
+/// Walks and runs on two engines, with tests of equivalence.
+Command cross_check_engines() {
+  const auto options = std::make_shared<cross_check::Options>();
+  return {.name = "cross-check",
+          .about =
+              "Compares MuJoCo and ODE: speed, turning, servo power and torque of one gait by timestep and settings, and the "
+              "metrics of two sets of runs, with two one-sided tests of equivalence each.",
+          .options = {{"--out", &options->out, "new folder for cross_check.csv and trajectories.csv"},
+                      {"--seconds", &options->seconds, "simulated time of each walk, an even number; 0: no walks (40)"},
+                      {"--robot", &options->ecology.robot, "name or path of a robot file (spider)"},
+                      {"--gait", &options->ecology.gait, "name or path of a gait file (the robot's)"},
+                      {"--jobs", &options->jobs, "walks at a time (one per core); results do not depend on it"},
+                      {"--runs",
+                       &options->runs,
+                       "two folders of replicates of the same rules, each on one engine: which metrics are equivalent",
+                       {},
+                       Words::suggested,
+                       2}},
+          .work = [options] { return cross_check::run(*options); },
+          .subcommands = {},
+          .version = {}};
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// What was compared, as lines of one CSV and as text for the terminal.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <tools/analysis/statistics/equivalence.hpp>
+#include <tools/analysis/statistics/estimate.hpp>
+#include <trophic/observe/column.hpp>
+#include <trophic/observe/csv.hpp>
+#include <tuple>
+
+namespace trophic::command::cross_check {
+
+/// What a line of cross_check.csv is about. Gaits have settings, timestep and target angle; metrics have species and group.
+struct Subject {
+  std::string_view part;  ///< gait or ecology
+  std::string engine;
+  std::string settings;
+  std::optional<double> timestep_s;
+  std::optional<double> target_angle_rad;
+  std::string_view quantity;
+  std::string species;
+  std::string group;
+  std::string_view unit;
+};
+
+/// cross_check.csv: a mean over n robots or runs with its 95 % interval, and how it differs from MuJoCo's at its default
+/// timestep.
+struct CheckRow {
+  std::string part = {};
+  std::string engine = {};
+  std::string settings = {};
+  std::optional<double> timestep_s = {};
+  std::optional<double> target_angle_rad = {};
+  std::string quantity = {};
+  std::string species = {};
+  std::string group = {};
+  std::string unit = {};
+  std::optional<double> mean = {};
+  std::optional<double> lower = {};
+  std::optional<double> upper = {};
+  std::size_t n = 0;
+  std::optional<double> margin = {};
+  std::optional<double> difference = {};
+  std::optional<double> difference_lower = {};
+  std::optional<double> difference_upper = {};
+  std::string verdict = {};
+
+  static constexpr auto columns() {
+    using trophic::observe::column;
+    return std::tuple{
+        column("part", &CheckRow::part, "", "gait or ecology"),
+        column("engine", &CheckRow::engine, "", "name of the physics engine"),
+        column("settings", &CheckRow::settings, "", "which numbers of the engine; of gaits"),
+        column("timestep_s", &CheckRow::timestep_s, "s", "of the engine; of gaits"),
+        column("target_angle_rad", &CheckRow::target_angle_rad, "rad", "that the robots were steered by; of gaits"),
+        column("quantity", &CheckRow::quantity, "", "what was measured"),
+        column("species", &CheckRow::species, "", "of metrics"),
+        column("group", &CheckRow::group, "", "of metrics, as in metrics.csv"),
+        column("unit", &CheckRow::unit, "", "of mean, margin, difference and intervals"),
+        column("mean", &CheckRow::mean, "", "over robots or runs"),
+        column("lower", &CheckRow::lower, "", "of its 95 % interval"),
+        column("upper", &CheckRow::upper, "", "of its 95 % interval"),
+        column("n", &CheckRow::n, "", "robots or runs"),
+        column("margin", &CheckRow::margin, "", "within which engines are equivalent"),
+        column("difference", &CheckRow::difference, "",
+               "of gaits: to MuJoCo's mean at its default timestep; of ecologies: the second set's less the first's"),
+        column("difference_lower", &CheckRow::difference_lower, "", "of its 90 % interval"),
+        column("difference_upper", &CheckRow::difference_upper, "", "of its 90 % interval"),
+        column("verdict", &CheckRow::verdict, "", "equivalent, different, undecided or unknown")};
+  }
+};
+
+class Csv {
+ public:
+  explicit Csv(const std::filesystem::path& path) : file_{path} {}
+
+  /// Mean and 95 % interval over n robots or runs; `against_mujoco`: MuJoCo's at its default timestep are the test's first set.
+  void add(const Subject& subject, const analysis::Estimate& estimate,
+           const std::optional<analysis::EquivalenceTest>& against_mujoco = {}) {
+    const auto lower = [](const auto& interval) { return interval ? std::optional{interval->lower} : std::nullopt; };
+    const auto upper = [](const auto& interval) { return interval ? std::optional{interval->upper} : std::nullopt; };
+    const auto test = against_mujoco.value_or(trophic::analysis::EquivalenceTest{});
+    file_.write({.part = std::string{subject.part},
+                 .engine = subject.engine,
+                 .settings = subject.settings,
+                 .timestep_s = subject.timestep_s,
+                 .target_angle_rad = subject.target_angle_rad,
+                 .quantity = std::string{subject.quantity},
+                 .species = subject.species,
+                 .group = subject.group,
+                 .unit = std::string{subject.unit},
+                 .mean = estimate.mean,
+                 .lower = lower(estimate.interval),
+                 .upper = upper(estimate.interval),
+                 .n = estimate.runs,
+                 .margin = against_mujoco ? std::optional{test.margin} : std::nullopt,
+                 .difference = test.difference,
+                 .difference_lower = lower(test.interval),
+                 .difference_upper = upper(test.interval),
+                 .verdict = std::string{against_mujoco ? trophic::enum_name(test.verdict) : ""}});
+    file_.flush();
+  }
+
+ private:
+  trophic::observe::CsvFile<CheckRow> file_;
+};
+
+[[nodiscard]] inline std::string text(double value, int decimals) {
+  std::ostringstream stream;
+  stream << std::fixed << std::setprecision(decimals) << value;
+  return stream.str();
+}
+
+/// "mean [lower, upper]", as much of it as there is.
+[[nodiscard]] inline std::string text(const std::optional<double>& mean, const std::optional<analysis::Interval>& interval,
+                                      double unit, int decimals) {
+  std::string all = mean ? text(unit * *mean, decimals) : "none";
+  if (interval) all += " [" + text(unit * interval->lower, decimals) + ", " + text(unit * interval->upper, decimals) + "]";
+  return all;
+}
+
+}  // namespace trophic::command::cross_check

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// `trophic evolve-gait`, the pre-experiment: evolves the gait of a robot.
+#include "commands.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <tools/gait_evolution/archive.hpp>
+#include <tools/gait_evolution/pre_experiment.hpp>
+#include <tools/gait_evolution/tables.hpp>
+#include <trophic/command/backends.hpp>
+#include <trophic/command/config.hpp>
+#include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/command/words.hpp>
+#include <trophic/habitat/load/robot.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/support/folder_lock.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail::evolve_gait {
+
+/// Everything that the command line says. What it leaves out comes from the configuration file, then from the table.
+struct Options {
+  std::optional<std::string> table;
+  std::optional<std::string> fitness;
+  std::optional<std::string> backend;
+  std::optional<std::string> robot;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> generations;
+  std::uint64_t threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string config;
+  std::vector<std::string> assignments;
+  std::string out;
+  std::string resume;
+  bool print_config = false;
+};
+
+template <class Table, Backend B>
+std::string settings_text(const gait_evolution::Params<Table, B>& numbers) {
+  TomlWriter writer;
+  writer.put("rule_table", Table::name);
+  writer.put("fitness_rule", Table::Fitness::name);
+  writer.put("engine", B::name);
+  writer.put_all(named_params_of(numbers));
+  return writer.text();
+}
+
+template <class Table, Backend B>
+void report(const gait_evolution::PreExperiment<Table, B>& experiment, std::size_t evaluations, double elapsed_s) {
+  const gait_evolution::Lineage& lineage = experiment.lineage();
+  const std::vector<double> fitness = gait_evolution::fitness_after(lineage, lineage.generations - 1);
+  const double a_generation_s =
+      elapsed_s / static_cast<double>(evaluations) * static_cast<double>(experiment.params().plan.children);
+  const auto to_go = static_cast<double>(experiment.params().plan.generations + 1 - lineage.generations);
+  std::cout << "generation " << lineage.generations - 1 << " of " << experiment.params().plan.generations << "  best "
+            << fitness.front() << "  median " << gait_evolution::median(fitness) << "  "
+            << observe::short_text(static_cast<double>(evaluations) / elapsed_s) << " evaluations/s  "
+            << observe::duration_text(a_generation_s * to_go) << " left" << std::endl;
+}
+
+template <class Table, Backend B>
+int run(const Options& options, const Config& config) {
+  gait_evolution::Params<Table, B> numbers;
+  read_config_into(numbers, config);
+  if (options.robot) numbers.robot = *options.robot;
+  if (options.seed) numbers.seed = *options.seed;
+  if (options.generations) numbers.plan.generations = *options.generations;
+  validate(numbers, "");
+  if (options.print_config) {
+    return print_text(settings_text(numbers));
+  }
+  gait_evolution::PreExperiment<Table, B> experiment{numbers, load_robot(numbers.robot)};
+  const bool is_new = options.resume.empty();
+  if (is_new && options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
+  const std::filesystem::path folder = is_new ? observe::make_new_folder(options.out) : std::filesystem::path{options.resume};
+  const FolderLock alone{folder};
+  if (is_new) {
+    replace_file(folder / "settings.toml", settings_text(numbers));
+  } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
+    gait_evolution::resume(experiment, folder);
+  }
+
+  const observe::StopOnSignal stop;
+  const observe::Stopwatch watch;
+  const std::size_t before = experiment.lineage().individuals.size();
+  gait_evolution::save(experiment, folder);
+  while (!experiment.done() && experiment.next_generation(options.threads, [&] { return stop.keep_running(); })) {
+    gait_evolution::save(experiment, folder);
+    report(experiment, experiment.lineage().individuals.size() - before, watch.elapsed_s());
+  }
+  const std::size_t evaluations = experiment.lineage().individuals.size() - before;
+  if (!experiment.done()) {
+    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << "; go on with --resume " << folder.string()
+              << std::endl;
+    return stopped;
+  }
+  const std::size_t champion = experiment.lineage().champion();
+  std::cout << experiment.robot().name << ": fitness " << experiment.lineage().individuals[champion].fitness << " (individual "
+            << champion << "), " << evaluations << " evaluations in " << observe::duration_text(watch.elapsed_s()) << " on "
+            << options.threads << " threads\nfiles   " << folder.string()
+            << "/{gait,settings,checkpoint}.toml, {generations,phylogeny}.csv\n";
+  flush_output();
+  return 0;
+}
+
+template <class Backends, class Table>
+[[nodiscard]] int run_table(const std::string& fitness, const std::string& backend, const Options& options,
+                            const Config& config) {
+  using Steered = gait_evolution::with_fitness<Table, gait_evolution::SteeredDisplacement>;
+  if (fitness == gait_evolution::DisplacementMinusX::name) {
+    return with_joint_driven<Backends>(backend, [&]<class B>() { return run<Table, B>(options, config); });
+  }
+  if (fitness == gait_evolution::SteeredDisplacement::name) {
+    return with_joint_driven<Backends>(backend, [&]<class B>() { return run<Steered, B>(options, config); });
+  }
+  const std::vector<std::string> names{std::string{gait_evolution::DisplacementMinusX::name},
+                                       std::string{gait_evolution::SteeredDisplacement::name}};
+  throw std::invalid_argument{must_be_one_of("--fitness " + fitness, names) + did_you_mean(nearest_word(fitness, names))};
+}
+
+[[nodiscard]] int run_program(const Options& options) {
+  if (!options.resume.empty()) {
+    const bool other = options.table || options.fitness || options.backend || options.robot || options.seed ||
+                       options.generations || !options.config.empty() || !options.assignments.empty() || !options.out.empty();
+    if (other) throw std::invalid_argument{"--resume: only --threads goes with it, everything else is in the folder"};
+  }
+  Config config = read_config(options.resume.empty() ? options.config : options.resume + "/settings.toml", options.assignments);
+  const auto configured_fitness = take_choice(config.numbers, "fitness_rule");
+  const std::string table = options.table.value_or(config.rule_table.value_or("paper"));
+  const std::string fitness = options.fitness.value_or(configured_fitness.value_or("displacement_minus_x"));
+  const std::string backend = options.backend.value_or(config.engine.value_or(std::string{default_backend}));
+  if (options.threads == 0) throw std::invalid_argument{"--threads 0: must be >= 1"};
+  check_made_for(config, table, backend);
+  if (table == gait_evolution::Paper::name)
+    return run_table<LinkedBackends, gait_evolution::Paper>(fitness, backend, options, config);
+  if (table == gait_evolution::Released::name) {
+    return run_table<LinkedBackends, gait_evolution::Released>(fitness, backend, options, config);
+  }
+  throw std::invalid_argument{"--table " + table + ": must be paper or released"};
+}
+
+}  // namespace detail::evolve_gait
+
+/// The evolution of a gait, on a backend with joints.
+Command evolve_gait() {
+  const auto options = std::make_shared<detail::evolve_gait::Options>();
+  const auto backends = joint_driven_names<LinkedBackends>();
+  return {
+      .name = "evolve-gait",
+      .about = "Evolves the CPPN that makes a robot's gait, by the paper's pre-experiment or that of its released code.",
+      .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
+                  {"--table", &options->table, "pre-experiment: paper or released (paper)", {"paper", "released"}},
+                  {"--fitness",
+                   &options->fitness,
+                   "displacement_minus_x or steered_displacement (displacement_minus_x)",
+                   {"displacement_minus_x", "steered_displacement"}},
+                  {"--backend", &options->backend, backend_help(backends), backends},
+                  {"--seed", &options->seed, "every random number follows from it (1)"},
+                  {"--generations", &options->generations, "after the founders (20)"},
+                  {"--threads", &options->threads, "evaluations at a time; results do not depend on it (all cores)"},
+                  {"--config", &options->config, "TOML file with numbers, as --print-config writes it"},
+                  {"--set", &options->assignments, "PATH=VALUE, e.g. trial.duration_s=20; may be repeated; wins over --config"},
+                  {"--out", &options->out, "new folder for the files; a checkpoint is written there after every generation"},
+                  {"--resume", &options->resume, "folder of a run that was stopped or killed: goes on where it was"},
+                  {"--print-config", &options->print_config, "print every number as TOML and stop"}},
+      .work = [options] { return detail::evolve_gait::run_program(*options); },
+      .subcommands = {},
+      .version = {}};
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// `trophic film`: pictures, contact sheets and films of a recorded run, without a screen.
+#include "commands.hpp"
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <trophic/command/option.hpp>
+// Who links trophic::film has this definition.
+#ifdef TROPHIC_WITH_FILM
+#include <tools/trophic/replay/film_run.hpp>
+#endif
+
+namespace trophic::command {
+
+namespace detail::film {
+
+/// What the command line says.
+struct Options {
+  std::string run;
+  std::string out;
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  std::optional<std::uint64_t> follow;
+  std::string sheet;
+  std::string size;
+  std::string view = "orbit";
+  double speed = 10.0;
+  std::uint64_t fps = 30;
+  bool fine = false;
+};
+
+#ifdef TROPHIC_WITH_FILM
+[[nodiscard]] int run(const Options& options) {
+  return replay::film_run({.folder = options.run,
+                           .out = options.out,
+                           .window = {options.from_s, options.to_s},
+                           .follow = options.follow,
+                           .sheet = options.sheet,
+                           .size = options.size,
+                           .from_above = options.view == "top",
+                           .speed = options.speed,
+                           .fps = options.fps,
+                           .fine = options.fine});
+}
+#else
+[[nodiscard]] int run(const Options&) {
+  throw std::invalid_argument{
+      "this program was built without pictures; apt-get install libmujoco-dev libosmesa6-dev libpng-dev and build again"};
+}
+#endif
+
+}  // namespace detail::film
+
+/// Makes pictures of a recorded run.
+Command film() {
+  const auto options = std::make_shared<detail::film::Options>();
+  return {.name = "film",
+          .about =
+              "Draws a recorded run on any machine, without a screen: a picture or a contact sheet as PNG, a film as mp4 (by "
+              "ffmpeg).",
+          .options =
+              {{.name = "run", .target = &options->run, .help = "folder of a run", .required = true},
+               {.name = "--out", .target = &options->out, .help = "new file, .png or .mp4", .required = true, .shorthand = "-o"},
+               {.name = "--from",
+                .target = &options->from_s,
+                .help = "of a picture the moment, of a film the start, seconds (the run's)"},
+               {.name = "--to", .target = &options->to_s, .help = "the end, seconds (the run's)"},
+               {.name = "--follow", .target = &options->follow, .help = "stay near the individual of that id, and mark it"},
+               {.name = "--sheet",
+                .target = &options->sheet,
+                .help = "a contact sheet of so many pictures, e.g. 4x3, from --from to --to"},
+               {.name = "--size", .target = &options->size, .help = "pixels of each picture (1280x720; 480x360 in a sheet)"},
+               {.name = "--view",
+                .target = &options->view,
+                .help = "orbit, the arena from the south, or top (orbit)",
+                .words = {"orbit", "top"},
+                .use = Words::demanded},
+               {.name = "--speed", .target = &options->speed, .help = "ecology seconds a second of film (10)"},
+               {.name = "--fps", .target = &options->fps, .help = "pictures a second of film (30)"},
+               {.name = "--fine",
+                .target = &options->fine,
+                .help = "films with edges as smooth as those of pictures; four times as slow"}},
+          .work = [options] { return detail::film::run(*options); },
+          .subcommands = {},
+          .version = {}};
+}
+
+}  // namespace trophic::command

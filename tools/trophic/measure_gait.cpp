@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// `trophic measure-gait`, how a gait walks and steers: a CSV table on standard output.
+#include "commands.hpp"
+
+#include <array>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tools/gait_evolution/measure_walk.hpp>
+#include <tools/gait_evolution/trial.hpp>
+#include <trophic/backend/contract.hpp>
+#include <trophic/command/backends.hpp>
+#include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/control/steering/targeted_steering.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
+#include <trophic/params/params.hpp>
+
+namespace trophic::command {
+
+namespace detail::measure_gait {
+
+struct Options {
+  std::string backend{default_backend};
+  std::string robot = "spider";
+  std::string gait;
+  double duration_s = 50.0;
+  bool walk = false;
+};
+
+/// Of the paper and of its released code.
+inline constexpr std::array physics{Physics{.timestep_s = 0.0012, .integrator = Integrator::semi_implicit_euler},
+                                    Physics{.timestep_s = 0.012, .integrator = Integrator::rk4}};
+
+void complain(const Physics& how, const Diverged& error) {
+  std::cerr << "trophic measure-gait: " << enum_name(how.integrator) << " " << how.timestep_s << " s: " << error.what() << "\n";
+}
+
+/// The [walk] of a robot file.
+template <Backend B>
+void print_walk(const RobotModel& robot, const Gait& gait, double duration_s) {
+  for (const Physics& how : physics) {
+    try {
+      const MeasuredWalk walk = gait_evolution::measure_walk<B>(robot, gait, control::steering::TargetedSteering{},
+                                                                {.duration_s = duration_s}, how, {}, 8);
+      std::cout << "# " << robot.name << " with " << gait.name << ", " << B::name << ", " << enum_name(how.integrator) << " "
+                << how.timestep_s << " s\n[walk]\nspeed_m_s = " << walk.speed_m_s
+                << "\nturn_rate_per_rad = " << walk.turn_rate_per_rad << std::endl;
+      if (walk.speed_m_s <= 0.0 || walk.turn_rate_per_rad <= 0.0) {
+        std::cerr << "trophic measure-gait: no robot file can hold these: the gait walks backwards or turns the wrong way\n";
+      }
+    } catch (const Diverged& error) {
+      complain(how, error);
+    }
+  }
+}
+
+template <Backend B>
+void print_table(const RobotModel& robot, const Gait& gait, double duration_s) {
+  std::cout << "robot,gait,integrator,timestep_s,target_angle_rad,displacement_m,forward_m_s,left_m_s,turn_rate_rad_s\n";
+  for (const Physics& how : physics) {
+    for (const double target_angle_rad : {0.7, 0.0, -0.7}) {
+      std::cout << robot.name << "," << gait.name << "," << enum_name(how.integrator) << "," << how.timestep_s << ","
+                << target_angle_rad << ",";
+      try {
+        const gait_evolution::Track track =
+            gait_evolution::try_out<B>(robot, gait, control::steering::TargetedSteering{}, {.duration_s = duration_s}, how, {},
+                                       gait_evolution::steady(target_angle_rad));
+        const auto [forward_m_s, left_m_s] = track.forward_and_left_m_s();
+        std::cout << track.displacement_m() << "," << forward_m_s << "," << left_m_s << "," << track.turn_rate_rad_s()
+                  << std::endl;
+      } catch (const Diverged& error) {
+        std::cout << ",,," << std::endl;
+        complain(how, error);
+      }
+    }
+  }
+}
+
+template <Backend B>
+int measure(const Options& options) {
+  const RobotModel robot = load_robot(options.robot);
+  const Gait gait = load_gait(options.gait.empty() ? robot.gait : options.gait);
+  check_fit(gait, robot);
+  options.walk ? print_walk<B>(robot, gait, options.duration_s) : print_table<B>(robot, gait, options.duration_s);
+  flush_output();
+  return 0;
+}
+
+[[nodiscard]] int run(const Options& options) {
+  if (!(options.duration_s >= 5.1 && options.duration_s <= 1e5)) {
+    throw std::invalid_argument{"--duration " + number_text(options.duration_s) + ": must be >= 5.1 and <= 100000"};
+  }
+  return with_joint_driven<LinkedBackends>(options.backend, [&]<class B>() { return measure<B>(options); });
+}
+
+}  // namespace detail::measure_gait
+
+/// Walks of a robot with a gait, on a backend with joints.
+Command measure_gait() {
+  const auto options = std::make_shared<detail::measure_gait::Options>();
+  return {.name = "measure-gait",
+          .about =
+              "Lets a robot walk on an endless floor with the target angles 0.7 (right), 0 and -0.7 rad, with the physics of the "
+              "paper and of its released code: displacement from start to end, mean speed along the heading and to its left over "
+              "5 s, turning rate (counter-clockwise); nothing where the simulation diverges.",
+          .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
+                      {"--gait", &options->gait, "name or path of a gait file (the robot's own)"},
+                      {"--backend", &options->backend, backend_help(joint_driven_names<LinkedBackends>()),
+                       joint_driven_names<LinkedBackends>()},
+                      {"--duration", &options->duration_s, "simulated seconds (50)"},
+                      {"--walk", &options->walk,
+                       "print the [walk] of a robot file instead: means of 8 tries with 0.7 and 8 with -0.7 rad"}},
+          .work = [options] { return detail::measure_gait::run(*options); },
+          .subcommands = {},
+          .version = {}};
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// `trophic show`: runs as one page that any browser opens from disk.
+#include "commands.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tools/analysis/data/pooled_runs.hpp>
+#include <tools/trophic/replay/page.hpp>
+#include <tools/trophic/replay/recorded_run.hpp>
+#include <trophic/command/option.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/support/new_file.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail::show {
+
+/// More worlds than that are too small to be seen side by side, and too much for a browser.
+inline constexpr std::size_t most_runs = 9;
+
+struct Options {
+  std::vector<std::string> runs;
+  std::string out;
+  replay::Window window;
+};
+
+[[nodiscard]] std::vector<std::filesystem::path> folders_of(const Options& options) {
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& name : options.runs) {
+    std::vector<std::string> remarks;
+    for (const auto& folder : analysis::run_folders(name, remarks)) folders.push_back(folder);
+    for (const std::string& remark : remarks) std::cerr << "trophic show: " << remark << "\n";
+  }
+  if (folders.empty()) throw std::invalid_argument{"runs: no run is there"};
+  if (folders.size() > most_runs) {
+    throw std::invalid_argument{std::to_string(folders.size()) + " runs: must be <= " + std::to_string(most_runs) +
+                                " in one page; name the folders of some"};
+  }
+  return folders;
+}
+
+[[nodiscard]] int run(const Options& options) {
+  check_new_file("--out", options.out);
+  static_cast<void>(replay::viewer_page());
+  std::vector<replay::RecordedRun> runs;
+  for (const auto& folder : folders_of(options)) {
+    runs.push_back(replay::open_run(folder));
+    options.window.check(runs.back().recording);
+    for (const std::string& remark : runs.back().remarks) std::cerr << "trophic show: " << remark << "\n";
+  }
+  const std::string page = replay::page_of(runs, options.window);
+  write_new_file(options.out, page);
+  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser, without a server\n";
+  flush_output();
+  return 0;
+}
+
+}  // namespace detail::show
+
+/// Makes a page of recorded runs.
+Command show() {
+  const auto options = std::make_shared<detail::show::Options>();
+  return {
+      .name = "show",
+      .about =
+          "Makes one HTML file of recorded runs: the world in 3-D on a bar of time with what happened, population, tags, speed, "
+          "the phylogeny and what is known of each robot. It carries all it needs and opens from disk.",
+      .options = {{.name = "runs",
+                   .target = &options->runs,
+                   .help = "folders of runs, or of replicates; several are shown side by side",
+                   .required = true},
+                  {.name = "--out", .target = &options->out, .help = "new HTML file", .required = true, .shorthand = "-o"},
+                  {.name = "--from", .target = &options->window.from_s, .help = "show only what comes after, seconds"},
+                  {.name = "--to", .target = &options->window.to_s, .help = "show only what comes before, seconds"}},
+      .work = [options] { return detail::show::run(*options); },
+      .subcommands = {},
+      .version = {}};
+}
+
+}  // namespace trophic::command
