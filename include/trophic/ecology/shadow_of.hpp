@@ -6,6 +6,7 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/neutral_shadow.hpp>
+#include <type_traits>
 
 namespace trophic {
 
@@ -17,12 +18,11 @@ template <class Table, Backend B>
                                                      .physics = experiment.physics,
                                                      .rules = {},
                                                      .backend = experiment.backend};
-#define TROPHIC_COPY_NUMBERS(Slot, member, kind, Contract)                                        \
-  if constexpr (std::same_as<decltype(shadow.rules.member), decltype(experiment.rules.member)>) { \
-    shadow.rules.member = experiment.rules.member;                                                \
-  }
-  TROPHIC_RULE_SLOTS(TROPHIC_COPY_NUMBERS)
-#undef TROPHIC_COPY_NUMBERS
+  for_each_slot([&]<RuleSlot slot>() {
+    auto& own = of_slot<slot>(shadow.rules);
+    const auto& from = of_slot<slot>(experiment.rules);
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(own)>, std::remove_cvref_t<decltype(from)>>) own = from;
+  });
   return shadow;
 }
 

@@ -21,7 +21,8 @@ using test::prey;
 
 namespace {
 
-using Hungry = with_senescence_parent<with_senescence<rules::Paper, EnergyStore>, reproduction::parent::NearestConspecific>;
+using Hungry =
+    with_parent_after<with_senescence<rules::Paper, EnergyStore>, Cause::senescence, reproduction::parent::NearestConspecific>;
 using Kinematics = Ecology<Hungry, backend::Kinematic>;
 
 /// Keeps everybody's account from what it sees of the run, and holds it against the rule's own.
