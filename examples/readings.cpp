@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's experiment with what its text leaves open as numbers: `--set rules.starvation_parent.reading=second`. The script
+// The paper's experiment with what its text leaves open as numbers: `--set rules.parent.starved.reading=second`. The script
 // scripts/reproduce runs its screening design.
 #include <trophic/experiment.hpp>
 

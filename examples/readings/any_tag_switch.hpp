@@ -43,17 +43,11 @@ struct AnyTagSwitch {
     Free{}.on_sighting(own, self, sighting, view);
   }
 
-  [[nodiscard]] bool may_switch(const Individual& self, const View& view, const State& own) const {
-    if (params.reading == TagRule::sampling) return sampling().may_switch(self, view);
+  [[nodiscard]] perception::MaySwitch may_switch(const Individual& self, const View& view, const State& own) const {
+    if (params.reading == TagRule::sampling) return perception::tag_switch::TagSampling{{params.period_s}}.may_switch(self, view);
     if (params.reading == TagRule::first_free) return Free{{params.cool_down_s}}.may_switch(self, view, own);
     return perception::tag_switch::TagCoolDown{{params.cool_down_s}}.may_switch(self, view);
   }
-  [[nodiscard]] bool restarts(bool switched) const {
-    return params.reading == TagRule::sampling ? sampling().restarts(switched) : switched;
-  }
-
- private:
-  [[nodiscard]] perception::tag_switch::TagSampling sampling() const { return {{params.period_s}}; }
 };
 static_assert(perception::TagSwitch<AnyTagSwitch>);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One of two policies of a slot, chosen by a number: what a screening design over many open choices needs.
+// One of two policies of a slot or of a part of one, chosen by a number: what a screening design over many open choices needs.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/rules/slots.hpp>
@@ -62,9 +62,6 @@ struct Either {
   [[nodiscard]] auto sense(const View& view) const requires perception::CommonSensor<First> {
     return answer([&](const auto& rule) { return rule.sense(view); });
   }
-  [[nodiscard]] bool decides() const requires perception::BlindRule<First> {
-    return answer([&](const auto& rule) { return rule.decides(); });
-  }
   [[nodiscard]] int tag(std::optional<int> body_tag, std::span<const int> tags,
                         Rng& rng) const requires perception::NewbornTag<First> {
     return answer([&](const auto& rule) { return rule.tag(body_tag, tags, rng); });
@@ -79,31 +76,22 @@ struct Either {
                                          std::span<const double> weights) const requires control::Brain<First> {
     return answer([&](const auto& rule) { return rule.decide(inputs, weights); });
   }
-  [[nodiscard]] bool in_turn() const requires control::DecisionOrder<First> {
-    return answer([&](const auto& rule) { return rule.in_turn(); });
-  }
-  [[nodiscard]] bool inherits(Rng& rng) const requires reproduction::GenomeSource<First> {
-    return answer([&](const auto& rule) { return rule.inherits(rng); });
-  }
-  [[nodiscard]] Origin without_parent() const requires reproduction::GenomeSource<First> {
-    return answer([&](const auto& rule) { return rule.without_parent(); });
+  [[nodiscard]] reproduction::Descent descent(Rng& rng) const requires reproduction::GenomeSource<First> {
+    return answer([&](const auto& rule) { return rule.descent(rng); });
   }
   [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy& vacancy, const View& view,
                                                Rng& rng) const requires reproduction::Parent<First> {
     return answer([&](const auto& rule) { return rule.parent(vacancy, view, rng); });
   }
-  [[nodiscard]] bool activates(BodyIndex body, const View& view) const requires death::Activation<First> {
+  [[nodiscard]] death::Activates activates(BodyIndex body, const View& view) const requires death::Activation<First> {
     return answer([&](const auto& rule) { return rule.activates(body, view); });
-  }
-  [[nodiscard]] bool restarts_age() const requires death::Activation<First> {
-    return answer([&](const auto& rule) { return rule.restarts_age(); });
   }
   [[nodiscard]] bool may_die(Species species, const View& view) const requires death::Floor<First> {
     return answer([&](const auto& rule) { return rule.may_die(species, view); });
   }
-  [[nodiscard]] std::optional<BodyIndex> victim(
-      const View& view, const std::function<bool(BodyIndex)>& spared) const requires death::Starvation<First> {
-    return answer([&](const auto& rule) { return rule.victim(view, spared); });
+  [[nodiscard]] std::vector<BodyIndex> victims(
+      const View& view, const death::starvation::IsExempt& is_exempt) const requires death::starvation::Choice<First> {
+    return answer([&](const auto& rule) { return rule.victims(view, is_exempt); });
   }
 
  private:

@@ -2,13 +2,12 @@
 // The paper's table with what its text leaves open as numbers.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
-#include <trophic/control/decision_order/decide_in_turn.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
-#include <trophic/death/starvation/hungriest_else_oldest.hpp>
+#include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
-#include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
@@ -17,6 +16,7 @@
 #include <trophic/reproduction/genome_source/random_or_inherited_in_name.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
+#include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/paper.hpp>
 
 #include "readings/any_tag_switch.hpp"
@@ -40,18 +40,18 @@ struct PaperReadings final {
   using Distance = EitherSensor<perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverDiagonal>;
   using TagRatio = EitherSensor<perception::sensors::TagRatioOfAll, perception::sensors::TagRatioOfActive>;
   using Sensors = perception::sensors::List<perception::sensors::SideOfAdversary, Distance, TagRatio>;
-  using BlindRule = Either<Paper::BlindRule, perception::blind_rule::BlindKeepsDecision>;
   using Brain = Either<Paper::Brain, Paper::Brain::WithBiases>;
-  using DecisionOrder = Either<Paper::DecisionOrder, control::decision_order::DecideInTurn>;
 
   using Heading = Either<Paper::Heading, perception::heading::RootYawHeading>;
   using Steering = Paper::Steering;
 
   using InitialGenome = Paper::InitialGenome;
   using GenomeSource = Either<Paper::GenomeSource, reproduction::genome_source::RandomOrInheritedInName>;
-  using CaptureParent = Paper::CaptureParent;
-  using StarvationParent = Either<Paper::StarvationParent, reproduction::parent::NearestVictim>;
-  using RescueParent = Either<Paper::RescueParent, reproduction::parent::NearestConspecific>;
+  template <Cause cause>
+  using PaperParent = Paper::Parent::Part<static_cast<std::size_t>(cause)>;
+  using Parent = reproduction::parent::ByCause<PaperParent<Cause::caught>,
+                                               Either<PaperParent<Cause::starved>, reproduction::parent::NearestVictim>,
+                                               Either<PaperParent<Cause::sacrificed>, reproduction::parent::NearestConspecific>>;
   using Heredity = Paper::Heredity;
   using Mutation = Paper::Mutation;
 
@@ -60,12 +60,9 @@ struct PaperReadings final {
   using Floor = Either<Paper::Floor, death::floor::ActiveVictimFloor>;
   using Rescue = Paper::Rescue;
 
-  using StarvationSchedule = Paper::StarvationSchedule;
-  using Starvation = Either<Paper::Starvation, death::starvation::HungriestElseOldest>;
-  using Reprieve = Paper::Reprieve;
-
-  using Senescence = Paper::Senescence;
-  using SenescenceParent = Paper::SenescenceParent;
+  using Starvation =
+      death::starvation::Procedure<Paper::Starvation::Part<0>, Paper::Starvation::Part<1>,
+                                   Either<Paper::Starvation::Part<2>, death::starvation::choice::HungriestElseOldest>>;
 
   static TableParams<PaperReadings> params() {
     const TableParams<Paper> paper = Paper::params();
@@ -77,13 +74,12 @@ struct PaperReadings final {
         .steering = paper.steering,
         .initial_genome = paper.initial_genome,
         .genome_source = {.first = paper.genome_source, .second = paper.genome_source},
-        .starvation_parent = {.first = paper.starvation_parent, .second = {.range_m = paper.starvation_parent.range_m}},
+        .parent = {.starved = {.first = paper.parent.starved, .second = {.range_m = paper.parent.starved.range_m}}},
         .mutation = paper.mutation,
         .activation = {.first = paper.activation, .second = paper.activation},
         .capture = paper.capture,
         .floor = {.first = paper.floor, .second = {.floor = paper.floor.floor}},
-        .starvation_schedule = paper.starvation_schedule,
-        .reprieve = paper.reprieve,
+        .starvation = {.interval = paper.starvation.interval, .exemption = paper.starvation.exemption},
         .rescue = paper.rescue,
     };
   }

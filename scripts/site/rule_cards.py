@@ -54,12 +54,19 @@ def read_alias(path: pathlib.Path, include: pathlib.Path) -> Card | None:
     return Card(str(header), slot, kind, alias[2], snake(alias[2]), "", doc, params_of(text[base.start() :]), False)
 
 
+def read_made_of_parts(path: pathlib.Path, include: pathlib.Path) -> Card | None:
+    """A policy made of policies, which has no name, source and numbers but those of its parts."""
+    header = path.relative_to(include)
+    whole = re.search(r"((?:^///.*\n)+)template <[^\n]*>\nstruct (\w+) : Parts<", path.read_text(), re.MULTILINE)
+    return Card(str(header), header.parts[2], header.parts[1], whole[2], snake(whole[2]), "", doc_lines(whole[1]), [], False) if whole else None
+
+
 def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
     text = path.read_text()
     header = str(path.relative_to(include))
     struct = re.search(r"((?:^///.*\n)+)(?:template <[^\n]*>\n)?^struct (\w+) (?:final )?(?::[^{]*)?\{\n  static constexpr std::string_view name\b", text, re.M)
     if not struct:
-        return read_alias(path, include)
+        return read_made_of_parts(path, include) or read_alias(path, include)
     doc = doc_lines(struct[1])
     body = text[struct.start() :]
     kind, *folders = pathlib.PurePath(header).parts[1:-1]

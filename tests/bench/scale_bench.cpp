@@ -64,8 +64,8 @@ struct TimedSenescence : death::senescence::NoSenescence {
     return NoSenescence::dies(individual, view, rng);
   }
 };
-struct TimedSchedule : death::starvation_schedule::DelayedCrowdingInterval {
-  [[nodiscard]] bool due(const death::StarvationClock& clock, const View& view) const {
+struct TimedSchedule : death::starvation::interval::DelayedCrowdingInterval {
+  [[nodiscard]] bool due(const death::starvation::StarvationClock& clock, const View& view) const {
     Clock::enter(Part::hunger);
     return DelayedCrowdingInterval::due(clock, view);
   }
@@ -79,7 +79,7 @@ struct TimedTagRatio : perception::sensors::TagRatioOfAll {
 using TimedSensors =
     perception::sensors::List<perception::sensors::SideOfAdversary, perception::sensors::DistanceOverTerrain, TimedTagRatio>;
 using TimedPaper = with_sensors<
-    with_starvation_schedule<with_senescence<with_capture<rules::Paper, TimedCapture>, TimedSenescence>, TimedSchedule>,
+    with_starvation_interval<with_senescence<with_capture<rules::Paper, TimedCapture>, TimedSenescence>, TimedSchedule>,
     TimedSensors>;
 
 /// A backend that tells the clock when the bodies have moved: the ecology looks at them from the first to the last.

@@ -42,14 +42,15 @@ struct DrawsElsewhere {
 /// The east of the world is deadly: its rule changes when the world is turned.
 struct FearsTheEast {
   static constexpr std::string_view name = "fears_the_east";
-  [[nodiscard]] bool activates(BodyIndex body, const View& view) const { return view.poses[body].x_m > 0.0; }
-  [[nodiscard]] bool restarts_age() const { return false; }
+  [[nodiscard]] death::Activates activates(BodyIndex body, const View& view) const {
+    return view.poses[body].x_m > 0.0 ? death::Activates::yes : death::Activates::no;
+  }
 };
 
 /// The north is, which a quarter turn and a mirror show.
 struct LikesOneHand {
   static constexpr std::string_view name = "likes_one_hand";
-  [[nodiscard]] bool spared(BodyIndex hunter, const View& view, const perception::Perceives&) const {
+  [[nodiscard]] bool is_exempt(BodyIndex hunter, const View& view, const perception::Perceives&) const {
     return view.poses[hunter].heading_rad > 0.0;
   }
 };
@@ -57,8 +58,9 @@ struct LikesOneHand {
 /// Who lives in an odd body is favoured: changes when robots change places.
 struct FavoursOddBodies {
   static constexpr std::string_view name = "favours_odd_bodies";
-  [[nodiscard]] bool activates(BodyIndex body, const View&) const { return body % 2 == 1; }
-  [[nodiscard]] bool restarts_age() const { return false; }
+  [[nodiscard]] death::Activates activates(BodyIndex body, const View&) const {
+    return body % 2 == 1 ? death::Activates::yes : death::Activates::no;
+  }
 };
 
 /// Reads a meaning into an id.
@@ -113,12 +115,24 @@ struct GivesUpTheFirstHalf {
   }
 };
 
+/// Lets somebody starve twice.
+struct StarvesTwice {
+  static constexpr std::string_view name = "starves_twice";
+  [[nodiscard]] death::Starving starving(const View& view, const perception::Perceives&) const {
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      if (view.web.hunts(view.robots[body].species)) return {.victims = {body, body}, .exempt = {}};
+    }
+    return {};
+  }
+};
+
 /// Every other time it says otherwise.
-struct DecidesNowAndThen {
-  static constexpr std::string_view name = "decides_now_and_then";
-  [[nodiscard]] bool in_turn() const {
-    static bool turn = false;
-    return turn = !turn;
+struct ChoosesNowAndThen {
+  static constexpr std::string_view name = "chooses_now_and_then";
+  [[nodiscard]] reproduction::Descent descent(Rng&) const {
+    static bool random = false;
+    random = !random;
+    return random ? reproduction::Descent::random : reproduction::Descent::of_parent;
   }
 };
 
@@ -128,7 +142,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, ForgetsItsNumber, CountsSecr
 TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, FearsTheEast, FavoursOddBodies);
 TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, CatchesTheFirstBody);
 TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, GivesUpTheFirstHalf);
-TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, LikesOneHand);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_exemption_suite, LikesOneHand);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, StarvesTwice);
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, SensesTheWorld);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, FirstBodyIsParent);
-TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, DecidesNowAndThen);
+TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, ChoosesNowAndThen);

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <span>
 #include <trophic/control/brain/contract.hpp>
-#include <trophic/control/decision_order/contract.hpp>
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <vector>
@@ -56,20 +55,6 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
       }
       answers.add(own);
     }
-    return answers;
-  });
-}
-
-TEST_CASE_TEMPLATE_DEFINE("decision order", Policy, trophic_decision_order_suite) {
-  using namespace trophic;
-  static_assert(control::DecisionOrder<Policy>);
-  conformance::check_policy<Policy>();
-  const auto policy = conformance::defaulted<Policy>();
-  const bool in_turn = policy.in_turn();
-  for (int again = 0; again < 100; ++again) CHECK(policy.in_turn() == in_turn);  // a fact of the rule: it counts nothing
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    answers.add(made.in_turn());
     return answers;
   });
 }

@@ -4,20 +4,35 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <functional>
-#include <optional>
+#include <cstddef>
+#include <cstdint>
 #include <set>
 #include <span>
 #include <trophic/death/activation/contract.hpp>
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/floor/contract.hpp>
-#include <trophic/death/reprieve/contract.hpp>
 #include <trophic/death/rescue/contract.hpp>
 #include <trophic/death/senescence/contract.hpp>
+#include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/contract.hpp>
-#include <trophic/death/starvation_schedule/contract.hpp>
+#include <trophic/death/starvation/exemption/contract.hpp>
+#include <trophic/death/starvation/interval/contract.hpp>
 #include <utility>
 #include <vector>
+
+namespace trophic::conformance {
+
+/// Hunters, each once.
+inline void check_who_starves(const test::HandPopulation& robots, const std::vector<BodyIndex>& starving) {
+  std::set<BodyIndex> seen;
+  for (const BodyIndex body : starving) {
+    REQUIRE(body < robots.individuals.size());
+    CHECK(robots.web.hunts(robots.individuals[body].species));
+    CHECK(seen.insert(body).second);
+  }
+}
+
+}  // namespace trophic::conformance
 
 TEST_CASE_TEMPLATE_DEFINE("activation", Policy, trophic_activation_suite) {
   using namespace trophic;
@@ -91,22 +106,23 @@ TEST_CASE_TEMPLATE_DEFINE("floor", Policy, trophic_floor_suite) {
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     for (Species species = 0; species < robots.web.size(); ++species) {
-      conformance::check_all_robots(robots, seed,
-                                    [&](const test::HandPopulation& any) { return policy.may_die(species, any.view()); });
+      conformance::check_all_robots(
+          robots, seed, [&](const test::HandPopulation& any) { return death::ask::may_die(policy, species, any.view()); });
     }
   });
   conformance::check_params_used<Policy>([&](const Policy& made) {
     conformance::Answers answers;
     conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t) {
-      for (Species species = 0; species < robots.web.size(); ++species) answers.add(made.may_die(species, robots.view()));
+      for (Species species = 0; species < robots.web.size(); ++species)
+        answers.add(death::ask::may_die(made, species, robots.view()));
     });
     return answers;
   });
 }
 
-TEST_CASE_TEMPLATE_DEFINE("starvation schedule", Policy, trophic_starvation_schedule_suite) {
+TEST_CASE_TEMPLATE_DEFINE("interval between starvation procedures", Policy, trophic_starvation_interval_suite) {
   using namespace trophic;
-  static_assert(death::StarvationSchedule<Policy>);
+  static_assert(death::starvation::Interval<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
@@ -114,7 +130,7 @@ TEST_CASE_TEMPLATE_DEFINE("starvation schedule", Policy, trophic_starvation_sche
     CHECK(interval_ticks >= 1);
     conformance::check_all_robots(robots, seed,
                                   [&](const test::HandPopulation& any) { return policy.interval_ticks(any.view()); });
-    const death::StarvationClock clock{.last_tick = robots.tick, .interval_ticks = interval_ticks};
+    const death::starvation::StarvationClock clock{.last_tick = robots.tick, .interval_ticks = interval_ticks};
     CHECK_FALSE(policy.due(clock, robots.view()));  // not twice in a tick
   });
   conformance::check_params_used<Policy>([&](const Policy& made) {
@@ -129,23 +145,46 @@ TEST_CASE_TEMPLATE_DEFINE("starvation schedule", Policy, trophic_starvation_sche
   });
 }
 
-TEST_CASE_TEMPLATE_DEFINE("reprieve", Policy, trophic_reprieve_suite) {
+TEST_CASE_TEMPLATE_DEFINE("exemption from starvation", Policy, trophic_starvation_exemption_suite) {
   using namespace trophic;
-  static_assert(death::Reprieve<Policy>);
+  static_assert(death::starvation::Exemption<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
       const auto own = conformance::own_state(policy, any.individuals[body], seed);
-      return death::ask::spared(policy, own, body, any.view(), any.perceives());
+      return death::starvation::ask::is_exempt(policy, own, body, any.view(), any.perceives());
     });
   });
   conformance::check_params_used_on_populations<Policy>(
       [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
         for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
           const auto own = conformance::own_state(made, robots.individuals[body], seed);
-          answers.add(death::ask::spared(made, own, body, robots.view(), robots.perceives()));
+          answers.add(death::starvation::ask::is_exempt(made, own, body, robots.view(), robots.perceives()));
         }
+      });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("choice of who starves", Policy, trophic_starvation_choice_suite) {
+  using namespace trophic;
+  static_assert(death::starvation::Choice<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    const auto victims_in = [&](const test::HandPopulation& any) {
+      return policy.victims(any.view(), [&](BodyIndex body) { return any.individuals[body].tag == 1; });
+    };
+    const std::vector<BodyIndex> victims = victims_in(robots);
+    conformance::check_who_starves(robots, victims);
+    conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((victims_in(same) == victims)); });
+    const auto order = test::random_order(seed, robots.individuals.size());
+    const std::vector<BodyIndex> moved = victims_in(robots.reordered(order));
+    REQUIRE(moved.size() == victims.size());
+    for (std::size_t i = 0; i < victims.size(); ++i) CHECK(order[moved[i]] == victims[i]);
+  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t) {
+        answers.add(made.victims(robots.view(), [&](BodyIndex body) { return robots.individuals[body].tag == 1; }));
       });
 }
 
@@ -154,29 +193,32 @@ TEST_CASE_TEMPLATE_DEFINE("starvation", Policy, trophic_starvation_suite) {
   static_assert(death::Starvation<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
+  const auto starving = [](const Policy& rule, const test::HandPopulation& any, std::uint64_t seed) {
+    test::HandPopulation start = any;
+    const auto clock = death::ask::start(rule, start.at_tick(0).view());
+    const conformance::AnyStates<Policy> kept{rule, any, seed};
+    return death::ask::starving(rule, kept.all(), clock, any.view(), any.perceives());
+  };
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
-    const auto victim_in = [&](const test::HandPopulation& any) {
-      const std::function<bool(BodyIndex)> spared = [&](BodyIndex body) { return any.individuals[body].tag == 1; };
-      const auto kept = conformance::own_states(policy, any, seed);
-      const std::span<const StateOf<Policy>> states{kept};
-      return death::ask::victim(policy, states, any.view(), spared);
-    };
-    const std::optional<BodyIndex> victim = victim_in(robots);
-    conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((victim_in(same) == victim)); });
+    const death::Starving starves = starving(policy, robots, seed);
+    conformance::check_who_starves(robots, starves.victims);
+    conformance::check_who_starves(robots, starves.exempt);
+    conformance::on_same_worlds(robots,
+                                [&](const test::HandPopulation& same) { CHECK((starving(policy, same, seed) == starves)); });
     const auto order = test::random_order(seed, robots.individuals.size());
-    const std::optional<BodyIndex> moved = victim_in(robots.reordered(order));
-    REQUIRE(moved.has_value() == victim.has_value());
-    if (!victim) return;
-    CHECK(order[*moved] == *victim);
-    REQUIRE(*victim < robots.individuals.size());
-    CHECK(robots.web.hunts(robots.individuals[*victim].species));
+    const death::Starving moved = starving(policy, robots.reordered(order), seed);
+    REQUIRE(moved.victims.size() == starves.victims.size());
+    for (std::size_t i = 0; i < starves.victims.size(); ++i) CHECK(order[moved.victims[i]] == starves.victims[i]);
+    CHECK(moved.restarts_clock == starves.restarts_clock);
   });
   conformance::check_params_used_on_populations<Policy>(
       [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
-        const std::function<bool(BodyIndex)> spared = [&](BodyIndex body) { return robots.individuals[body].tag == 1; };
-        const auto kept = conformance::own_states(made, robots, seed);
-        const std::span<const StateOf<Policy>> states{kept};
-        answers.add(death::ask::victim(made, states, robots.view(), spared));
+        for (const std::int64_t tick : {std::int64_t{0}, std::int64_t{5}, std::int64_t{12}, robots.tick}) {
+          test::HandPopulation then = robots;
+          const death::Starving starves = starving(made, then.at_tick(tick), seed);
+          answers.add(starves.victims);
+          answers.add(starves.exempt);
+        }
       });
 }
 

@@ -7,7 +7,6 @@
 #include <conformance/policy_suite.hpp>
 #include <numbers>
 #include <optional>
-#include <trophic/perception/blind_rule/contract.hpp>
 #include <trophic/perception/heading/contract.hpp>
 #include <trophic/perception/newborn_tag/contract.hpp>
 #include <trophic/perception/sensors/contract.hpp>
@@ -163,20 +162,6 @@ TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
   });
 }
 
-TEST_CASE_TEMPLATE_DEFINE("rule for who sees nobody", Policy, trophic_blind_rule_suite) {
-  using namespace trophic;
-  static_assert(perception::BlindRule<Policy>);
-  conformance::check_policy<Policy>();
-  const auto policy = conformance::defaulted<Policy>();
-  const bool decides = policy.decides();
-  for (int again = 0; again < 100; ++again) CHECK(policy.decides() == decides);  // a fact of the rule: it counts nothing
-  conformance::check_params_used<Policy>([&](const Policy& made) {
-    conformance::Answers answers;
-    answers.add(made.decides());
-    return answers;
-  });
-}
-
 TEST_CASE_TEMPLATE_DEFINE("tag of a newborn", Policy, trophic_newborn_tag_suite) {
   using namespace trophic;
   static_assert(perception::NewbornTag<Policy>);
@@ -225,5 +210,4 @@ TEST_CASE_TEMPLATE_DEFINE("tag switch", Policy, trophic_tag_switch_suite) {
           }
         }
       });
-  CHECK(policy.restarts(true));  // or a switched tag could be switched again at once
 }

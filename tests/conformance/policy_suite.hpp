@@ -18,11 +18,13 @@
 #include <string_view>
 #include <support/hand_population.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/population/parts.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/units.hpp>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -176,6 +178,36 @@ template <class Policy>
   return states;
 }
 
+/// The states of all bodies, as a question about all of them is given them (AllStates); for a policy made of parts those of its
+/// parts.
+template <class Policy>
+class AnyStates {
+ public:
+  AnyStates(const Policy& policy, const test::HandPopulation& robots, std::uint64_t seed)
+      : states_{own_states(policy, robots, seed)} {}
+  [[nodiscard]] AllStates<Policy> all() const { return states_; }
+
+ private:
+  std::vector<StateOf<Policy>> states_;
+};
+template <template <class...> class Whole, class... Ps>
+requires MadeOfParts<Whole<Ps...>>
+class AnyStates<Whole<Ps...>> {
+ public:
+  AnyStates(const Whole<Ps...>& policy, const test::HandPopulation& robots, std::uint64_t seed)
+      : AnyStates{policy, robots, seed, std::index_sequence_for<Ps...>{}} {}
+  [[nodiscard]] AllStates<Whole<Ps...>> all() const {
+    return std::apply([](const auto&... parts) { return AllStates<Whole<Ps...>>{parts.all()...}; }, parts_);
+  }
+
+ private:
+  template <std::size_t... place>
+  AnyStates(const Whole<Ps...>& policy, const test::HandPopulation& robots, std::uint64_t seed, std::index_sequence<place...>)
+      : parts_{AnyStates<Ps>{policy.template part<place>(), robots, seed}...} {}
+
+  std::tuple<AnyStates<Ps>...> parts_;
+};
+
 /// A State lists all that it holds, so that it can be saved, and the policy says what a newborn starts with.
 template <class Policy>
 void check_state() {
@@ -214,12 +246,24 @@ template <class T>
   }
 }
 
+/// Changes every number, those of parts included.
+template <class Params>
+void change_all(Params& params) {
+  for_each_field(params, []<class T>(const auto& f, T& value) {
+    if constexpr (HasFields<T>) {
+      change_all(value);
+    } else if constexpr (!std::is_empty_v<T>) {
+      value = changed(value, f.bound);
+    }
+  });
+}
+
 /// Made from numbers that are all changed, a policy with a public member `params` holds them. Whether a policy without one uses
 /// what it was made from cannot be seen from outside.
 template <class Policy>
 void check_kept() {
   ParamsOf<Policy> params{};
-  for_each_field(params, [](const auto& f, auto& value) { value = changed(value, f.bound); });
+  change_all(params);
   CHECK_NOTHROW(static_cast<void>(make_policy<Policy>(params)));
   if constexpr (requires(const Policy& policy) { first_difference(policy.params, params); }) {
     CHECK(first_difference(make_policy<Policy>(params).params, params) == "");
@@ -297,29 +341,44 @@ template <class T>
   return others;
 }
 
-/// Each number of a policy changes what it says, for some other value: a manifest names none that nothing hangs on.
+namespace detail {
+
+/// Each number of `part`, which is `params` or a part of it, changes what the policy says.
+template <class Policy, class Part, class AnswersOf>
+void check_numbers_used(ParamsOf<Policy>& params, Part& part, const Answers& usual, AnswersOf& answers_of) {
+  for_each_field(part, [&](const auto& f, auto& value) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (HasFields<T>) {
+      CAPTURE(f.name);
+      return check_numbers_used<Policy>(params, value, usual, answers_of);
+    } else if constexpr (!std::is_empty_v<T>) {
+      const T before = value;
+      const std::vector<T> others = other_values(before, f.bound);
+      bool used = others.empty();
+      for (auto other = others.begin(); !used && other != others.end(); ++other) {
+        value = *other;
+        try {
+          used = !(answers_of(make_policy<Policy>(params)) == usual);
+        } catch (const std::exception&) {  // a value that does not go with the others is used, too, but shows no answer
+        }
+      }
+      value = before;
+      CAPTURE(f.name);
+      CHECK(used);
+    }
+  });
+}
+
+}  // namespace detail
+
+/// Each number of a policy changes what it says, for some other value: a manifest names none on which nothing depends.
 /// `answers_of(policy)`: all that it says.
 template <class Policy, class AnswersOf>
 void check_params_used(AnswersOf&& answers_of) {
   const Answers usual = answers_of(defaulted<Policy>());
   CHECK((answers_of(defaulted<Policy>()) == usual));  // and another one of the same numbers says the same
   ParamsOf<Policy> params{};
-  for_each_field(params, [&](const auto& f, auto& value) {
-    using T = std::remove_cvref_t<decltype(value)>;
-    const T before = value;
-    const std::vector<T> others = other_values(before, f.bound);
-    bool used = others.empty();
-    for (auto other = others.begin(); !used && other != others.end(); ++other) {
-      value = *other;
-      try {
-        used = !(answers_of(make_policy<Policy>(params)) == usual);
-      } catch (const std::exception&) {  // a value that does not go with the others is used, too, but shows no answer
-      }
-    }
-    value = before;
-    CAPTURE(f.name);
-    CHECK(used);
-  });
+  detail::check_numbers_used<Policy>(params, params, usual, answers_of);
 }
 
 /// The same for a policy that is asked about populations: `ask(answers, policy, robots, seed)` adds what it says of one. Its
@@ -342,7 +401,10 @@ template <class Policy>
 void check_policy() {
   const std::string_view name = Policy::name;
   CHECK_FALSE(name.empty());
-  CHECK(std::ranges::all_of(name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }));
+  const std::string_view between_parts = MadeOfParts<Policy> ? ":, " : "";
+  CHECK(std::ranges::all_of(name, [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || between_parts.find(c) != std::string_view::npos;
+  }));
 
   using Params = ParamsOf<Policy>;
   static_assert(Parameters<Params>);

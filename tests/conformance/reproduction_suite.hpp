@@ -43,15 +43,13 @@ TEST_CASE_TEMPLATE_DEFINE("genome source", Policy, trophic_genome_source_suite) 
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   for (const std::uint64_t seed : conformance::seeds) {
-    conformance::asked_twice(seed, [&](Rng& rng) { return policy.inherits(rng); });
+    conformance::asked_twice(seed, [&](Rng& rng) { return policy.descent(rng); });
   }
-  const auto without = policy.without_parent();
-  for (int again = 0; again < 100; ++again) CHECK((policy.without_parent() == without));  // a fact of the rule: it counts nothing
   conformance::check_params_used<Policy>([&](const Policy& made) {
     conformance::Answers answers;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       Rng rng{seed, Stream::user};
-      answers.add(made.inherits(rng));
+      answers.add(made.descent(rng));
     }
     return answers;
   });
@@ -67,16 +65,16 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
     for (BodyIndex body = 0; body < size; ++body) {
       const reproduction::Vacancy caught{.body = body, .cause = Cause::caught, .killer = (body + 1) % size};
       const reproduction::Vacancy starved{.body = body, .cause = Cause::starved};
-      const auto own = conformance::own_state(policy, robots.individuals[body], seed);
+      const conformance::AnyStates<Policy> states{policy, robots, seed};
       for (const auto& vacancy : {caught, starved}) {
         std::optional<Ancestor> parent;
         conformance::asked_twice(seed, [&](Rng& rng) {
-          parent = reproduction::ask::parent(policy, own, vacancy, robots.view(), rng);
+          parent = reproduction::ask::parent(policy, states.all(), vacancy, robots.view(), rng);
           return parent ? std::optional{parent->id} : std::nullopt;
         });
         for (const auto& same : {conformance::turned(robots), conformance::mirrored(robots)}) {
           Rng rng{seed, Stream::user};
-          const auto there = reproduction::ask::parent(policy, own, vacancy, same.view(), rng);
+          const auto there = reproduction::ask::parent(policy, states.all(), vacancy, same.view(), rng);
           CHECK((there ? std::optional{there->id} : std::nullopt) == (parent ? std::optional{parent->id} : std::nullopt));
         }
         // nor does it matter which bodies they all live in
@@ -89,7 +87,8 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
         moved_vacancy.body = body_of(body);
         if (vacancy.killer) moved_vacancy.killer = body_of(*vacancy.killer);
         Rng rng{seed, Stream::user};
-        const auto there = reproduction::ask::parent(policy, own, moved_vacancy, moved.view(), rng);
+        const conformance::AnyStates<Policy> moved_states{policy, moved, seed};
+        const auto there = reproduction::ask::parent(policy, moved_states.all(), moved_vacancy, moved.view(), rng);
         CHECK((there ? std::optional{there->id} : std::nullopt) == (parent ? std::optional{parent->id} : std::nullopt));
         if (!parent) continue;
         CHECK(parent->species < robots.web.size());
@@ -100,15 +99,15 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
   conformance::check_params_used_on_populations<Policy>(
       [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t seed) {
         for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
-          const auto own = conformance::own_state(made, robots.individuals[body], seed);
+          const conformance::AnyStates<Policy> states{made, robots, seed};
           Rng rng{seed, Stream::user, body};
           const reproduction::Vacancy starved{.body = body, .cause = Cause::starved};
-          answers.add(reproduction::ask::parent(made, own, starved, robots.view(), rng));
+          answers.add(reproduction::ask::parent(made, states.all(), starved, robots.view(), rng));
         }
       });
 }
 
-/// For rules in slots where the body's next species is fixed: capture_parent, rescue_parent, senescence_parent.
+/// For rules for causes after which the body's next species is fixed: caught, sacrificed, senescence.
 TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_heir_parent_suite) {
   using namespace trophic;
   const auto policy = conformance::defaulted<Policy>();
@@ -120,10 +119,10 @@ TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_heir_pare
       const reproduction::Vacancy caught{.body = body, .cause = Cause::caught, .killer = killer, .heir = killers};
       const reproduction::Vacancy sacrificed{.body = body, .cause = Cause::sacrificed, .heir = killers};
       const reproduction::Vacancy aged{.body = body, .cause = Cause::senescence, .heir = robots.individuals[body].species};
-      const auto own = conformance::own_state(policy, robots.individuals[body], seed);
+      const conformance::AnyStates<Policy> states{policy, robots, seed};
       for (const auto& vacancy : {caught, sacrificed, aged}) {
         Rng rng{seed, Stream::user};
-        const auto parent = reproduction::ask::parent(policy, own, vacancy, robots.view(), rng);
+        const auto parent = reproduction::ask::parent(policy, states.all(), vacancy, robots.view(), rng);
         if (parent) CHECK(parent->species == *vacancy.heir);
       }
     }

@@ -14,13 +14,14 @@
 #include <trophic/death/capture/no_capture.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/no_floor.hpp>
-#include <trophic/death/reprieve/no_reprieve.hpp>
 #include <trophic/death/rescue/no_rescue.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
-#include <trophic/death/starvation/hungriest_else_oldest.hpp>
+#include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
+#include <trophic/death/starvation/choice/hungriest_share.hpp>
+#include <trophic/death/starvation/exemption/no_exemption.hpp>
+#include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/nobody_starves.hpp>
-#include <trophic/death/starvation_schedule/never_due.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
@@ -64,16 +65,12 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdver
                           perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverDiagonal,
                           perception::sensors::DistanceOverScale, perception::sensors::TagRatioOfAll,
                           perception::sensors::TagRatioOfActive);
-TEST_CASE_TEMPLATE_INVOKE(trophic_blind_rule_suite, perception::blind_rule::BlindDecides,
-                          perception::blind_rule::BlindKeepsDecision);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
 TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::FirstSwitchFree,
                           perception::tag_switch::TagSampling, perception::tag_switch::FreeTags);
 TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainZeroRight,
                           control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases,
                           control::brain::HebbianBrain);
-TEST_CASE_TEMPLATE_INVOKE(trophic_decision_order_suite, control::decision_order::DecideTogether,
-                          control::decision_order::DecideInTurn);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::NoSteering);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights,
@@ -83,9 +80,10 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, reproduction::genome_sour
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::LastSeenVictim, reproduction::parent::NearestConspecific,
                           reproduction::parent::NearestActiveVictim, reproduction::parent::NearestVictim,
+                          reproduction::parent::NoParent, rules::Paper::Parent, rules::Released::Parent);
+TEST_CASE_TEMPLATE_INVOKE(trophic_heir_parent_suite, rules::Paper::Parent, rules::Released::Parent, reproduction::parent::Killer,
+                          reproduction::parent::LastKiller, reproduction::parent::NearestConspecific,
                           reproduction::parent::NoParent);
-TEST_CASE_TEMPLATE_INVOKE(trophic_heir_parent_suite, reproduction::parent::Killer, reproduction::parent::LastKiller,
-                          reproduction::parent::NearestConspecific, reproduction::parent::NoParent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
                           reproduction::heredity::NothingInherited);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
@@ -97,12 +95,15 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, death::activation::ActiveAwa
 TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, death::capture::CatchWithinReach, death::capture::CatchClosest,
                           death::capture::NoCapture);
 TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor, death::floor::ActiveVictimFloor, death::floor::NoFloor);
-TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_schedule_suite, death::starvation_schedule::DelayedCrowdingInterval,
-                          death::starvation_schedule::DirectCrowdingInterval, death::starvation_schedule::NeverDue);
-TEST_CASE_TEMPLATE_INVOKE(trophic_reprieve_suite, death::reprieve::NearPerceivedVictim, death::reprieve::NearRememberedAdversary,
-                          death::reprieve::NoReprieve);
-TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, death::starvation::HungriestUnspared, death::starvation::HungriestElseOldest,
-                          death::starvation::HungriestUnsparedElseHungriest, death::starvation::NobodyStarves);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_interval_suite, death::starvation::interval::DelayedCrowdingInterval,
+                          death::starvation::interval::DirectCrowdingInterval, death::starvation::interval::NeverDue);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_exemption_suite, death::starvation::exemption::NearPerceivedVictim,
+                          death::starvation::exemption::NearRememberedAdversary, death::starvation::exemption::NoExemption);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_choice_suite, death::starvation::choice::HungriestUnspared,
+                          death::starvation::choice::HungriestElseOldest, death::starvation::choice::HungriestShare,
+                          death::starvation::choice::HungriestUnsparedElseHungriest);
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, rules::Paper::Starvation, rules::Released::Starvation,
+                          death::starvation::NobodyStarves);
 TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, death::rescue::SacrificeRandomVictim, death::rescue::NoRescue);
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge,
                           death::senescence::EnergyStore);

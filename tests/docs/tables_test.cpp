@@ -84,7 +84,8 @@ std::string document() {
          "Written "
          "with --states only.\nThe columns time_s, tick, body and id are those of agents.csv. Then stands a column SLOT.MEMBER "
          "for each "
-         "member of each State\nof the table, such as reprieve.adversary_distance_m: numbers exact, an ancestor by its id, the "
+         "member of each State\nof the table, such as starvation.exemption.adversary_distance_m: numbers exact, an ancestor by "
+         "its id, the "
          "numbers of "
          "a list with spaces\nbetween, nothing as an empty cell. Where no rule has a State there are no other columns.\n" +
          section<observe::TaxonRow>(

@@ -35,6 +35,24 @@ def numbers(tree, path=""):
     return flat
 
 
+def policies(run):
+    """Each policy of a manifest with its slot; those of a policy that is made of parts with SLOT.PART."""
+    found = {}
+    for slot, policy in run["rules"].items():
+        parts = dict(part.split(": ") for part in policy.split(", ")) if ": " in policy else {}
+        found |= {f"{slot}.{part}": name for part, name in parts.items()} or {slot: policy}
+    return found
+
+
+def changed_rules(a, b):
+    """The slots, parts and paths of numbers in which two manifests differ; numbers of a policy that differs are not named."""
+    here, there = policies(a), policies(b)
+    rules = {rule for rule in here.keys() | there.keys() if here.get(rule) != there.get(rule)}
+    x, y = numbers(a["params"]), numbers(b["params"])
+    paths = {path.removeprefix("rules.") for path in x.keys() | y.keys() if x.get(path) != y.get(path)}
+    return rules | {path for path in paths if not any(path.startswith(f"{rule}.") for rule in rules)}
+
+
 class Ablations(InFolderWithSets):
     @classmethod
     def make_sets(cls):
@@ -55,14 +73,7 @@ class Ablations(InFolderWithSets):
     def differing(self):
         """Slots and numbers in which the manifests of both tables differ."""
         paper, released = (manifest(self.sets / table) for table in ("paper", "released"))
-        slots = {slot for slot in paper["rules"] if paper["rules"][slot] != released["rules"][slot]}
-        a, b = numbers(paper["params"]), numbers(released["params"])
-        names = set()
-        for path in (path for path in a if path in b and a[path] != b[path]):
-            name = path.removeprefix("rules.")
-            if name.split(".")[0] not in slots and path != "ecology.duration_s":
-                names.add(name)
-        return slots | names
+        return changed_rules(paper, released) - {"ecology.duration_s"}
 
     def sensor_flips(self, towards):
         """The flips that take one sensor of the other table."""
@@ -78,11 +89,8 @@ class Ablations(InFolderWithSets):
                 self.assertEqual(set(self.listed(table)), differing | sensors | GROUPS | {"base", "brain_with_biases"})
 
     def changes(self, a, b):
-        """Slots and paths in which two manifests differ; the numbers of a slot whose policy differs are not named."""
-        slots = {slot for slot in a["rules"] if a["rules"][slot] != b["rules"][slot]}
-        x, y = numbers(a["params"]), numbers(b["params"])
-        paths = {path.removeprefix("rules.") for path in x.keys() | y.keys() if x.get(path) != y.get(path)}
-        return slots | {path for path in paths if path.split(".")[0] not in slots and path != "seed"}
+        """The rules and numbers in which two manifests differ."""
+        return changed_rules(a, b) - {"seed"}
 
     def assert_lived(self, run):
         """Robots died, and every place of the dead and of the 30 at the start had a birth."""

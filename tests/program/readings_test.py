@@ -14,7 +14,7 @@ READINGS, PREDATOR_PREY, ABLATIONS, CHOICES = (sys.argv.pop(1) for _ in range(4)
 TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
 DURATION_S = 1500
 # Choices whose other reading is the policy that the table `released` has, and what else the ablation study sets there.
-AS_ABLATION = {"decision_order": ("decision_order", []), "blind_robot": ("blind_rule", []), "tag_ratio": ("sensor_tag_ratio_of_active", []),
+AS_ABLATION = {"decision_order": ("ecology.decision_order", []), "blind_robot": ("ecology.without_target", []), "tag_ratio": ("sensor_tag_ratio_of_active", []),
                "orphan_label": ("genome_source", ["--set", "rules.genome_source.second.random_share=0.34"])}
 
 

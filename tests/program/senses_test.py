@@ -132,8 +132,8 @@ class Senses(InFolder):
         states, agents = self.rows("with", "states.csv"), self.rows("with", "agents.csv")
         self.assertEqual([(s["tick"], s["body"], s["id"]) for s in states], [(a["tick"], a["body"], a["id"]) for a in agents])
         self.assertEqual(list(states[0])[4:],
-                         ["starvation_parent.body", "starvation_parent.victim", "rescue_parent.killer", "reprieve.adversary_distance_m"])
-        self.assertTrue(any(row["rescue_parent.killer"] for row in states))
+                         ["parent.starved.body", "parent.starved.victim", "parent.sacrificed.killer", "starvation.exemption.adversary_distance_m"])
+        self.assertTrue(any(row["parent.sacrificed.killer"] for row in states))
         self.assertEqual(self.manifest("with")["tables"]["states.csv"]["rows"], len(states))
 
         self.run_ok("--duration", 300, *rules, "--states", "--out", "parts")

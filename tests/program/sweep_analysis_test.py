@@ -32,7 +32,7 @@ class SweepAnalysis(InFolderWithSets):
         """A grid of four cells with shadows, as a sweep leaves it."""
         cls.plan = []
         for cell, (speed, ticks) in enumerate((speed, ticks) for speed in SPEEDS for ticks in TICKS):
-            settings = {"backend.speed_scale": speed, "rules.starvation_schedule.base_ticks": ticks}
+            settings = {"backend.speed_scale": speed, "rules.starvation.interval.base_ticks": ticks}
             cls.run_cell(cls.sets / "sweep", cls.plan, cell, "paper", settings)
         cls.write_plan(cls.sets / "sweep", cls.plan)
 
@@ -229,7 +229,7 @@ class SweepAnalysis(InFolderWithSets):
 
     def test_rule_tables_may_be_an_axis(self):
         plan = [line for line in self.lines if line["cell"] == 0]
-        self.run_cell(self.folder / "sweep", plan, 4, "released", plan[0]["settings"] | {"rules.starvation_schedule.base_ticks": 15})
+        self.run_cell(self.folder / "sweep", plan, 4, "released", plan[0]["settings"] | {"rules.starvation.interval.base_ticks": 15})
         self.write_plan(self.folder / "sweep", plan)
         result = self.analyzed()
         self.assertIn("axis rule_table: paper, released\nreference: cell 0 (rule_table paper)", result.stdout)
@@ -246,7 +246,7 @@ class SweepAnalysis(InFolderWithSets):
                 self.assertIn(f"{name}.{ending}", names)
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
         one = call(figures_python.PYTHON, SWEEP, "analysis", "--metric", "deaths:prey:caught", "--axes",
-                   "rules.starvation_schedule.base_ticks", "--out", "one", cwd=self.folder)
+                   "rules.starvation.interval.base_ticks", "--out", "one", cwd=self.folder)
         self.assertEqual((one.returncode, one.stdout), (0, "1 figures in one\n"), one.stderr)
         for arguments, part in ((["--metric", "no"], "--metric no: no such metric"), (["--axes", "no"], "--axes no: must be one of ")):
             wrong = call(figures_python.PYTHON, SWEEP, "analysis", *arguments, cwd=self.folder)

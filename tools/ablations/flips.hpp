@@ -17,20 +17,19 @@
 
 namespace trophic::command {
 
-/// Slots that are flipped together. The last group takes all numbers of EcologyParams and Physics, too.
+/// Slots that are flipped together. The first group takes decision_order and without_target of EcologyParams, too, the last all
+/// other numbers of EcologyParams and Physics.
 struct SlotGroup {
   std::string_view name;
   rules::SlotSet slots;
 };
 
 inline constexpr std::array slot_groups{
-    SlotGroup{"perception", rules::slots({"heading", "visibility", "sensors", "blind_rule", "newborn_tag", "tag_switch", "brain",
-                                          "decision_order", "steering"})},
-    SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "capture_parent", "starvation_parent",
-                                            "rescue_parent", "heredity", "mutation", "senescence_parent"})},
-    SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation_schedule", "reprieve", "starvation", "rescue",
-                                     "senescence"})},
+    SlotGroup{"perception", rules::slots({"heading", "visibility", "sensors", "newborn_tag", "tag_switch", "brain", "steering"})},
+    SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "parent", "heredity", "mutation"})},
+    SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation", "rescue", "senescence"})},
     SlotGroup{"ecology", rules::slots({"community", "placement"})}};
+inline constexpr std::size_t perception_group = 0;
 inline constexpr std::size_t ecology_group = slot_groups.size() - 1;
 
 /// Whether every slot is in exactly one group.

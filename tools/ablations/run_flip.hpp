@@ -35,7 +35,7 @@ std::vector<std::string> run_table(const std::string& name, Experiment<Table> ex
 template <class Base, class Other>
 Experiment<Base> with_number_of(const std::string& name) {
   for (const rules::RuleDifference& difference : rules::differences<Base, Other>()) {
-    if (difference.name != name || !difference.is_number()) continue;
+    if (difference.name != name || !difference.is_number) continue;
     const bool of_rule = !name.starts_with("ecology.") && !name.starts_with("physics.");
     Experiment<Base> experiment;
     read_numbers(experiment, read_assignment((of_rule ? "rules." : "") + name + "=" + difference.there));
@@ -47,10 +47,15 @@ Experiment<Base> with_number_of(const std::string& name) {
 template <class Base, class Other, std::size_t group>
 std::vector<std::string> run_group(const std::string& name, const Study& study) {
   Experiment<rules::with_rules_of<Base, Other, slot_groups[group].slots>> experiment;
+  const EcologyParams of_base = Base::ecology();
+  const EcologyParams of_other = Other::ecology();
   if (group == ecology_group) {
-    experiment.ecology = Other::ecology();
+    experiment.ecology = of_other;
     experiment.physics = Other::physics();
   }
+  const EcologyParams& decisions = group == perception_group ? of_other : of_base;
+  experiment.ecology.decision_order = decisions.decision_order;
+  experiment.ecology.without_target = decisions.without_target;
   return run_table(name, std::move(experiment), study);
 }
 
@@ -71,6 +76,33 @@ std::optional<std::vector<std::string>> run_sensors(const std::string& name, con
   std::optional<std::vector<std::string>> unfinished;
   static_cast<void>(((unfinished = run_sensor<Base, Other, place>(name, study)).has_value() || ...));
   return unfinished;
+}
+
+/// Base with one part of a policy as Other has it, if `name` is that flip.
+template <class Base, class Other, RuleSlot slot, std::size_t place>
+void run_part(const std::string& name, const Study& study, std::optional<std::vector<std::string>>& unfinished) {
+  using Here = PolicyIn<Base, slot>;
+  using There = PolicyIn<Other, slot>;
+  if constexpr (!std::same_as<typename Here::template Part<place>, typename There::template Part<place>>) {
+    if (name != join_path(slot_name(slot), Here::part_names[place])) return;
+    unfinished = run_table(name, Experiment<rules::with_part_of<Base, Other, slot, place>>{}, study);
+  }
+}
+
+/// Base with one policy, or one part of one, as Other has it, if `name` is that flip.
+template <class Base, class Other, RuleSlot slot>
+void run_slot(const std::string& name, const Study& study, std::optional<std::vector<std::string>>& unfinished) {
+  using Here = PolicyIn<Base, slot>;
+  using There = PolicyIn<Other, slot>;
+  if constexpr (rules::detail::alike_in_parts<Here, There>) {
+    [&]<std::size_t... place>(std::index_sequence<place...>) {
+      (run_part<Base, Other, slot, place>(name, study, unfinished), ...);
+    }
+    (std::make_index_sequence<Here::part_count>{});
+  } else if constexpr (!std::same_as<Here, There>) {
+    if (name != slot_name(slot)) return;
+    unfinished = run_table(name, Experiment<rules::with_rules_of<Base, Other, rules::slots({slot_name(slot)})>>{}, study);
+  }
 }
 
 }  // namespace detail
@@ -94,14 +126,9 @@ std::vector<std::string> run_flip(const std::string& name, const Study& study) {
   static_assert(slot_groups.size() == 4);
   constexpr std::make_index_sequence<Base::Sensors::count> places;
   if (const auto unfinished = detail::run_sensors<Base, Other>(name, study, places)) return *unfinished;
-#define TROPHIC_RUN_FLIP(Slot, member, kind, Contract)                                                                    \
-  if constexpr (!std::same_as<typename Base::Slot, typename Other::Slot>) {                                               \
-    if (name == #member) {                                                                                                \
-      return detail::run_table(name, Experiment<rules::with_rules_of<Base, Other, rules::slots({#member})>>{}, study); \
-    }                                                                                                                     \
-  }
-  TROPHIC_RULE_SLOTS(TROPHIC_RUN_FLIP)
-#undef TROPHIC_RUN_FLIP
+  std::optional<std::vector<std::string>> unfinished;
+  for_each_slot([&]<RuleSlot slot>() { detail::run_slot<Base, Other, slot>(name, study, unfinished); });
+  if (unfinished) return *unfinished;
   return detail::run_table(name, detail::with_number_of<Base, Other>(name), study);
 }
 

@@ -16,21 +16,6 @@ TROPHIC_INLINE void check_prey(const FoodWeb& web, BodyIndex hunter, Species eat
                                  web.name(eater) + " does not eat " + web.name(eaten)};
 }
 
-/// The slot whose rule chooses the parent after a death of this cause.
-[[nodiscard]] constexpr std::string_view parent_slot(Cause cause) {
-  switch (cause) {
-    case Cause::caught:
-      return "capture_parent";
-    case Cause::starved:
-      return "starvation_parent";
-    case Cause::sacrificed:
-      return "rescue_parent";
-    case Cause::senescence:
-      break;
-  }
-  return "senescence_parent";
-}
-
 TROPHIC_INLINE void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots) {
   if (returned == robots) return;
   throw RuleError{slot, std::to_string(returned) + " " + std::string{what} + ": must be " + std::to_string(robots) +
@@ -48,16 +33,14 @@ TROPHIC_INLINE void check_places(std::span<const GroundPose> places, std::size_t
 
 TROPHIC_INLINE void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent,
                                  std::size_t weights) {
-  check_index(parent_slot(vacancy.cause), "a parent of species", parent.species, web.size());
+  check_index("parent", "a parent of species", parent.species, web.size());
   if (!parent.genome || parent.genome->weights.size() != weights) {
-    throw RuleError{parent_slot(vacancy.cause), "individual " + std::to_string(parent.id) +
-                                                    " as a parent: must have a genome of " + std::to_string(weights) +
-                                                    " weights"};
+    throw RuleError{"parent", "individual " + std::to_string(parent.id) + " as a parent: must have a genome of " +
+                                  std::to_string(weights) + " weights"};
   }
   if (!vacancy.heir || parent.species == *vacancy.heir) return;
-  throw RuleError{parent_slot(vacancy.cause), "individual " + std::to_string(parent.id) + ", a " + web.name(parent.species) +
-                                                  ", as the parent of a " + web.name(*vacancy.heir) +
-                                                  ": must be of its offspring's species"};
+  throw RuleError{"parent", "individual " + std::to_string(parent.id) + ", a " + web.name(parent.species) +
+                                ", as the parent of a " + web.name(*vacancy.heir) + ": must be of its offspring's species"};
 }
 
 }  // namespace trophic::detail

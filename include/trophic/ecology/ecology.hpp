@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -132,7 +131,7 @@ class Ecology final : public Simulation {
         started_ = true;
         if (audience.wants_frame(times_, 0)) show_frame(audience, KeptFrame::of(backend_, 0), habitat_, times_, time_s());
         for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
-        starvation_clock_.interval_ticks = rules_.starvation_schedule.interval_ticks(view());
+        starvation_clock_ = death::ask::start(rules_.starvation, view());
         tick(audience);
       }
       while (time_s() < until_s && audience.keep_running() && move(audience)) {
@@ -213,8 +212,9 @@ class Ecology final : public Simulation {
   void activate(observe::Audience& audience) {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       if (population_[body].active) continue;
-      if (!death::ask::activates(rules_.activation, states().activation[body], body, view())) continue;
-      population_.activate(body, time_s(), rules_.activation.restarts_age());
+      const auto activates = death::ask::activates(rules_.activation, states().activation[body], body, view());
+      if (activates == death::Activates::no) continue;
+      population_.activate(body, time_s(), activates == death::Activates::yes_and_restarts_age);
       emit(audience, observe::EventKind::activation, body);
     }
   }
@@ -231,11 +231,10 @@ class Ecology final : public Simulation {
       const bool victim_was_caught = population_[capture.victim].id >= first_newborn;
       if (hunter_was_caught || victim_was_caught) continue;
       detail::check_prey(web_, capture.hunter, hunter.species, capture.victim, population_[capture.victim].species);
-      if (!rules_.floor.may_die(population_[capture.victim].species, view())) continue;
+      if (!death::ask::may_die(rules_.floor, population_[capture.victim].species, view())) continue;
       population_.feed(capture.hunter, capture.victim, view());
       emit(audience, observe::EventKind::capture, capture.hunter, {}, population_[capture.victim].id);
-      hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .heir = hunter.species},
-              rules_.capture_parent, states().capture_parent);
+      hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .heir = hunter.species});
     }
   }
 
@@ -244,27 +243,26 @@ class Ecology final : public Simulation {
       const Individual& individual = population_[body];
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
       if (!death::ask::dies(rules_.senescence, states().senescence[body], individual, view(), rng)) continue;
-      hand_on(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .heir = individual.species},
-              rules_.senescence_parent, states().senescence_parent);
+      hand_on(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .heir = individual.species});
     }
   }
 
   void starve(observe::Audience& audience) {
-    if (!rules_.starvation_schedule.due(starvation_clock_, view())) return;
     const View now = view();
     const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); };
-    const std::function<bool(BodyIndex)> spared = [&](BodyIndex hunter) {
-      const bool is_spared = death::ask::spared(rules_.reprieve, states().reprieve[hunter], hunter, now, perceives);
-      if (is_spared) audience.reprieve(hunter, now);
-      return is_spared;
-    };
     const auto hungry = states().starvation.all();
-    if (const auto victim = death::ask::victim(rules_.starvation, hungry, now, spared)) {
-      check_index("starvation", "victim", *victim, poses_.size());
-      hand_on(audience, {.body = *victim, .cause = Cause::starved, .killer = {}, .heir = {}}, rules_.starvation_parent,
-              states().starvation_parent);
+    const death::Starving starving = death::ask::starving(rules_.starvation, hungry, starvation_clock_, now, perceives);
+    const IndividualId first_newborn = population_.next_id();
+    for (const BodyIndex hunter : starving.exempt) {
+      check_index("starvation", "exempt hunter", hunter, poses_.size());
+      audience.reprieve(hunter, now);
     }
-    starvation_clock_ = {.last_tick = tick_, .interval_ticks = rules_.starvation_schedule.interval_ticks(view())};
+    for (const BodyIndex victim : starving.victims) {
+      check_index("starvation", "victim", victim, poses_.size());
+      if (population_[victim].id >= first_newborn) continue;
+      hand_on(audience, {.body = victim, .cause = Cause::starved, .killer = {}, .heir = {}});
+    }
+    if (starving.restarts_clock) starvation_clock_ = death::ask::start(rules_.starvation, view());
   }
 
   void rescue(observe::Audience& audience) {
@@ -275,21 +273,15 @@ class Ecology final : public Simulation {
       check_index("rescue", "victim", sacrifice.victim, poses_.size());
       check_index("rescue", "heir", sacrifice.heir, web_.size());
       if (population_[sacrifice.victim].id >= first_newborn) continue;
-      if (!rules_.floor.may_die(population_[sacrifice.victim].species, view())) continue;
-      hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .heir = sacrifice.heir},
-              rules_.rescue_parent, states().rescue_parent);
+      if (!death::ask::may_die(rules_.floor, population_[sacrifice.victim].species, view())) continue;
+      hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .heir = sacrifice.heir});
     }
   }
 
-  /// Death of the occupant and birth of its successor, whose parent this rule chooses.
-  template <class ParentRule>
-  void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy, const ParentRule& parent_rule,
-               const BodyStates<ParentRule>& parent_states) {
-    hand_on(audience, vacancy, population_.succession(vacancy, parent_rule, parent_states, view()));
-  }
-
-  /// Where the rules do not fix the heir's species, it is the parent's or, for want of a parent, the first that the dead one ate.
-  void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy, const Succession& succession) {
+  /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
+  /// want of a parent, the first that the dead one ate.
+  void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy) {
+    const Succession succession = population_.succession(vacancy, view());
     const Species dead = population_[vacancy.body].species;
     const std::size_t weights = population_[vacancy.body].genome->weights.size();
     if (succession.parent) detail::check_parent(web_, vacancy, *succession.parent, weights);
@@ -302,17 +294,18 @@ class Ecology final : public Simulation {
     emit(audience, observe::EventKind::birth, vacancy.body);
   }
 
-  /// Perception, brains, and what they change. Unless the rules say that robots decide in turn, everybody perceives the same
+  /// Perception, brains, and what they change. Unless robots decide in turn, all perceive the same
   /// moment: all decisions are made before the first tag changes.
   void decide(observe::Audience& audience) {
     const SensorValues common = rules_.sensors.sense_common(view());
     choices_.clear();
     const bool is_told = audience.wants_deliberations();
+    const bool in_turn = params_.ecology.decision_order == DecisionOrder::in_turn;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       choices_.push_back(choice(body, common, is_told));
-      if (rules_.decision_order.in_turn()) act(audience, body, choices_[body]);
+      if (in_turn) act(audience, body, choices_[body]);
     }
-    if (rules_.decision_order.in_turn()) return;
+    if (in_turn) return;
     for (BodyIndex body = 0; body < poses_.size(); ++body) act(audience, body, choices_[body]);
   }
 
@@ -322,7 +315,7 @@ class Ecology final : public Simulation {
     return perception::ask::perceives(rules_.visibility, states().visibility[self], self, other, now, rng);
   }
 
-  /// What a robot perceives and what its brain makes of it; no decision where the blind rule keeps the last one.
+  /// What a robot perceives and what its brain makes of it; no decision where a robot without a target keeps its last one.
   struct Choice {
     std::optional<Sighting> sighting;
     std::optional<control::Decision> decision;
@@ -336,7 +329,7 @@ class Ecology final : public Simulation {
         body, now, [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); },
         perception::ask::horizon(rules_.visibility, population_[body]));
     Choice choice{.sighting = sighting, .decision = std::nullopt};
-    if (!sighting && !rules_.blind_rule.decides()) return choice;
+    if (!sighting && params_.ecology.without_target == WithoutTarget::keeps_decision) return choice;
     choice.inputs = rules_.sensors.sense(states().sensors[body], body, sighting, now, common, [&](std::size_t sensor) {
       return Rng{params_.seed, Stream::sensors, population_[body].id, static_cast<std::uint64_t>(tick_), sensor};
     });
@@ -351,22 +344,25 @@ class Ecology final : public Simulation {
     const Individual& self = population_[body];
     const int tag_before = self.tag;
     population_.turn(body, choice.decision->target_angle_rad);
-    const bool may_switch = perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view());
-    if (may_switch) show_tag(audience, body, choice.decision->tag);
+    using perception::MaySwitch;
+    const MaySwitch may_switch = perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view());
+    if (may_switch != MaySwitch::no) {
+      show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts);
+    }
     audience.deliberation({.body = body,
                            .inputs = choice.inputs,
                            .outputs = choice.outputs ? std::span<const double>{*choice.outputs} : std::span<const double>{},
                            .target_angle_rad = choice.decision->target_angle_rad,
                            .tag = choice.decision->tag,
                            .tag_before = tag_before,
-                           .might_switch = may_switch},
+                           .might_switch = may_switch != MaySwitch::no},
                           view());
   }
 
-  void show_tag(observe::Audience& audience, BodyIndex body, int tag) {
+  void show_tag(observe::Audience& audience, BodyIndex body, int tag, bool restarts_clock) {
     const bool switched = tag != population_[body].tag;
     population_.show_tag(body, tag);
-    if (rules_.tag_switch.restarts(switched)) population_.restart_tag_clock(body, time_s());
+    if (switched || restarts_clock) population_.restart_tag_clock(body, time_s());
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }
 
@@ -383,7 +379,7 @@ class Ecology final : public Simulation {
   std::vector<GroundPose> poses_;
   AnyBackend backend_;
   locomotion::Locomotion<typename Rules::Steering> locomotion_;
-  death::StarvationClock starvation_clock_;
+  death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;
   std::int64_t tick_ = 0;
   bool started_ = false;
   std::vector<double> target_angles_rad_;

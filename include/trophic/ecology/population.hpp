@@ -18,6 +18,7 @@
 #include <trophic/population/individual.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/rule_states.hpp>
@@ -42,8 +43,8 @@ using sensors_of = std::conditional_t<perception::SensorList<Sensors>, Sensors, 
 
 /// Who inherits a vacant body.
 struct Succession {
-  bool inherits = false;           ///< rather than being drawn at random
-  std::optional<Ancestor> parent;  ///< none where it does not inherit or there is nobody to inherit from
+  reproduction::Descent descent = reproduction::Descent::random;
+  std::optional<Ancestor> parent;  ///< none if the genome is random by rule or there is no individual to inherit from
 };
 
 /// One individual per body, from the founders on, and the states of all rules: the only writer of both. Applies the birth rules
@@ -68,7 +69,7 @@ class Population {
     for (const Species species : founders) {
       Individual born = newborn(species, 0.0, 0, nullptr);
       for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
-        states.push_back(policy.born(born, nullptr, StateOf<P>{}));
+        states.push_back(for_species(policy, born.species).born(born, nullptr, StateOf<P>{}));
       });
       born.genome = drawn_genome(born.id);
       ++members_[species];
@@ -128,9 +129,10 @@ class Population {
   /// All bodies have moved since they stood at `before`.
   void walk(std::span<const GroundPose> before, const View& view) {
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      if constexpr (requires { policy.on_walk(states[0], BodyIndex{}, 0.0, view); }) {
+      if constexpr (requires { for_species(policy, Species{}).on_walk(states[0], BodyIndex{}, 0.0, view); }) {
         for (BodyIndex body = 0; body < individuals_.size(); ++body) {
-          policy.on_walk(states[body], body, distance_m(before[body], view.poses[body]), view);
+          const double walked_m = distance_m(before[body], view.poses[body]);
+          for_species(policy, individuals_[body].species).on_walk(states[body], body, walked_m, view);
         }
       }
     });
@@ -140,11 +142,13 @@ class Population {
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
     individuals_[hunter].fed_tick = view.tick;
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      if constexpr (requires { policy.on_catch(states[hunter], hunter, victim, view); }) {
-        policy.on_catch(states[hunter], hunter, victim, view);
+      const auto& of_hunter = for_species(policy, individuals_[hunter].species);
+      if constexpr (requires { of_hunter.on_catch(states[hunter], hunter, victim, view); }) {
+        of_hunter.on_catch(states[hunter], hunter, victim, view);
       }
-      if constexpr (requires { policy.on_caught(states[victim], victim, hunter, view); }) {
-        policy.on_caught(states[victim], victim, hunter, view);
+      const auto& of_victim = for_species(policy, individuals_[victim].species);
+      if constexpr (requires { of_victim.on_caught(states[victim], victim, hunter, view); }) {
+        of_victim.on_caught(states[victim], victim, hunter, view);
       }
     });
   }
@@ -155,8 +159,9 @@ class Population {
     self.adversary = sighting ? std::optional{sighting->adversary} : std::nullopt;
     self.adversary_distance_m = sighting ? sighting->distance_m : std::numeric_limits<double>::quiet_NaN();
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      if constexpr (requires { policy.on_sighting(states[body], body, sighting, view); }) {
-        policy.on_sighting(states[body], body, sighting, view);
+      const auto& rule = for_species(policy, self.species);
+      if constexpr (requires { rule.on_sighting(states[body], body, sighting, view); }) {
+        rule.on_sighting(states[body], body, sighting, view);
       }
     });
   }
@@ -172,11 +177,7 @@ class Population {
   /// The output neurons from which its brain would decide; none for a brain that does not show them.
   using Outputs = std::optional<std::array<double, control::Decision::outputs>>;
   [[nodiscard]] Outputs outputs(BodyIndex body, std::span<const double> inputs) const {
-    if constexpr (requires { control::ask::outputs(rules_.brain, states_.brain[body], inputs, weights(body)); }) {
-      return control::ask::outputs(rules_.brain, states_.brain[body], inputs, weights(body));
-    } else {
-      return std::nullopt;
-    }
+    return control::ask::outputs(rules_.brain, states_.brain[body], inputs, weights(body));
   }
 
   /// Where it wants to go from now on, positive to the right.
@@ -188,16 +189,13 @@ class Population {
   }
   void restart_tag_clock(BodyIndex body, double time_s) { individuals_[body].tag_since_s = time_s; }
 
-  /// Who inherits a vacant body: decides between random and inherited and asks the parent rule, whose states are given. Changes
-  /// nobody.
-  template <reproduction::Parent ParentRule>
-  [[nodiscard]] Succession succession(const reproduction::Vacancy& vacancy, const ParentRule& rule,
-                                      const BodyStates<ParentRule>& states, const View& view) const {
+  /// Who inherits a vacant body: decides between random and inherited and asks the parent rule. Changes nothing.
+  [[nodiscard]] Succession succession(const reproduction::Vacancy& vacancy, const View& view) const {
     Rng source{seed_, Stream::genome_source, next_id_};
-    Succession result{.inherits = rules_.genome_source.inherits(source), .parent = std::nullopt};
-    if (result.inherits) {
+    Succession result{.descent = rules_.genome_source.descent(source), .parent = std::nullopt};
+    if (result.descent != reproduction::Descent::random) {
       Rng rng{seed_, Stream::parent, next_id_};
-      result.parent = reproduction::ask::parent(rule, states[vacancy.body], vacancy, view, rng);
+      result.parent = reproduction::ask::parent(rules_.parent, states_.parent.all(), vacancy, view, rng);
     }
     return result;
   }
@@ -211,7 +209,7 @@ class Population {
       descend(born, body, *succession.parent, std::move(genome));
     } else {
       born.genome = drawn_genome(born.id);
-      if (succession.inherits) born.origin = rules_.genome_source.without_parent();
+      if (succession.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
     }
     --members_[individuals_[body].species];
     ++members_[species];
@@ -249,7 +247,8 @@ class Population {
   /// What the rules keep for a newborn.
   void bear_states(const Individual& born, BodyIndex body, std::optional<BodyIndex> parent) {
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      states[body] = policy.born(born, parent ? &states[*parent] : nullptr, std::as_const(states)[body]);
+      states[body] =
+          for_species(policy, born.species).born(born, parent ? &states[*parent] : nullptr, std::as_const(states)[body]);
     });
   }
 

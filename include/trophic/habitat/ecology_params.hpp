@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The numbers of an experiment that belong to no single rule: bodies, time scales, which models.
+// The numbers of an experiment that belong to no single rule: bodies, time scales, models, decisions.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <trophic/habitat/cpg_integration.hpp>
+#include <trophic/habitat/decision_order.hpp>
 #include <trophic/habitat/phase_at_birth.hpp>
+#include <trophic/habitat/without_target.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 
 namespace trophic {
 
-/// Bodies, time scales and models (Sec. "Robot Body and Environment", "Cognitive Brain", "Birth").
+/// Bodies, time scales, models and the order of decisions (Sec. "Robot Body and Environment", "Cognitive Brain", "Birth",
+/// "Outputs").
 struct EcologyParams {
   std::size_t robots = 30;              ///< bodies, fixed for the whole run
   double duration_s = 6000.0;           ///< of the ecology's clock; what a program runs unless told otherwise
@@ -25,6 +28,8 @@ struct EcologyParams {
   CpgIntegration cpg_integration = CpgIntegration::exact;
   std::size_t idle_control_steps = 0;  ///< control periods before the gait starts; servos rest meanwhile
   PhaseAtBirth phase_at_birth = PhaseAtBirth::kept;
+  DecisionOrder decision_order = DecisionOrder::together;
+  WithoutTarget without_target = WithoutTarget::decides;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -40,7 +45,10 @@ struct EcologyParams {
         field("cpg_integration", &EcologyParams::cpg_integration, "exact or rk4"),
         field("idle_control_steps", &EcologyParams::idle_control_steps, between(0, 1'000'000),
               "control periods before the gait starts"),
-        field("phase_at_birth", &EcologyParams::phase_at_birth, "kept or reset: the gait's phase at a birth in the body")};
+        field("phase_at_birth", &EcologyParams::phase_at_birth, "kept or reset: the gait's phase at a birth in the body"),
+        field("decision_order", &EcologyParams::decision_order, "together or in_turn: who sees which tags of this tick"),
+        field("without_target", &EcologyParams::without_target,
+              "decides or keeps_decision: a robot that perceives no adversary")};
   }
 };
 

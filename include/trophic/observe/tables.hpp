@@ -132,7 +132,8 @@ struct SenseRow {
                "whether it reaches a wall, or the foot of a slope; empty on a backend without joints"),
         column("robots_touched", &SenseRow::robots_touched, "", "how many others it touches; empty on a backend without joints"),
         column("spared", &SenseRow::spared, "",
-               "1: it was to starve at this tick and the rule Reprieve spared it; empty for those who hunt nobody"),
+               "1: it was to starve at this tick and an exemption of the rule Starvation spared it; empty for those who hunt "
+               "nobody"),
         column("wished_tag", &SenseRow::wished_tag, "", "that its brain chose; empty where the brain was not asked"),
         column("tag_wish", &SenseRow::tag_wish, "", "what became of it: shown before, a switch, or denied by the rule TagSwitch"),
         column("angle_output", &SenseRow::angle_output, "",

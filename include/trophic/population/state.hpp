@@ -3,13 +3,16 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/parts.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/view.hpp>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -28,7 +31,8 @@
 /// what rule_states.hpp allows.
 ///
 /// The question of a slot that is about one body may take `const State& own` as its last argument, one about the whole population
-/// `std::span<const State> states`, by body: see the slot's contract. A brain's decide takes `State& own`.
+/// or about a parent `std::span<const State> states`, by body: see the slot's contract. A brain's decide and a mutation take
+/// `State& own`.
 ///
 /// Any of these hooks changes the state `own` of whoever lives in the body `self`; each is called where it stands in a tick:
 ///   void on_walk(State& own, BodyIndex self, double distance_m, const View&) const
@@ -45,25 +49,6 @@
   HOOK(on_caught, BodyIndex, "void on_caught(State&, BodyIndex, BodyIndex, const View&)")  \
   HOOK(on_sighting, const std::optional<Sighting>&,                                        \
        "void on_sighting(State&, BodyIndex, const std::optional<Sighting>&, const View&)")
-
-/// Defines `ask::question(policy, own, arguments...)`: `policy.question(arguments..., own)` where the policy takes its state,
-/// else `policy.question(arguments...)`. A contract's concept and whoever asks go through it.
-#define TROPHIC_QUESTION(question)                                                                               \
-  namespace ask {                                                                                                \
-  template <class P, class... Arguments>                                                                         \
-  concept takes_##question = requires(const P& policy, Arguments&... arguments) {                                \
-    policy.question(arguments...);                                                                               \
-  };                                                                                                             \
-  template <class P, class Own, class... Arguments>                                                              \
-  requires(takes_##question<P, Arguments..., Own> || takes_##question<P, Arguments...>) constexpr decltype(auto) \
-      question(const P& policy, [[maybe_unused]] Own& own, Arguments&&... arguments) {                           \
-    if constexpr (takes_##question<P, Arguments..., Own>) {                                                      \
-      return policy.question(arguments..., own);                                                                 \
-    } else {                                                                                                     \
-      return policy.question(arguments...);                                                                      \
-    }                                                                                                            \
-  }                                                                                                              \
-  }
 
 namespace trophic {
 
@@ -113,6 +98,18 @@ template <class State>
 template <class P>
 concept SavableState = Stateful<P> && only_state_members<typename P::State>();
 
+template <class P>
+struct answers_for_species {
+  using type = P;
+};
+template <class P>
+requires requires {
+  typename P::OfOneSpecies;
+}
+struct answers_for_species<P> {
+  using type = typename P::OfOneSpecies;
+};
+
 // A name is ambiguous in a class that inherits it twice: so `&Probe::on_walk` is ill-formed exactly if the policy has an on_walk
 // of any kind.
 #define TROPHIC_PROBE_HOOK(hook, Happened, signature)                                                                            \
@@ -134,12 +131,12 @@ TROPHIC_STATE_HOOKS(TROPHIC_PROBE_HOOK)
 
 /// A policy with a State can tell what a newborn starts with.
 template <class P>
-concept BornWithState = requires(const P& policy, const Individual& newborn, const typename P::State* parent,
-                                 const typename P::State& body) {
+concept BornWithState = requires(const typename answers_for_species<P>::type& policy, const Individual& newborn,
+                                 const typename P::State* parent, const typename P::State& body) {
   { policy.born(newborn, parent, body) } -> std::same_as<typename P::State>;
 };
 
-/// Fails to compile, with one sentence, if a policy names hooks that nobody would call.
+/// Fails to compile, with one sentence, if a policy names hooks that are never called.
 template <class Policy>
 struct CheckStateHooks {
 #define TROPHIC_CHECK_STATE_HOOK(hook, Happened, signature)                                                  \
@@ -175,6 +172,49 @@ struct CheckStateHooks {
 template <class P>
 using StateOf = typename detail::state_of<P>::type;
 
+/// The type of the policy that answers for a species: the policy itself, unless its numbers differ by species.
+template <class P>
+using AnswersForSpecies = typename detail::answers_for_species<P>::type;
+
+/// The policy that answers for a species: the policy itself, unless its numbers differ by species (rules/by_species.hpp).
+template <class P>
+[[nodiscard]] const AnswersForSpecies<P>& for_species(const P& policy, [[maybe_unused]] Species species) {
+  if constexpr (std::same_as<AnswersForSpecies<P>, P>) {
+    return policy;
+  } else {
+    return policy.of(species);
+  }
+}
+
+namespace detail {
+
+template <class P>
+struct all_states_of {
+  using type = std::span<const StateOf<P>>;
+};
+template <template <class...> class Whole, class... Ps>
+requires MadeOfParts<Whole<Ps...>>
+struct all_states_of<Whole<Ps...>> {
+  using type = std::tuple<typename all_states_of<Ps>::type...>;
+};
+
+}  // namespace detail
+
+/// The states of all bodies, as a question about the whole population is given them: `std::span<const State>`, by body; for a
+/// policy made of parts (population/parts.hpp) a std::tuple of those of its parts.
+template <class P>
+using AllStates = typename detail::all_states_of<P>::type;
+
+/// The state of one body; NoState for a policy without State, whose span is empty.
+template <class State>
+[[nodiscard]] const State& state_of_body(std::span<const State> states, BodyIndex body) {
+  return states[body];
+}
+[[nodiscard]] inline const NoState& state_of_body(std::span<const NoState>, BodyIndex) {
+  static constexpr NoState none;
+  return none;
+}
+
 /// The states of one slot, by body. Nothing at all for a policy without State.
 template <class P>
 class BodyStates {
@@ -204,6 +244,27 @@ class BodyStates<P> {
 
  private:
   std::vector<State> states_;
+};
+
+/// The states of a policy made of parts: those of each part.
+template <template <class...> class Whole, class... Ps>
+requires MadeOfParts<Whole<Ps...>>
+class BodyStates<Whole<Ps...>> {
+ public:
+  template <std::size_t place>
+  [[nodiscard]] const auto& part() const {
+    return std::get<place>(parts_);
+  }
+  template <std::size_t place>
+  [[nodiscard]] auto& part() {
+    return std::get<place>(parts_);
+  }
+  [[nodiscard]] AllStates<Whole<Ps...>> all() const {
+    return std::apply([](const auto&... parts) { return AllStates<Whole<Ps...>>{parts.all()...}; }, parts_);
+  }
+
+ private:
+  std::tuple<BodyStates<Ps>...> parts_;
 };
 
 }  // namespace trophic

@@ -3,21 +3,18 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
-#include <optional>
-#include <span>
 #include <string_view>
-#include <trophic/death/floor/contract.hpp>
-#include <trophic/death/reprieve/contract.hpp>
-#include <trophic/death/senescence/contract.hpp>
-#include <trophic/initialization/community/contract.hpp>
 #include <trophic/params/group.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/perception/visibility/contract.hpp>
+#include <trophic/population/food_web.hpp>
+#include <trophic/population/parts.hpp>
 #include <trophic/population/state.hpp>
-#include <trophic/reproduction/mutation/contract.hpp>
-#include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/rules/check.hpp>
 #include <trophic/support/joined_text.hpp>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace trophic::rules {
@@ -42,27 +39,21 @@ struct by_species_params<Policy, Community, std::index_sequence<species...>> {
   using type = GroupOf<SpeciesNames<Community>, One<species>...>;
 };
 
-/// State and hooks of the policy, where it has them; the species of `self` says whose numbers count.
-template <class Self, class Policy>
-struct StateBySpecies {};
-template <class Self, Stateful Policy>
-struct StateBySpecies<Self, Policy> {
-  using State = typename Policy::State;
-  [[nodiscard]] State born(const Individual& newborn, const State* parent, const State& body) const {
-    return static_cast<const Self&>(*this).of(newborn.species).born(newborn, parent, body);
-  }
+/// What every form of by_species is: its name, the policy that answers for one species, and that policy's State.
+template <class Policy>
+struct BySpecies {
+  static_assert(!MadeOfParts<Policy>, "rules::by_species takes a policy that is not made of parts; give each part its own");
+  static constexpr std::string_view name = JoinedText<BySpeciesWords<Policy>>::view;
+  static constexpr std::string_view source = source_of<Policy>();
+  using OfOneSpecies = Policy;
 };
-#define TROPHIC_HOOK_BY_SPECIES(hook, Happened, signature)                                          \
-  template <class Self, class Policy>                                                               \
-  struct BySpecies_##hook {};                                                                       \
-  template <class Self, class Policy>                                                               \
-  requires trophic::detail::StateTakes_##hook<Policy> struct BySpecies_##hook<Self, Policy> {       \
-    void hook(typename Policy::State& own, BodyIndex self, Happened what, const View& view) const { \
-      static_cast<const Self&>(*this).of(view.robots[self].species).hook(own, self, what, view);    \
-    }                                                                                               \
-  };
-TROPHIC_STATE_HOOKS(TROPHIC_HOOK_BY_SPECIES)
-#undef TROPHIC_HOOK_BY_SPECIES
+template <Stateful Policy>
+struct BySpecies<Policy> {
+  static constexpr std::string_view name = JoinedText<BySpeciesWords<Policy>>::view;
+  static constexpr std::string_view source = source_of<Policy>();
+  using OfOneSpecies = Policy;
+  using State = typename Policy::State;
+};
 
 template <class Community>
 concept NamesSpecies = requires {
@@ -70,25 +61,23 @@ concept NamesSpecies = requires {
   std::tuple_size<std::remove_cvref_t<decltype(Community::species_names)>>::value;
 };
 
-#define TROPHIC_BASE_BY_SPECIES(hook, Happened, signature) \
-  , public detail::BySpecies_##hook<by_species<Policy, Community>, Policy>
 }  // namespace detail
 
-/// A policy with numbers for each species of a community: `with_mutation<Paper, by_species<NormalMutation>>` has
-/// `rules.mutation.prey.sd` and `rules.mutation.predator.sd`. For the slots that ask about one individual or species: Mutation
-/// (the offspring's), Senescence, Visibility (who looks), Reprieve (the hunter's), Floor, and the parents (the dying one's). The
-/// community lists its species' names: `static constexpr std::array<std::string_view, N> species_names`. Reads and random draws:
-/// the policy's.
+/// A policy with numbers for each species: `with_mutation<Paper, by_species<NormalMutation>>` has `rules.mutation.prey.sd` and
+/// `rules.mutation.predator.sd`. In a rule table it takes the species of the table's community, which lists their names:
+/// `static constexpr std::array<std::string_view, N> species_names`. For the slots that the list of slots (rules/slots.hpp) marks
+/// as asking about one individual or species, and for parts of their policies: there whoever is asked about has the numbers of
+/// its species. Reads and random draws: the policy's.
+template <class Policy>
+class by_species<Policy, void> : public detail::BySpecies<Policy> {};
+
+/// The same in a table of this community.
 template <class Policy, class Community>
-class by_species : public detail::StateBySpecies<by_species<Policy, Community>, Policy> TROPHIC_STATE_HOOKS(
-                       TROPHIC_BASE_BY_SPECIES) {
-#undef TROPHIC_BASE_BY_SPECIES
+class by_species : public detail::BySpecies<Policy> {
  public:
   static_assert(detail::NamesSpecies<Community>,
                 "rules::by_species needs a community that lists static constexpr std::array<std::string_view, N> species_names");
   static constexpr std::size_t count = Community::species_names.size();
-  static constexpr std::string_view name = JoinedText<detail::BySpeciesWords<Policy>>::view;
-  using Own = StateOf<Policy>;
 
   using Params = typename detail::by_species_params<Policy, Community, std::make_index_sequence<count>>::type;
   Params params;
@@ -96,36 +85,7 @@ class by_species : public detail::StateBySpecies<by_species<Policy, Community>, 
   explicit by_species(const Params& numbers = {}) : by_species{numbers, std::make_index_sequence<count>{}} {}
 
   /// The policy with the numbers of a species.
-  [[nodiscard]] const Policy& of(Species species) const {
-    return policies_.at(species);
-  }
-
-  void mutate(std::span<double> weights, const Individual& offspring, Rng& rng,
-              Own& own) const requires reproduction::Mutation<Policy> {
-    reproduction::ask::mutate(of(offspring.species), own, weights, offspring, rng);
-  }
-  [[nodiscard]] bool dies(const Individual& one, const View& view, Rng& rng,
-                          const Own& own) const requires death::Senescence<Policy> {
-    return death::ask::dies(of(one.species), own, one, view, rng);
-  }
-  [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view, Rng& rng,
-                               const Own& own) const requires perception::Visibility<Policy> {
-    return perception::ask::perceives(of(view.robots[self].species), own, self, other, view, rng);
-  }
-  [[nodiscard]] perception::Horizon horizon(const Individual& self) const requires perception::Visibility<Policy> {
-    return perception::ask::horizon(of(self.species), self);
-  }
-  [[nodiscard]] bool spared(BodyIndex hunter, const View& view, const perception::Perceives& perceives,
-                            const Own& own) const requires death::Reprieve<Policy> {
-    return death::ask::spared(of(view.robots[hunter].species), own, hunter, view, perceives);
-  }
-  [[nodiscard]] bool may_die(Species species, const View& view) const requires death::Floor<Policy> {
-    return of(species).may_die(species, view);
-  }
-  [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy& vacancy, const View& view, Rng& rng,
-                                               const Own& own) const requires reproduction::Parent<Policy> {
-    return reproduction::ask::parent(of(view.robots[vacancy.body].species), own, vacancy, view, rng);
-  }
+  [[nodiscard]] const Policy& of(Species species) const { return policies_.at(species); }
 
  private:
   template <std::size_t... species>

@@ -5,6 +5,8 @@
 #include <concepts>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
+#include <trophic/population/parts.hpp>
+#include <trophic/population/state.hpp>
 #include <trophic/rules/slots.hpp>
 #include <type_traits>
 
@@ -13,35 +15,70 @@ namespace trophic {
 template <class Rules>
 struct TableParams;
 
+namespace rules {
+
+template <class Policy, class Community = void>
+class by_species;
+
+}  // namespace rules
+
 namespace detail {
 
-/// Stands for the policy of a slot that a table lacks.
-struct NoPolicy {};
+/// What a table says of each slot: `stated_<member><Rules>::type`, the neutral policy of a slot that it leaves out.
+#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, ...) \
+  template <class Rules>                                         \
+  struct stated_##member {                                       \
+    using type = Neutral;                                        \
+  };                                                             \
+  template <class Rules>                                         \
+  requires requires {                                            \
+    typename Rules::Slot;                                        \
+  }                                                              \
+  struct stated_##member<Rules> {                                \
+    using type = typename Rules::Slot;                           \
+  };
+TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
+#undef TROPHIC_SLOT
 
-/// `slot_<member><Rules>::type`: the policy in a slot.
-#define TROPHIC_SLOT(Slot, member, kind, Contract) \
-  template <class Rules>                           \
-  struct slot_##member {                           \
-    using type = NoPolicy;                         \
-  };                                               \
-  template <class Rules>                           \
-  requires requires {                              \
-    typename Rules::Slot;                          \
-  }                                                \
-  struct slot_##member<Rules> {                    \
-    using type = typename Rules::Slot;             \
+/// A policy as it is in a table: one whose numbers differ by species has those of the table's community.
+template <class Policy, class Rules>
+struct in_table {
+  using type = Policy;
+};
+template <class Policy, class Community, class Rules>
+struct in_table<rules::by_species<Policy, Community>, Rules> {
+  using type = rules::by_species<Policy, typename stated_community<Rules>::type>;
+};
+template <template <class...> class Whole, class... Ps, class Rules>
+requires MadeOfParts<Whole<Ps...>>
+struct in_table<Whole<Ps...>, Rules> {
+  using type = Whole<typename in_table<Ps, Rules>::type...>;
+};
+
+/// `slot_<member><Rules>::type`: the policy in a slot. `policy_in<Rules, slot>`: the same by the slot's value, and whether it is
+/// the neutral one.
+template <class Rules, RuleSlot slot>
+struct policy_in;
+#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, ...)                                   \
+  template <class Rules>                                                                           \
+  struct slot_##member : in_table<typename stated_##member<Rules>::type, Rules> {};                \
+  template <class Rules>                                                                           \
+  struct policy_in<Rules, RuleSlot::member> : slot_##member<Rules> {                               \
+    static constexpr bool is_neutral = std::same_as<typename slot_##member<Rules>::type, Neutral>; \
   };
 TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
 #undef TROPHIC_SLOT
 
 /// The first thing wrong with what a slot holds. What comes after it is not looked at, so that one mistake is one error.
-enum class Fault { none, missing, contract, name, fields, open, listed, twice, made, made_from_nothing };
+enum class Fault { none, missing, by_species, contract, name, fields, open, listed, twice, made, made_from_nothing };
 
-template <class Policy, bool fits_contract>
+template <class Policy, bool fits_contract, bool may_differ_by_species>
 [[nodiscard]] consteval Fault fault_of() {
   using Params = ParamsOf<Policy>;
   if constexpr (std::same_as<Policy, NoPolicy>) {
     return Fault::missing;
+  } else if constexpr (!may_differ_by_species && !std::same_as<AnswersForSpecies<Policy>, Policy>) {
+    return Fault::by_species;
   } else if constexpr (!fits_contract) {
     return Fault::contract;
   } else if constexpr (!Named<Policy>) {
@@ -73,18 +110,20 @@ concept StatesParams = requires {
 /// What is wrong with each slot of a table, and whether nothing is wrong with the table.
 template <class Rules>
 struct RuleFaults {
-#define TROPHIC_FAULT(Slot, member, kind, Contract) \
-  using Slot = typename slot_##member<Rules>::type; \
-  static constexpr Fault member = fault_of<Slot, kind::Contract<Slot>>();
+#define TROPHIC_FAULT(Slot, member, kind, Contract, Neutral, may_differ_by_species) \
+  using Slot = typename slot_##member<Rules>::type;                                 \
+  static constexpr Fault member = fault_of<Slot, kind::Contract<AnswersForSpecies<Slot>>, may_differ_by_species>();
   TROPHIC_RULE_SLOTS(TROPHIC_FAULT)
 #undef TROPHIC_FAULT
-#define TROPHIC_NO_FAULT(Slot, member, kind, Contract) &&member == Fault::none
+#define TROPHIC_NO_FAULT(Slot, member, ...) &&member == Fault::none
   static constexpr bool none = Final<Rules> && Named<Rules> && StatesParams<Rules> TROPHIC_RULE_SLOTS(TROPHIC_NO_FAULT);
 #undef TROPHIC_NO_FAULT
 };
 
-/// Fails to compile, with one sentence, unless Rules is final, has a name and numbers, and has a policy in every slot that fits
-/// the slot's contract.
+/// Fails to compile, with one sentence, unless Rules is final, has a name and numbers, and has a policy that fits the contract in
+/// every slot, but those with a neutral policy, which it may leave out. A misspelt name of such a slot in a table written out is
+/// the one mistake that cannot be seen here: C++ does not list the members of a class. with_<slot> and numbers for the slot find
+/// it.
 template <class Rules>
 struct CheckRules {
   static_assert(Final<Rules>,
@@ -95,12 +134,15 @@ struct CheckRules {
                 "the rule table must state its numbers: static TableParams<TABLE> params() { return TableParams<TABLE>{.slot = "
                 "{.number = 1.0}}; }, with its own type for TABLE");
 
-#define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract)                                                              \
+#define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract, ...)                                                         \
   using Slot = typename slot_##member<Rules>::type;                                                                   \
   static constexpr Fault member##_fault = RuleFaults<Rules>::member;                                                  \
   static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot         \
                                                   " = ...;` or make it of a complete table with with_" #member);      \
-  static_assert(member##_fault != Fault::contract || kind::Contract<Slot>,                                            \
+  static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                  \
+                                                     " asks about no single individual or species, so its policy's "  \
+                                                     "numbers cannot differ by_species");                             \
+  static_assert(member##_fault != Fault::contract || kind::Contract<AnswersForSpecies<Slot>>,                         \
                 "the policy in Rules::" #Slot " needs " TROPHIC_SENTENCE_##Contract);                                 \
   static_assert(member##_fault != Fault::name,                                                                        \
                 "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");        \
@@ -126,8 +168,16 @@ struct CheckRules {
 
 }  // namespace detail
 
-/// Whether a type is a table of rules: final, with a name and its numbers, and a fitting policy in each slot. One that is not
-/// is refused by RuleParams, and so by every experiment, with a sentence for what is wrong.
+/// The policy in a slot of a table; the neutral one of a slot that the table leaves out.
+template <class Rules, RuleSlot slot>
+using PolicyIn = typename detail::policy_in<Rules, slot>::type;
+
+/// Whether a slot of a table holds its neutral policy, so that there is no such rule.
+template <class Rules, RuleSlot slot>
+inline constexpr bool is_neutral = detail::policy_in<Rules, slot>::is_neutral;
+
+/// Whether a type is a table of rules: final, with a name and its numbers, and a fitting policy in each slot that it states. One
+/// that is not is refused by RuleParams, and so by every experiment, with a sentence for what is wrong.
 template <class Rules>
 inline constexpr bool is_rule_table = detail::RuleFaults<Rules>::none;
 

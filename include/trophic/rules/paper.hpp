@@ -5,20 +5,18 @@
 #include <string_view>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/brain/cognitive_brain.hpp>
-#include <trophic/control/decision_order/decide_together.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/death/activation/active_away_from_hunters.hpp>
 #include <trophic/death/capture/catch_within_reach.hpp>
 #include <trophic/death/floor/victim_floor.hpp>
-#include <trophic/death/reprieve/near_perceived_victim.hpp>
 #include <trophic/death/rescue/sacrifice_random_victim.hpp>
-#include <trophic/death/senescence/no_senescence.hpp>
-#include <trophic/death/starvation/hungriest_unspared.hpp>
-#include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
+#include <trophic/death/starvation/choice/hungriest_unspared.hpp>
+#include <trophic/death/starvation/exemption/near_perceived_victim.hpp>
+#include <trophic/death/starvation/interval/delayed_crowding_interval.hpp>
+#include <trophic/death/starvation/procedure.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/initialization/community/predator_prey.hpp>
 #include <trophic/initialization/placement/scattered.hpp>
-#include <trophic/perception/blind_rule/blind_decides.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/newborn_tag/keeps_body_tag.hpp>
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
@@ -31,21 +29,23 @@
 #include <trophic/reproduction/heredity/own_copy.hpp>
 #include <trophic/reproduction/initial_genome/uniform_weights.hpp>
 #include <trophic/reproduction/mutation/normal_mutation.hpp>
+#include <trophic/reproduction/parent/by_cause.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/nearest_active_victim.hpp>
-#include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/rules/with_part.hpp>
 
 namespace trophic::rules {
 
 /// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots": which rule stands in each
-/// slot, where the paper says so, and every number. "silent" marks what the text leaves open. The policy explains each such
-/// choice; docs/open-choices.md lists all of them with their alternatives and what they change.
+/// slot, where the paper says so, and every number. Nobody dies of age: the slot Senescence is left out. "silent" marks what the
+/// text leaves open. The policy explains each such choice; docs/open-choices.md lists all of them with their alternatives and
+/// what they change.
 ///
 /// One choice turns the evolution of prey round: the parent when a predator starves. Sec. "Reproduction" says "any prey". Sec.
 /// "Prey Death" calls the newborn's state "a state of inactivity", and a draft's comment in Sec. "Birth" denies that a newborn
-/// "can immediately interact with other robots". So the table takes the closest active prey; `with_starvation_parent<Paper,
-/// NearestVictim>` is the other reading.
+/// "can immediately interact with other robots". So the table takes the closest active prey; `with_parent_after<Paper,
+/// Cause::starved, NearestVictim>` is the other reading.
 ///
 /// The robot's own gait is the one published with the paper. Its text would allow another one evolved by its fitness
 /// (`spider_paper`); the published one is what the paper's robots walked with, it is faster, and it turns to both sides alike
@@ -65,9 +65,7 @@ struct Paper final {
   // Sec. "Cognitive Brain": "Inputs", "Outputs"
   using Sensors = perception::sensors::List<perception::sensors::SideOfAdversary, perception::sensors::DistanceOverTerrain,
                                             perception::sensors::TagRatioOfAll>;
-  using BlindRule = perception::blind_rule::BlindDecides;         // silent
-  using Brain = control::brain::CognitiveBrain;                   // silent: hidden neurons, biases
-  using DecisionOrder = control::decision_order::DecideTogether;  // silent
+  using Brain = control::brain::CognitiveBrain;  // silent: hidden neurons, biases
 
   // Sec. "Targeted Steering"
   using Heading = perception::heading::ForwardAxisHeading;  // silent: of a tilted robot
@@ -75,10 +73,10 @@ struct Paper final {
 
   // Sec. "Birth": "Initialization", "Reproduction"
   using InitialGenome = reproduction::initial_genome::UniformWeights;
-  using GenomeSource = reproduction::genome_source::RandomOrInherited;  // silent: without a parent
-  using CaptureParent = reproduction::parent::Killer;
-  using StarvationParent = reproduction::parent::NearestActiveVictim;  // silent: activity
-  using RescueParent = reproduction::parent::NoParent;                 // silent
+  using GenomeSource = reproduction::genome_source::RandomOrInherited;                      // silent: without a parent
+  using Parent = reproduction::parent::ByCause<reproduction::parent::Killer,                // of a caught prey
+                                               reproduction::parent::NearestActiveVictim>;  // starved; silent: activity,
+                                                                                            // and on sacrificed prey
   using Heredity = reproduction::heredity::OwnCopy;
   using Mutation = reproduction::mutation::NormalMutation;
 
@@ -89,13 +87,9 @@ struct Paper final {
   using Rescue = death::rescue::SacrificeRandomVictim;
 
   // Sec. "Predator Death"
-  using StarvationSchedule = death::starvation_schedule::DelayedCrowdingInterval;
-  using Starvation = death::starvation::HungriestUnspared;  // "the next oldest"
-  using Reprieve = death::reprieve::NearPerceivedVictim;
-
-  // no rule of the paper
-  using Senescence = death::senescence::NoSenescence;
-  using SenescenceParent = reproduction::parent::NoParent;
+  using Starvation = death::starvation::Procedure<death::starvation::interval::DelayedCrowdingInterval,
+                                                  death::starvation::exemption::NearPerceivedVictim,
+                                                  death::starvation::choice::HungriestUnspared>;  // "the next oldest"
 
   static TableParams<Paper> params() {
     return TableParams<Paper>{
@@ -106,18 +100,18 @@ struct Paper final {
         .steering = {.exponent = 2.0},
         .initial_genome = {.limit = 1.0},
         .genome_source = {.random_share = 1.0 / 3.0},
-        .starvation_parent = {.range_m = 12.0},  // silent: inherited genomes come near the text's baseline of 2/3
-        .mutation = {.sd = 0.05},                // silent: width of the released code's
-        .activation = {.distance_m = 5.0},       // silent: released code
+        .parent = {.starved = {.range_m = 12.0}},  // silent: inherited genomes come near the text's baseline of 2/3
+        .mutation = {.sd = 0.05},                  // silent: width of the released code's
+        .activation = {.distance_m = 5.0},         // silent: released code
         .capture = {.reach_m = 1.0, .min_age_s = 0.0},
         .floor = {.floor = 7},
-        .starvation_schedule = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 0},
-        .reprieve = {.range_m = 5.0},  // silent: released code
+        .starvation = {.interval = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 0},
+                       .exemption = {.range_m = 5.0}},  // silent: released code
         .rescue = {.below = 7},
     };
   }
 
-  // Sec. "Robot Body and Environment", "Cognitive Brain", "Birth"
+  // Sec. "Robot Body and Environment", "Cognitive Brain", "Birth", "Outputs"
   static EcologyParams ecology() {
     return {.robots = 30,
             .duration_s = 6000.0,
@@ -130,7 +124,9 @@ struct Paper final {
             .gait = {},
             .cpg_integration = CpgIntegration::exact,
             .idle_control_steps = 0,
-            .phase_at_birth = PhaseAtBirth::kept};  // silent: released code
+            .phase_at_birth = PhaseAtBirth::kept,       // silent: released code
+            .decision_order = DecisionOrder::together,  // silent
+            .without_target = WithoutTarget::decides};  // silent
   }
   static Physics physics() { return {.timestep_s = 0.0012, .integrator = Integrator::semi_implicit_euler, .gravity_m_s2 = 9.81}; }
 };

@@ -14,7 +14,7 @@ namespace trophic {
 /// `static TableParams<Mine> params() { return TableParams<Mine>{.tag_switch = {.cool_down_s = 20.0}}; }`.
 template <class Rules>
 struct TableParams {
-#define TROPHIC_NUMBERS(Slot, member, kind, Contract) ParamsOf<typename detail::slot_##member<Rules>::type> member{};
+#define TROPHIC_NUMBERS(Slot, member, ...) ParamsOf<typename detail::slot_##member<Rules>::type> member{};
   TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)
 #undef TROPHIC_NUMBERS
 };
@@ -34,16 +34,14 @@ template <class Rules>
 template <class Rules>
 struct RuleParams {
   static_assert(sizeof(detail::CheckRules<Rules>) > 0);  // says what is wrong with the table
-#define TROPHIC_NUMBERS(Slot, member, kind, Contract) \
+#define TROPHIC_NUMBERS(Slot, member, ...) \
   ParamsOf<typename detail::slot_##member<Rules>::type> member = detail::stated_params<Rules>().member;
   TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)
 #undef TROPHIC_NUMBERS
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& params, Visitor&& visit) {
-#define TROPHIC_VISIT(Slot, member, kind, Contract) visit(FieldText{#member}, params.member);
-    TROPHIC_RULE_SLOTS(TROPHIC_VISIT)
-#undef TROPHIC_VISIT
+    for_each_slot([&]<RuleSlot slot>() { visit(FieldText{slot_name(slot)}, of_slot<slot>(params)); });
   }
 };
 

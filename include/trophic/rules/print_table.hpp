@@ -100,17 +100,20 @@ template <class Text>
 
 }  // namespace detail
 
-/// One line for each slot of a table, then one for ecology and one for physics, with the numbers given or the table's own.
+/// One line for each slot of a table that holds another policy than its neutral one, then one for ecology and one for physics,
+/// with the numbers given or the table's own.
 template <class Rules>
 [[nodiscard]] std::vector<PrintedRule> printed_rules(const RuleParams<Rules>& params = {},
                                                      const EcologyParams& ecology = Rules::ecology(),
                                                      const Physics& physics = Rules::physics()) {
   std::vector<PrintedRule> lines;
-#define TROPHIC_PRINT(Slot, member, kind, Contract)                                                     \
-  lines.push_back({#kind, #member, std::string{Rules::Slot::name}, detail::numbers_text(params.member), \
-                   std::string{source_of<typename Rules::Slot>()}});
-  TROPHIC_RULE_SLOTS(TROPHIC_PRINT)
-#undef TROPHIC_PRINT
+  for_each_slot([&]<RuleSlot slot>() {
+    using Policy = PolicyIn<Rules, slot>;
+    if constexpr (!is_neutral<Rules, slot>) {
+      lines.push_back({std::string{slot_kind(slot)}, std::string{slot_name(slot)}, std::string{Policy::name},
+                       detail::numbers_text(of_slot<slot>(params)), std::string{source_of<Policy>()}});
+    }
+  });
   lines.push_back({"ecology", "", "", detail::numbers_text(ecology), ""});
   lines.push_back({"physics", "", "", detail::numbers_text(physics), ""});
   return lines;

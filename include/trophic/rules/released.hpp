@@ -5,14 +5,12 @@
 #include <numbers>
 #include <string_view>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
-#include <trophic/control/decision_order/decide_in_turn.hpp>
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/capture/catch_closest.hpp>
-#include <trophic/death/reprieve/near_remembered_adversary.hpp>
-#include <trophic/death/starvation/hungriest_unspared_else_hungriest.hpp>
-#include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
+#include <trophic/death/starvation/choice/hungriest_unspared_else_hungriest.hpp>
+#include <trophic/death/starvation/exemption/near_remembered_adversary.hpp>
+#include <trophic/death/starvation/interval/direct_crowding_interval.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
-#include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/side_away_from_hunter.hpp>
@@ -48,18 +46,16 @@ struct Released final {
 
   using Sensors = perception::sensors::List<perception::sensors::SideAwayFromHunter, perception::sensors::DistanceOverScale,
                                             perception::sensors::TagRatioOfActive>;
-  using BlindRule = perception::blind_rule::BlindKeepsDecision;
   using Brain = control::brain::CognitiveBrainZeroRight;
-  using DecisionOrder = control::decision_order::DecideInTurn;
 
   using Heading = perception::heading::RootYawHeading;
   using Steering = control::steering::TargetedSteering;
 
   using InitialGenome = reproduction::initial_genome::UniformWeights;
   using GenomeSource = reproduction::genome_source::RandomOrInheritedInName;
-  using CaptureParent = reproduction::parent::Killer;
-  using StarvationParent = reproduction::parent::LastSeenVictim;
-  using RescueParent = reproduction::parent::LastKiller;
+  using Parent = reproduction::parent::ByCause<reproduction::parent::Killer,          // of a caught prey
+                                               reproduction::parent::LastSeenVictim,  // of a starved predator
+                                               reproduction::parent::LastKiller>;     // of a sacrificed prey
   using Heredity = reproduction::heredity::SharedCopy;
   using Mutation = reproduction::mutation::UniformMutation;
 
@@ -68,12 +64,9 @@ struct Released final {
   using Floor = death::floor::VictimFloor;
   using Rescue = death::rescue::SacrificeRandomVictim;
 
-  using StarvationSchedule = death::starvation_schedule::DirectCrowdingInterval;
-  using Starvation = death::starvation::HungriestUnsparedElseHungriest;
-  using Reprieve = death::reprieve::NearRememberedAdversary;
-
-  using Senescence = death::senescence::NoSenescence;
-  using SenescenceParent = reproduction::parent::NoParent;
+  using Starvation = death::starvation::Procedure<death::starvation::interval::DirectCrowdingInterval,
+                                                  death::starvation::exemption::NearRememberedAdversary,
+                                                  death::starvation::choice::HungriestUnsparedElseHungriest>;
 
   static TableParams<Released> params() {
     return TableParams<Released>{
@@ -90,8 +83,7 @@ struct Released final {
         .activation = {.distance_m = 5.0},
         .capture = {.reach_m = 1.0, .min_age_s = 20.0},
         .floor = {.floor = 6},
-        .starvation_schedule = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 7},
-        .reprieve = {.range_m = 5.0},
+        .starvation = {.interval = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 7}, .exemption = {.range_m = 5.0}},
         .rescue = {.below = 8},
     };
   }
@@ -110,7 +102,9 @@ struct Released final {
             .gait = {},
             .cpg_integration = CpgIntegration::rk4,
             .idle_control_steps = 1,
-            .phase_at_birth = PhaseAtBirth::kept};
+            .phase_at_birth = PhaseAtBirth::kept,
+            .decision_order = DecisionOrder::in_turn,
+            .without_target = WithoutTarget::keeps_decision};
   }
   static Physics physics() { return {.timestep_s = 0.012, .integrator = Integrator::rk4, .gravity_m_s2 = 9.81}; }
 };

@@ -2,31 +2,83 @@
 // The states of all rules of a table.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/population/parts.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/table.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace trophic {
 
 namespace detail {
 
+/// Fails to compile, with one sentence, if a part of a policy has a State that is not what population/state.hpp asks for.
+template <class Part>
+struct CheckPartState {
+  TROPHIC_CHECK_STATE_OF(AnswersForSpecies<Part>, "a part of a policy")
+  static constexpr bool ok = true;
+};
+template <template <class...> class Whole, class... Ps>
+requires MadeOfParts<Whole<Ps...>>
+struct CheckPartState<Whole<Ps...>> {
+  static constexpr bool ok = (CheckPartState<Ps>::ok && ...);
+};
+
 /// Fails to compile, with one sentence, if a policy with a State is not what population/state.hpp asks for.
 template <class Rules>
 struct CheckStates {
-#define TROPHIC_CHECK_STATE(Slot, member, kind, Contract) \
-  using Slot = typename slot_##member<Rules>::type;       \
-  TROPHIC_CHECK_STATE_OF(Slot, "the policy in Rules::" #Slot)
+#define TROPHIC_CHECK_STATE(Slot, member, ...)                         \
+  using Slot = AnswersForSpecies<typename slot_##member<Rules>::type>; \
+  TROPHIC_CHECK_STATE_OF(Slot, "the policy in Rules::" #Slot)          \
+  static_assert(!MadeOfParts<Slot> || CheckPartState<Slot>::ok);
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_STATE)
 #undef TROPHIC_CHECK_STATE
   static constexpr bool ok = true;
 };
 
+/// Whether a policy, or a part of it, has a State.
+template <class P>
+struct keeps_state : std::bool_constant<Stateful<P>> {};
+template <template <class...> class Whole, class... Ps>
+requires MadeOfParts<Whole<Ps...>>
+struct keeps_state<Whole<Ps...>> : std::bool_constant<(keeps_state<Ps>::value || ...)> {
+};
+
 template <class Rules>
 [[nodiscard]] consteval bool has_states() {
-#define TROPHIC_HAS_STATE(Slot, member, kind, Contract) || Stateful<typename slot_##member<Rules>::type>
-  return false TROPHIC_RULE_SLOTS(TROPHIC_HAS_STATE);
-#undef TROPHIC_HAS_STATE
+  bool any = false;
+  for_each_slot([&]<RuleSlot slot>() { any = any || keeps_state<PolicyIn<Rules, slot>>::value; });
+  return any;
+}
+
+/// Calls `visit(policy, states)` for a policy or for each of its parts.
+template <class P, class States, class Visitor>
+void visit_with_parts(const P& policy, States& states, const Visitor& visit) {
+  if constexpr (MadeOfParts<P>) {
+    [&]<std::size_t... place>(std::index_sequence<place...>) {
+      (visit_with_parts(policy.template part<place>(), states.template part<place>(), visit), ...);
+    }
+    (std::make_index_sequence<P::part_count>{});
+  } else {
+    visit(policy, states);
+  }
+}
+
+/// Calls `visit(path, states)` for the states of a policy, or of each of its parts: "SLOT" or "SLOT.PART".
+template <class P, class Visitor>
+void visit_named_states(const std::string& path, const BodyStates<P>& states, const Visitor& visit) {
+  if constexpr (MadeOfParts<P>) {
+    [&]<std::size_t... place>(std::index_sequence<place...>) {
+      (visit_named_states(join_path(path, P::part_names[place]), states.template part<place>(), visit), ...);
+    }
+    (std::make_index_sequence<P::part_count>{});
+  } else if constexpr (SavableState<P>) {
+    visit(std::string_view{path}, states);
+  }
 }
 
 }  // namespace detail
@@ -35,32 +87,29 @@ template <class Rules>
 template <class Rules>
 struct RuleStates {
   static_assert(detail::CheckStates<Rules>::ok);
-#define TROPHIC_STATES(Slot, member, kind, Contract) \
-  [[no_unique_address]] BodyStates<typename detail::slot_##member<Rules>::type> member;
+#define TROPHIC_STATES(Slot, member, ...) [[no_unique_address]] BodyStates<typename detail::slot_##member<Rules>::type> member;
   TROPHIC_RULE_SLOTS(TROPHIC_STATES)
 #undef TROPHIC_STATES
 };
 
-/// Calls `visit(slot_name, states)` for each slot whose policy has a State that can be saved. Others have been reported above.
+/// Calls `visit(path, states)` for each State of a table that can be saved; `path` is SLOT, or SLOT.PART for a part of a policy.
+/// States that cannot be saved have been reported above.
 template <class Rules, class Visitor>
-void for_each_state(const RuleStates<Rules>& states, [[maybe_unused]] Visitor&& visit) {
-#define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                            \
-  if constexpr (detail::SavableState<typename detail::slot_##member<Rules>::type>) { \
-    visit(std::string_view{#member}, states.member);                                 \
-  }
-  TROPHIC_RULE_SLOTS(TROPHIC_VISIT_STATE)
-#undef TROPHIC_VISIT_STATE
+void for_each_state(const RuleStates<Rules>& states, const Visitor& visit) {
+  for_each_slot([&]<RuleSlot slot>() {
+    detail::visit_named_states<PolicyIn<Rules, slot>>(std::string{slot_name(slot)}, of_slot<slot>(states), visit);
+  });
 }
 
-/// Calls `visit(policy, states)` for each slot whose policy has a State. One that lacks `born` has been reported above.
+/// Calls `visit(policy, states)` for each policy, or part of one, that has a State. One that lacks `born` has been reported
+/// above.
 template <class Rules, class Visitor>
-void for_each_state(const Policies<Rules>& rules, RuleStates<Rules>& states, [[maybe_unused]] Visitor&& visit) {
-#define TROPHIC_VISIT_STATE(Slot, member, kind, Contract)                             \
-  if constexpr (detail::BornWithState<typename detail::slot_##member<Rules>::type>) { \
-    visit(rules.member, states.member);                                               \
-  }
-  TROPHIC_RULE_SLOTS(TROPHIC_VISIT_STATE)
-#undef TROPHIC_VISIT_STATE
+void for_each_state(const Policies<Rules>& rules, RuleStates<Rules>& states, const Visitor& visit) {
+  for_each_slot([&]<RuleSlot slot>() {
+    detail::visit_with_parts(of_slot<slot>(rules), of_slot<slot>(states), [&]<class P>(const P& policy, BodyStates<P>& own) {
+      if constexpr (detail::BornWithState<P>) visit(policy, own);
+    });
+  });
 }
 
 }  // namespace trophic

@@ -6,79 +6,120 @@
 #include <cstddef>
 #include <string_view>
 #include <trophic/control/brain/contract.hpp>
-#include <trophic/control/decision_order/contract.hpp>
 #include <trophic/control/steering/contract.hpp>
+#include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/contract.hpp>
 #include <trophic/death/capture/contract.hpp>
+#include <trophic/death/capture/no_capture.hpp>
 #include <trophic/death/floor/contract.hpp>
-#include <trophic/death/reprieve/contract.hpp>
+#include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/rescue/contract.hpp>
+#include <trophic/death/rescue/no_rescue.hpp>
 #include <trophic/death/senescence/contract.hpp>
+#include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/starvation/contract.hpp>
-#include <trophic/death/starvation_schedule/contract.hpp>
+#include <trophic/death/starvation/nobody_starves.hpp>
 #include <trophic/initialization/community/contract.hpp>
 #include <trophic/initialization/placement/contract.hpp>
-#include <trophic/perception/blind_rule/contract.hpp>
 #include <trophic/perception/heading/contract.hpp>
 #include <trophic/perception/newborn_tag/contract.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
+#include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/contract.hpp>
+#include <trophic/perception/visibility/everybody.hpp>
+#include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
+#include <trophic/reproduction/mutation/no_mutation.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/reproduction/parent/no_parent.hpp>
+#include <utility>
 
-/// Every slot of a rule table: (Slot, member, kind, contract). The one list that tables, numbers, with_<slot>, checks and
-/// manifests are made from; a contract's concept and sentence are in trophic/KIND/SLOT/contract.hpp.
-#define TROPHIC_RULE_SLOTS(SLOT)                                           \
-  SLOT(Community, community, initialization, Community)                    \
-  SLOT(Placement, placement, initialization, Placement)                    \
-  SLOT(Heading, heading, perception, Heading)                              \
-  SLOT(Visibility, visibility, perception, Visibility)                     \
-  SLOT(Sensors, sensors, perception, SensorList)                           \
-  SLOT(BlindRule, blind_rule, perception, BlindRule)                       \
-  SLOT(NewbornTag, newborn_tag, perception, NewbornTag)                    \
-  SLOT(TagSwitch, tag_switch, perception, TagSwitch)                       \
-  SLOT(Brain, brain, control, Brain)                                       \
-  SLOT(DecisionOrder, decision_order, control, DecisionOrder)              \
-  SLOT(Steering, steering, control, Steering)                              \
-  SLOT(InitialGenome, initial_genome, reproduction, InitialGenome)         \
-  SLOT(GenomeSource, genome_source, reproduction, GenomeSource)            \
-  SLOT(CaptureParent, capture_parent, reproduction, Parent)                \
-  SLOT(StarvationParent, starvation_parent, reproduction, Parent)          \
-  SLOT(RescueParent, rescue_parent, reproduction, Parent)                  \
-  SLOT(Heredity, heredity, reproduction, Heredity)                         \
-  SLOT(Mutation, mutation, reproduction, Mutation)                         \
-  SLOT(Activation, activation, death, Activation)                          \
-  SLOT(Capture, capture, death, CaptureRule)                               \
-  SLOT(Floor, floor, death, Floor)                                         \
-  SLOT(StarvationSchedule, starvation_schedule, death, StarvationSchedule) \
-  SLOT(Reprieve, reprieve, death, Reprieve)                                \
-  SLOT(Starvation, starvation, death, Starvation)                          \
-  SLOT(Rescue, rescue, death, Rescue)                                      \
-  SLOT(Senescence, senescence, death, Senescence)                          \
-  SLOT(SenescenceParent, senescence_parent, reproduction, Parent)
+/// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). The one list that tables,
+/// numbers, with_<slot>, checks and manifests are made from; a contract's concept and sentence are in
+/// trophic/KIND/SLOT/contract.hpp.
+///
+/// A table may leave out a slot that has a neutral policy, under which there is no such rule. Neither manifest nor fingerprint
+/// nor printed table names a slot that holds its neutral policy. A table that lacks a slot without one (NoPolicy) does not
+/// compile. Slots whose question is about one individual or species take `by_species<Policy>` (rules/by_species.hpp): true.
+#define TROPHIC_RULE_SLOTS(SLOT)                                                                                     \
+  SLOT(Community, community, initialization, Community, detail::NoPolicy, false)                                     \
+  SLOT(Placement, placement, initialization, Placement, detail::NoPolicy, false)                                     \
+  SLOT(Heading, heading, perception, Heading, detail::NoPolicy, false)                                               \
+  SLOT(Visibility, visibility, perception, Visibility, perception::visibility::Everybody, true)                      \
+  SLOT(Sensors, sensors, perception, SensorList, detail::NoPolicy, false)                                            \
+  SLOT(NewbornTag, newborn_tag, perception, NewbornTag, detail::NoPolicy, false)                                     \
+  SLOT(TagSwitch, tag_switch, perception, TagSwitch, perception::tag_switch::FreeTags, true)                         \
+  SLOT(Brain, brain, control, Brain, detail::NoPolicy, false)                                                        \
+  SLOT(Steering, steering, control, Steering, detail::NoPolicy, false)                                               \
+  SLOT(InitialGenome, initial_genome, reproduction, InitialGenome, detail::NoPolicy, false)                          \
+  SLOT(GenomeSource, genome_source, reproduction, GenomeSource, reproduction::genome_source::AlwaysInherited, false) \
+  SLOT(Parent, parent, reproduction, Parent, reproduction::parent::NoParent, true)                                   \
+  SLOT(Heredity, heredity, reproduction, Heredity, detail::NoPolicy, false)                                          \
+  SLOT(Mutation, mutation, reproduction, Mutation, reproduction::mutation::NoMutation, true)                         \
+  SLOT(Activation, activation, death, Activation, death::activation::AlwaysActive, true)                             \
+  SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, false)                                       \
+  SLOT(Floor, floor, death, Floor, death::floor::NoFloor, true)                                                      \
+  SLOT(Starvation, starvation, death, Starvation, death::starvation::NobodyStarves, false)                           \
+  SLOT(Rescue, rescue, death, Rescue, death::rescue::NoRescue, false)                                                \
+  SLOT(Senescence, senescence, death, Senescence, death::senescence::NoSenescence, true)
 
 namespace trophic {
 
+namespace detail {
+
+/// Stands for the policy of a slot that a table lacks.
+struct NoPolicy {};
+
+}  // namespace detail
+
 /// The slots of a rule table as values.
-#define TROPHIC_ENUMERATOR(Slot, member, kind, Contract) member,
+#define TROPHIC_ENUMERATOR(Slot, member, ...) member,
 enum class RuleSlot : std::size_t { TROPHIC_RULE_SLOTS(TROPHIC_ENUMERATOR) };
 #undef TROPHIC_ENUMERATOR
 
 namespace rules {
 
 /// The names of the slots of a rule table, in order, as in manifests and configuration files.
-#define TROPHIC_SLOT_NAME(Slot, member, kind, Contract) std::string_view{#member},
+#define TROPHIC_SLOT_NAME(Slot, member, ...) std::string_view{#member},
 inline constexpr std::array slot_names{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_NAME)};
 #undef TROPHIC_SLOT_NAME
 
+/// The kinds of rules that the slots are of, in order.
+#define TROPHIC_SLOT_KIND(Slot, member, kind, ...) std::string_view{#kind},
+inline constexpr std::array slot_kinds{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_KIND)};
+#undef TROPHIC_SLOT_KIND
+
 }  // namespace rules
 
+[[nodiscard]] constexpr std::string_view slot_kind(RuleSlot slot) {
+  return rules::slot_kinds[static_cast<std::size_t>(slot)];
+}
 [[nodiscard]] constexpr std::string_view slot_name(RuleSlot slot) {
   return rules::slot_names[static_cast<std::size_t>(slot)];
+}
+
+/// Calls `visit.template operator()<slot>()` for each RuleSlot in order.
+template <class Visit>
+constexpr void for_each_slot(const Visit& visit) {
+  [&]<std::size_t... slot>(std::index_sequence<slot...>) {
+    (visit.template operator()<static_cast<RuleSlot>(slot)>(), ...);
+  }
+  (std::make_index_sequence<rules::slot_names.size()>{});
+}
+
+/// The member of a slot in a struct that has one for each: TableParams, RuleParams, Policies, RuleStates.
+template <RuleSlot slot, class OneEach>
+[[nodiscard]] constexpr auto& of_slot(OneEach& all) {
+#define TROPHIC_MEMBER(Slot, member, ...)   \
+  if constexpr (slot == RuleSlot::member) { \
+    return all.member;                      \
+  } else
+  TROPHIC_RULE_SLOTS(TROPHIC_MEMBER) {}
+#undef TROPHIC_MEMBER
 }
 
 }  // namespace trophic

@@ -15,7 +15,7 @@ namespace trophic {
 /// One object of each policy of a rule table, ready to be asked.
 template <class Rules>
 struct Policies {
-#define TROPHIC_POLICY(Slot, member, kind, Contract) typename detail::slot_##member<Rules>::type member;
+#define TROPHIC_POLICY(Slot, member, ...) typename detail::slot_##member<Rules>::type member;
   TROPHIC_RULE_SLOTS(TROPHIC_POLICY)
 #undef TROPHIC_POLICY
 };
@@ -23,20 +23,19 @@ struct Policies {
 template <class Rules>
 [[nodiscard]] Policies<Rules> make_policies(const RuleParams<Rules>& params) {
   return {
-#define TROPHIC_MAKE_POLICY(Slot, member, kind, Contract) \
+#define TROPHIC_MAKE_POLICY(Slot, member, ...) \
   .member = make_policy<typename detail::slot_##member<Rules>::type>(params.member, #member),
       TROPHIC_RULE_SLOTS(TROPHIC_MAKE_POLICY)
 #undef TROPHIC_MAKE_POLICY
   };
 }
 
-/// Calls `visit(slot_name, policy_name)` for each slot.
+/// Calls `visit(slot_name, policy_name)` for each slot that holds another policy than its neutral one.
 template <class Rules, class Visitor>
 void for_each_rule(Visitor&& visit) {
-#define TROPHIC_VISIT(Slot, member, kind, Contract) \
-  visit(std::string_view{#member}, detail::policy_name<typename detail::slot_##member<Rules>::type>());
-  TROPHIC_RULE_SLOTS(TROPHIC_VISIT)
-#undef TROPHIC_VISIT
+  for_each_slot([&]<RuleSlot slot>() {
+    if constexpr (!is_neutral<Rules, slot>) visit(slot_name(slot), detail::policy_name<PolicyIn<Rules, slot>>());
+  });
 }
 
 /// The name of a rule table: its own, and what was swapped in it: "paper with mutation = uniform_mutation".

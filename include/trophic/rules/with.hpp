@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 #include <trophic/params/policy.hpp>
@@ -20,7 +21,7 @@ namespace detail {
 /// All that a table made of another one takes over as it is.
 template <class Rules>
 struct OfTable {
-#define TROPHIC_KEEP(Slot, member, kind, Contract) using Slot = typename slot_##member<Rules>::type;
+#define TROPHIC_KEEP(Slot, member, ...) using Slot = typename stated_##member<Rules>::type;
   TROPHIC_RULE_SLOTS(TROPHIC_KEEP)
 #undef TROPHIC_KEEP
   static auto ecology() {
@@ -35,9 +36,7 @@ struct OfTable {
 template <class Table, class Rules>
 [[nodiscard]] TableParams<Table> same_params(const TableParams<Rules>& from) {
   TableParams<Table> own;
-#define TROPHIC_KEEP(Slot, member, kind, Contract) own.member = from.member;
-  TROPHIC_RULE_SLOTS(TROPHIC_KEEP)
-#undef TROPHIC_KEEP
+  for_each_slot([&]<RuleSlot slot>() { of_slot<slot>(own) = of_slot<slot>(from); });
   return own;
 }
 
@@ -46,8 +45,8 @@ template <class Table, class Rules>
 /// A table with the rule of one slot swapped, that rule at the policy's own numbers. Written with_<slot><Rules, Policy>.
 template <class Rules, RuleSlot swapped, class Policy>
 struct with_rule final {
-#define TROPHIC_SWAP(Slot, member, kind, Contract) \
-  using Slot = std::conditional_t<swapped == RuleSlot::member, Policy, typename detail::slot_##member<Rules>::type>;
+#define TROPHIC_SWAP(Slot, member, ...) \
+  using Slot = std::conditional_t<swapped == RuleSlot::member, Policy, typename detail::stated_##member<Rules>::type>;
   TROPHIC_RULE_SLOTS(TROPHIC_SWAP)
 #undef TROPHIC_SWAP
 
@@ -62,10 +61,10 @@ struct with_rule final {
   static TableParams<with_rule> params() {
     const auto kept = detail::stated_params<Rules>();
     TableParams<with_rule> own;
-#define TROPHIC_SWAP(Slot, member, kind, Contract) \
-  if constexpr (swapped != RuleSlot::member) own.member = kept.member;
-    TROPHIC_RULE_SLOTS(TROPHIC_SWAP)
-#undef TROPHIC_SWAP
+    for_each_slot([&]<RuleSlot slot>() {
+      constexpr bool is_kept = slot != swapped && std::same_as<PolicyIn<with_rule, slot>, PolicyIn<Rules, slot>>;
+      if constexpr (is_kept) of_slot<slot>(own) = of_slot<slot>(kept);
+    });
     return own;
   }
   static auto ecology() {
@@ -77,13 +76,13 @@ struct with_rule final {
 };
 
 // with_<slot><Rules, Policy>: the table with one rule swapped. Swaps nest.
-#define TROPHIC_WITH(Slot, member, kind, Contract) \
-  template <class Rules, class Policy>             \
+#define TROPHIC_WITH(Slot, member, ...) \
+  template <class Rules, class Policy>  \
   using with_##member = with_rule<Rules, RuleSlot::member, Policy>;
 TROPHIC_RULE_SLOTS(TROPHIC_WITH)
 #undef TROPHIC_WITH
 
-// A kind of rules is no slot: with_death names none of death's eight.
+// A kind of rules is no slot: with_death names none of the slots of death.
 #define TROPHIC_NO_SLOT(kind, slots)                                                                                \
   namespace detail {                                                                                                \
   template <class Rules>                                                                                            \
@@ -95,15 +94,10 @@ TROPHIC_RULE_SLOTS(TROPHIC_WITH)
   template <class Rules, class Policy>                                                                              \
   using with_##kind = typename detail::kind##_is_no_slot<Rules>::type;
 TROPHIC_NO_SLOT(initialization, "with_community and with_placement")
-TROPHIC_NO_SLOT(perception, "with_heading, with_visibility, with_sensors, with_blind_rule, with_newborn_tag and with_tag_switch")
-TROPHIC_NO_SLOT(control, "with_brain, with_decision_order and with_steering")
-TROPHIC_NO_SLOT(reproduction,
-                "with_initial_genome, with_genome_source, with_heredity, with_mutation, with_capture_parent, "
-                "with_starvation_parent, with_rescue_parent and with_senescence_parent")
-TROPHIC_NO_SLOT(
-    death,
-    "with_activation, with_capture, with_floor, with_starvation_schedule, with_starvation, with_reprieve, with_rescue "
-    "and with_senescence")
+TROPHIC_NO_SLOT(perception, "with_heading, with_visibility, with_sensors, with_newborn_tag and with_tag_switch")
+TROPHIC_NO_SLOT(control, "with_brain and with_steering")
+TROPHIC_NO_SLOT(reproduction, "with_initial_genome, with_genome_source, with_parent, with_heredity and with_mutation")
+TROPHIC_NO_SLOT(death, "with_activation, with_capture, with_floor, with_starvation, with_rescue and with_senescence")
 #undef TROPHIC_NO_SLOT
 
 /// A table with other numbers: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as a table

@@ -12,9 +12,12 @@
 #include <string_view>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/population/parts.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/rules/with_part.hpp>
 #include <trophic/support/joined_text.hpp>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace trophic::rules {
@@ -48,8 +51,8 @@ static_assert(slot_names.size() <= 64);
 /// Base with the policies and numbers that Other has in the slots of a set; ecology and physics are those of Base.
 template <class Base, class Other, SlotSet set>
 struct with_rules_of final {
-#define TROPHIC_SLOT_OF(Slot, member, kind, Contract) \
-  using Slot = typename std::conditional_t<set.contains(#member), Other, Base>::Slot;
+#define TROPHIC_SLOT_OF(Slot, member, ...) \
+  using Slot = typename trophic::detail::stated_##member<std::conditional_t<set.contains(#member), Other, Base>>::type;
   TROPHIC_RULE_SLOTS(TROPHIC_SLOT_OF)
 #undef TROPHIC_SLOT_OF
 
@@ -59,16 +62,15 @@ struct with_rules_of final {
       std::array<std::string_view, 1 + 4 * slot_names.size()> all;
       std::size_t end = 0;
       all[end++] = Base::name;
-#define TROPHIC_NAME_SWAP(Slot, member, kind, Contract)                          \
-  if constexpr (!std::same_as<typename Base::Slot, with_rules_of::Slot>) {       \
-    all[end] = end == 1 ? " with " : ", ";                                       \
-    all[end + 1] = #member;                                                      \
-    all[end + 2] = " = ";                                                        \
-    all[end + 3] = trophic::detail::policy_name<typename with_rules_of::Slot>(); \
-    end += 4;                                                                    \
-  }
-      TROPHIC_RULE_SLOTS(TROPHIC_NAME_SWAP)
-#undef TROPHIC_NAME_SWAP
+      for_each_slot([&]<RuleSlot slot>() {
+        if constexpr (!std::same_as<PolicyIn<Base, slot>, PolicyIn<with_rules_of, slot>>) {
+          all[end] = end == 1 ? " with " : ", ";
+          all[end + 1] = slot_name(slot);
+          all[end + 2] = " = ";
+          all[end + 3] = trophic::detail::policy_name<PolicyIn<with_rules_of, slot>>();
+          end += 4;
+        }
+      });
       return all;
     }();
     static constexpr std::string_view separator{};
@@ -79,14 +81,13 @@ struct with_rules_of final {
     const auto base = Base::params();
     const auto other = Other::params();
     TableParams<with_rules_of> own;
-#define TROPHIC_PARAMS_OF(Slot, member, kind, Contract) \
-  if constexpr (set.contains(#member)) {                \
-    own.member = other.member;                          \
-  } else {                                              \
-    own.member = base.member;                           \
-  }
-    TROPHIC_RULE_SLOTS(TROPHIC_PARAMS_OF)
-#undef TROPHIC_PARAMS_OF
+    for_each_slot([&]<RuleSlot slot>() {
+      if constexpr (set.contains(slot_name(slot))) {
+        of_slot<slot>(own) = of_slot<slot>(other);
+      } else {
+        of_slot<slot>(own) = of_slot<slot>(base);
+      }
+    });
     return own;
   }
   static auto ecology() {
@@ -97,12 +98,26 @@ struct with_rules_of final {
   }
 };
 
+/// Base with one part of a policy, and its numbers, as Other has it.
+template <class Base, class Other, RuleSlot slot, std::size_t place>
+struct with_part_of final
+    : trophic::detail::OfTable<with_part<Base, slot, place, typename PolicyIn<Other, slot>::template Part<place>>> {
+  using Swapped = with_part<Base, slot, place, typename PolicyIn<Other, slot>::template Part<place>>;
+  static constexpr std::string_view name = Swapped::name;
+  static TableParams<with_part_of> params() {
+    auto own = trophic::detail::same_params<with_part_of>(Swapped::params());
+    const auto other = Other::params();
+    trophic::detail::part_of<place>(of_slot<slot>(own)) = trophic::detail::part_of<place>(of_slot<slot>(other));
+    return own;
+  }
+};
+
 /// One rule or number in which two tables differ.
 struct RuleDifference {
-  std::string name;  ///< a slot whose policies differ, or the path of a number: "floor.floor", "ecology.arena"
+  std::string name;  ///< a slot whose policies differ, a part of one ("parent.starved"), or the path of a number ("floor.floor")
   std::string here;
   std::string there;
-  [[nodiscard]] bool is_number() const { return name.find('.') != std::string::npos; }
+  bool is_number = false;
 };
 
 namespace detail {
@@ -112,27 +127,49 @@ void append_differences(std::string_view path, const P& here, const P& there, st
   const NamedParams a = named_params_of(here);
   const NamedParams b = named_params_of(there);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].value != b[i].value) differences.push_back({join_path(path, a[i].path), value_text(a[i]), value_text(b[i])});
+    if (a[i].value != b[i].value) differences.push_back({join_path(path, a[i].path), value_text(a[i]), value_text(b[i]), true});
+  }
+}
+
+/// Whether two policies are made of the same parts, each of one policy or another.
+template <class Here, class There>
+inline constexpr bool alike_in_parts = false;
+template <template <class...> class Whole, class... Here, class... There>
+requires MadeOfParts<Whole<Here...>> && MadeOfParts<Whole<There...>>
+inline constexpr bool alike_in_parts<Whole<Here...>, Whole<There...>> = true;
+
+/// What differs between two policies of one slot, or between their parts.
+template <class Here, class There, class ParamsHere, class ParamsThere>
+void append_policy_differences(const std::string& path, const ParamsHere& here, const ParamsThere& there,
+                               std::vector<RuleDifference>& differences) {
+  if constexpr (std::same_as<Here, There>) {
+    append_differences(path, here, there, differences);
+  } else if constexpr (alike_in_parts<Here, There>) {
+    [&]<std::size_t... place>(std::index_sequence<place...>) {
+      (append_policy_differences<typename Here::template Part<place>, typename There::template Part<place>>(
+           join_path(path, Here::part_names[place]), trophic::detail::part_of<place>(here),
+           trophic::detail::part_of<place>(there), differences),
+       ...);
+    }
+    (std::make_index_sequence<Here::part_count>{});
+  } else {
+    differences.push_back({path, std::string{Here::name}, std::string{There::name}, false});
   }
 }
 
 }  // namespace detail
 
-/// All slots and numbers in which two tables differ, in their order; numbers of policies that differ go with these, and
+/// All slots, parts and numbers in which two tables differ, in their order; numbers of policies that differ go with these, and
 /// duration is no rule.
 template <class Base, class Other>
 [[nodiscard]] std::vector<RuleDifference> differences() {
   const RuleParams<Base> here;
   const RuleParams<Other> there;
   std::vector<RuleDifference> all;
-#define TROPHIC_DIFFERENCE(Slot, member, kind, Contract)                                     \
-  if constexpr (std::same_as<typename Base::Slot, typename Other::Slot>) {                   \
-    detail::append_differences(#member, here.member, there.member, all);                     \
-  } else {                                                                                   \
-    all.push_back({#member, std::string{Base::Slot::name}, std::string{Other::Slot::name}}); \
-  }
-  TROPHIC_RULE_SLOTS(TROPHIC_DIFFERENCE)
-#undef TROPHIC_DIFFERENCE
+  for_each_slot([&]<RuleSlot slot>() {
+    detail::append_policy_differences<PolicyIn<Base, slot>, PolicyIn<Other, slot>>(
+        std::string{slot_name(slot)}, of_slot<slot>(here), of_slot<slot>(there), all);
+  });
   auto ecology = Other::ecology();
   ecology.duration_s = Base::ecology().duration_s;
   detail::append_differences("ecology", Base::ecology(), ecology, all);

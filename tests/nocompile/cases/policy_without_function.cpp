@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A policy that lacks what its slot asks for.
-// expect: the policy in Rules::GenomeSource needs bool inherits(Rng&) const and Origin without_parent() const
+// expect: the policy in Rules::GenomeSource needs Descent descent(Rng&) const; see
 #include <trophic/rules/paper.hpp>
 
 struct AlwaysInherits {
   static constexpr std::string_view name = "always_inherits";
-  bool inherits(trophic::Rng&) const { return true; }
 #ifdef VALID
-  trophic::Origin without_parent() const {
-    return trophic::Origin::random;
+  trophic::reproduction::Descent descent(trophic::Rng&) const {
+    return trophic::reproduction::Descent::of_parent;
   }
 #endif
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A table that leaves out a rule has no experiment to run.
-// expect: the rule table has no slot Mutation; write `using Mutation = ...;`
+// A table that leaves out a rule without a neutral one has no experiment to run.
+// expect: the rule table has no slot Heredity; write `using Heredity = ...;`
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -14,30 +14,22 @@ struct Table final {
   using Heading = P::Heading;
   using Visibility = P::Visibility;
   using Sensors = P::Sensors;
-  using BlindRule = P::BlindRule;
   using NewbornTag = P::NewbornTag;
   using TagSwitch = P::TagSwitch;
   using Brain = P::Brain;
-  using DecisionOrder = P::DecisionOrder;
   using Steering = P::Steering;
   using InitialGenome = P::InitialGenome;
   using GenomeSource = P::GenomeSource;
-  using CaptureParent = P::CaptureParent;
-  using StarvationParent = P::StarvationParent;
-  using RescueParent = P::RescueParent;
-  using Heredity = P::Heredity;
+  using Parent = P::Parent;
 #ifdef VALID
-  using Mutation = P::Mutation;
+  using Heredity = P::Heredity;
 #endif
+  using Mutation = P::Mutation;
   using Activation = P::Activation;
   using Capture = P::Capture;
   using Floor = P::Floor;
-  using StarvationSchedule = P::StarvationSchedule;
-  using Reprieve = P::Reprieve;
   using Starvation = P::Starvation;
   using Rescue = P::Rescue;
-  using Senescence = P::Senescence;
-  using SenescenceParent = P::SenescenceParent;
   static trophic::TableParams<Table> params() {
     return trophic::TableParams<Table>{.floor = {.floor = 5}};
   }

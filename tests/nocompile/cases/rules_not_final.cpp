@@ -9,7 +9,7 @@ struct Table final {
 struct Table {
 #endif
   static constexpr std::string_view name = "table";
-#define TROPHIC_SAME(Slot, member, kind, Contract) using Slot = trophic::rules::Paper::Slot;
+#define TROPHIC_SAME(Slot, member, ...) using Slot = trophic::PolicyIn<trophic::rules::Paper, trophic::RuleSlot::member>;
   TROPHIC_RULE_SLOTS(TROPHIC_SAME)
   static trophic::TableParams<Table> params() {
     return trophic::TableParams<Table>{.floor = {.floor = 5}};

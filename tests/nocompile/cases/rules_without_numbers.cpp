@@ -5,7 +5,7 @@
 
 struct Table final {
   static constexpr std::string_view name = "table";
-#define TROPHIC_SAME(Slot, member, kind, Contract) using Slot = trophic::rules::Paper::Slot;
+#define TROPHIC_SAME(Slot, member, ...) using Slot = trophic::PolicyIn<trophic::rules::Paper, trophic::RuleSlot::member>;
   TROPHIC_RULE_SLOTS(TROPHIC_SAME)
 #ifdef VALID
   static trophic::TableParams<Table> params() {

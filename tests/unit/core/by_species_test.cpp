@@ -8,6 +8,7 @@
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/rules/by_species.hpp>
@@ -19,9 +20,8 @@ using initialization::community::PredatorPrey;
 using rules::by_species;
 
 TEST_CASE("by species: each species has its own numbers, set and shown under its name") {
-  using Mutation = by_species<reproduction::mutation::NormalMutation, PredatorPrey>;
-  using Rules = with_mutation<rules::Paper, Mutation>;
-  CHECK(Mutation::name == "normal_mutation_by_species");
+  using Rules = with_mutation<rules::Paper, by_species<reproduction::mutation::NormalMutation>>;
+  CHECK(table_name<Rules>() == "paper with mutation = normal_mutation_by_species");
   Ecology<Rules>::Params params{.seed = 8};
   read_numbers(params, read_assignment("rules.mutation.prey.sd=0.5"));
   read_numbers(params, read_assignment("rules.mutation.predator.sd=0"));
@@ -48,19 +48,21 @@ TEST_CASE("by species: each species has its own numbers, set and shown under its
 TEST_CASE("by species: who looks, who dies and which species is asked about says whose numbers count") {
   const test::HandPopulation robots{{{.species = test::prey}, {.species = test::predator, .x_m = 4.0}}};
   Rng rng{1, Stream::user};
-  NoState none;
+  const NoState none;
   using Range = by_species<perception::visibility::WithinRange, PredatorPrey>;
   Range::Params ranges;
   ranges.get<PredatorPrey::prey>().range_m = 3.0;
   const Range range{ranges};
-  CHECK_FALSE(range.perceives(0, 1, robots.view(), rng, none));
-  CHECK(range.perceives(1, 0, robots.view(), rng, none));
+  CHECK_FALSE(perception::ask::perceives(range, none, 0, 1, robots.view(), rng));
+  CHECK(perception::ask::perceives(range, none, 1, 0, robots.view(), rng));
+  CHECK(perception::ask::horizon(range, robots.individuals[0]).within_m == 3.0);
+  CHECK(perception::ask::horizon(range, robots.individuals[1]).within_m == 5.0);
 
   using Floor = by_species<death::floor::VictimFloor, PredatorPrey>;
   Floor::Params floors;
   floors.get<PredatorPrey::prey>().floor = 0;
-  CHECK(Floor{floors}.may_die(PredatorPrey::prey, robots.view()));
-  CHECK_FALSE(Floor{floors}.may_die(PredatorPrey::predator, robots.view()));
+  CHECK(death::ask::may_die(Floor{floors}, PredatorPrey::prey, robots.view()));
+  CHECK_FALSE(death::ask::may_die(Floor{floors}, PredatorPrey::predator, robots.view()));
 }
 
 TEST_CASE("by species: a rule with a state keeps it, each individual's by the numbers of its species") {
@@ -70,17 +72,48 @@ TEST_CASE("by species: a rule with a state keeps it, each individual's by the nu
   numbers.get<PredatorPrey::predator>() = {.start_J = 9.0, .walking_J_per_m = 2.0, .resting_W = 0.0};
   const Store store{numbers};
   const test::HandPopulation robots{{{.species = test::prey}, {.species = test::predator}}};
-  auto prey = store.born(robots.individuals[0], nullptr, {});
-  auto predator = store.born(robots.individuals[1], nullptr, {});
-  store.on_walk(prey, 0, 1.0, robots.view());
-  store.on_walk(predator, 1, 1.0, robots.view());
+  auto prey = store.of(test::prey).born(robots.individuals[0], nullptr, {});
+  auto predator = store.of(test::predator).born(robots.individuals[1], nullptr, {});
+  store.of(test::prey).on_walk(prey, 0, 1.0, robots.view());
+  store.of(test::predator).on_walk(predator, 1, 1.0, robots.view());
   CHECK(prey.energy_J == 6.0);
   CHECK(predator.energy_J == 7.0);
 
-  using Rules = with_senescence<rules::Paper, Store>;
+  using Rules = with_senescence<rules::Paper, by_species<death::senescence::EnergyStore>>;
   Ecology<Rules>::Params params;
   params.rules.senescence = numbers;
   const Ecology<Rules> ecology{params, backend::Kinematic::Params{}};
   CHECK(ecology.states().senescence[0].energy_J == 7.0);
   CHECK(ecology.states().senescence[29].energy_J == 9.0);
+}
+
+TEST_CASE("by species: every slot about one individual or species takes it, and with equal numbers the run is the same") {
+  using Rules = with_parent_after<
+      with_mutation<
+          with_activation<with_tag_switch<with_floor<with_visibility<rules::Paper, by_species<perception::visibility::SameTag>>,
+                                                     by_species<death::floor::VictimFloor>>,
+                                          by_species<perception::tag_switch::TagCoolDown>>,
+                          by_species<death::activation::ActiveAwayFromHunters>>,
+          by_species<reproduction::mutation::NormalMutation>>,
+      Cause::starved, by_species<reproduction::parent::NearestActiveVictim>>;
+  Ecology<Rules> by_kind{{.seed = 8}, backend::Kinematic::Params{}};
+  Ecology<rules::Paper> plain{{.seed = 8}, backend::Kinematic::Params{}};
+  by_kind.run_until(500.0);
+  plain.run_until(500.0);
+  for (BodyIndex body = 0; body < 30; ++body) {
+    CHECK(by_kind.view().robots[body].id == plain.view().robots[body].id);
+    CHECK(by_kind.view().robots[body].tag == plain.view().robots[body].tag);
+    CHECK(by_kind.view().poses[body].x_m == plain.view().poses[body].x_m);
+  }
+}
+
+TEST_CASE("by species: numbers are those of the table's own community") {
+  using Chain = with_mutation<with_community<rules::Paper, initialization::community::FoodChain>,
+                              by_species<reproduction::mutation::NormalMutation>>;
+  std::vector<std::string> paths;
+  for (const NamedParam& param : named_params_of(RuleParams<Chain>{}.mutation)) paths.push_back(param.path);
+  CHECK(paths == std::vector<std::string>{"grazer.sd", "hunter.sd", "apex.sd"});
+  using Swapped = with_community<with_mutation<rules::Paper, by_species<reproduction::mutation::NormalMutation>>,
+                                 initialization::community::FoodChain>;
+  CHECK(named_params_of(RuleParams<Swapped>{}.mutation).size() == 3);
 }

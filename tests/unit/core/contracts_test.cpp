@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <trophic/death/starvation/choice/contract.hpp>
+#include <trophic/death/starvation/exemption/contract.hpp>
+#include <trophic/death/starvation/interval/contract.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/rules/slots.hpp>
 #include <vector>
@@ -63,46 +65,51 @@ TROPHIC_REFUSES(own_sensor, perception::OwnSensor, TROPHIC_AND(static constexpr 
                 const std::optional<Sighting>&, const View&, Rng&)
 TROPHIC_REFUSES(common_sensor, perception::CommonSensor, TROPHIC_AND(static constexpr std::size_t size = 2), Two, sense,
                 const View&)
-TROPHIC_REFUSES(blind_rule, perception::BlindRule, TROPHIC_ALONE, bool, decides)
 TROPHIC_REFUSES(newborn_tag, perception::NewbornTag, TROPHIC_ALONE, int, tag, std::optional<int>, std::span<const int>, Rng&)
-TROPHIC_REFUSES(tag_switch, perception::TagSwitch, TROPHIC_AND(bool restarts(bool) const), bool, may_switch, const Individual&,
+TROPHIC_REFUSES(tag_switch, perception::TagSwitch, TROPHIC_ALONE, perception::MaySwitch, may_switch, const Individual&,
                 const View&)
-TROPHIC_REFUSES(tag_restart, perception::TagSwitch, TROPHIC_AND(bool may_switch(const Individual&, const View&) const), bool,
-                restarts, bool)
 
 TROPHIC_REFUSES(brain, control::Brain,
                 TROPHIC_AND(std::size_t genome_size(std::size_t, std::size_t) const; std::vector<int> tags() const),
                 control::Decision, decide, std::span<const double>, std::span<const double>)
-TROPHIC_REFUSES(decision_order, control::DecisionOrder, TROPHIC_ALONE, bool, in_turn)
-
 TROPHIC_REFUSES(steering, control::Steering, TROPHIC_ALONE, void, steer, double, std::span<const Side>, std::span<double>)
 
 TROPHIC_REFUSES(initial_genome, reproduction::InitialGenome, TROPHIC_ALONE, void, draw, std::span<double>, Rng&)
 TROPHIC_REFUSES(mutation, reproduction::Mutation, TROPHIC_ALONE, void, mutate, std::span<double>, const Individual&, Rng&)
-TROPHIC_REFUSES(genome_source, reproduction::GenomeSource, TROPHIC_AND(Origin without_parent() const), bool, inherits, Rng&)
+TROPHIC_REFUSES(genome_source, reproduction::GenomeSource, TROPHIC_ALONE, reproduction::Descent, descent, Rng&)
 TROPHIC_REFUSES(heredity, reproduction::Heredity, TROPHIC_ALONE, std::shared_ptr<Genome>, inherit, const std::shared_ptr<Genome>&)
 TROPHIC_REFUSES(parent, reproduction::Parent, TROPHIC_ALONE, std::optional<Ancestor>, parent, const reproduction::Vacancy&,
                 const View&, Rng&)
 
-TROPHIC_REFUSES(activation, death::Activation, TROPHIC_AND(bool restarts_age() const), bool, activates, BodyIndex, const View&)
+TROPHIC_REFUSES(activation, death::Activation, TROPHIC_ALONE, death::Activates, activates, BodyIndex, const View&)
 TROPHIC_REFUSES(capture, death::CaptureRule, TROPHIC_ALONE, std::vector<death::Capture>, captures, const View&, Rng&)
 TROPHIC_REFUSES(floor, death::Floor, TROPHIC_ALONE, bool, may_die, Species, const View&)
-TROPHIC_REFUSES(schedule_interval, death::StarvationSchedule,
-                TROPHIC_AND(bool due(const death::StarvationClock&, const View&) const), std::int64_t, interval_ticks,
+TROPHIC_REFUSES(starvation, death::Starvation, TROPHIC_ALONE, death::Starving, starving, const View&,
+                const perception::Perceives&)
+struct Clock {};
+TROPHIC_REFUSES(starvation_by_clock, death::Starvation,
+                TROPHIC_AND(using Clock = refused_by_contracts::Clock; Clock start(const View&) const), death::Starving, starving,
+                const View&, const perception::Perceives&, const Clock&)
+TROPHIC_REFUSES(starvation_start, death::Starvation,
+                TROPHIC_AND(using Clock = refused_by_contracts::Clock;
+                            death::Starving starving(const View&, const perception::Perceives&, const Clock&) const),
+                Clock, start, const View&)
+TROPHIC_REFUSES(interval, death::starvation::Interval,
+                TROPHIC_AND(bool due(const death::starvation::StarvationClock&, const View&) const), std::int64_t, interval_ticks,
                 const View&)
-TROPHIC_REFUSES(schedule_due, death::StarvationSchedule, TROPHIC_AND(std::int64_t interval_ticks(const View&) const), bool, due,
-                const death::StarvationClock&, const View&)
-TROPHIC_REFUSES(starvation, death::Starvation, TROPHIC_ALONE, std::optional<BodyIndex>, victim, const View&,
-                const std::function<bool(BodyIndex)>&)
-TROPHIC_REFUSES(reprieve, death::Reprieve, TROPHIC_ALONE, bool, spared, BodyIndex, const View&, const perception::Perceives&)
+TROPHIC_REFUSES(interval_due, death::starvation::Interval, TROPHIC_AND(std::int64_t interval_ticks(const View&) const), bool, due,
+                const death::starvation::StarvationClock&, const View&)
+TROPHIC_REFUSES(exemption, death::starvation::Exemption, TROPHIC_ALONE, bool, is_exempt, BodyIndex, const View&,
+                const perception::Perceives&)
+TROPHIC_REFUSES(choice, death::starvation::Choice, TROPHIC_ALONE, std::vector<BodyIndex>, victims, const View&,
+                const death::starvation::IsExempt&)
 TROPHIC_REFUSES(rescue, death::Rescue, TROPHIC_ALONE, std::vector<death::Sacrifice>, sacrifices, const View&, Rng&)
 TROPHIC_REFUSES(senescence, death::Senescence, TROPHIC_ALONE, bool, dies, const Individual&, const View&, Rng&)
 
 TEST_CASE("contracts: what is refused is refused when this compiles") {
   // a policy of one slot fits no other
   CHECK_FALSE(death::Floor<senescence::Keeps>);
-  CHECK_FALSE(perception::BlindRule<decision_order::Keeps>);
-  CHECK_FALSE(control::DecisionOrder<blind_rule::Keeps>);
+  CHECK_FALSE(death::starvation::Choice<exemption::Keeps>);
 }
 
 }  // namespace trophic::refused_by_contracts

@@ -8,7 +8,7 @@
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
-#include <trophic/death/reprieve/no_reprieve.hpp>
+#include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
@@ -95,5 +95,5 @@ TEST_CASE("deliberations: a brain that learns shows what it decides by, before i
 }
 
 TEST_CASE("deliberations: where nobody is spared no reprieve is told of") {
-  CHECK(listen<with_reprieve<rules::Paper, death::reprieve::NoReprieve>>(3).reprieves == 0);
+  CHECK(listen<with_starvation_exemption<rules::Paper, death::starvation::exemption::NoExemption>>(3).reprieves == 0);
 }

@@ -14,7 +14,7 @@
 #include <support/hand_population.hpp>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/death/reprieve/no_reprieve.hpp>
+#include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
@@ -196,7 +196,8 @@ TEST_CASE("runs: the released rules keep their balances and floors for 6000 s") 
 }
 
 TEST_CASE("runs: under the paper's rules procedures come 25 - p ticks apart, p as left by the one before") {
-  using Rules = with_reprieve<rules::Paper, death::reprieve::NoReprieve>;  // so that each procedure has a victim
+  using Rules =
+      with_starvation_exemption<rules::Paper, death::starvation::exemption::NoExemption>;  // so that each procedure has a victim
   Kinematics<Rules> ecology{{.seed = 4}, backend::Kinematic::Params{}};
   Auditor audit{30};
   ecology.run_until(6000.0, audit);

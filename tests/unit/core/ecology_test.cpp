@@ -16,13 +16,11 @@
 #include <support/recorder.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/control/decision_order/decide_in_turn.hpp>
-#include <trophic/death/reprieve/near_remembered_adversary.hpp>
 #include <trophic/death/senescence/old_age.hpp>
+#include <trophic/death/starvation/exemption/near_remembered_adversary.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/perception/blind_rule/blind_keeps_decision.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
 #include <trophic/reproduction/parent/last_killer.hpp>
@@ -151,8 +149,8 @@ TEST_CASE("ecology: starvation, then rescue, then perception in the same tick") 
 }
 
 TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's body") {
-  using Rules =
-      with_rescue_parent<with_starvation_parent<Scene, reproduction::parent::LastSeenVictim>, reproduction::parent::LastKiller>;
+  using Rules = with_parent_after<with_parent_after<Scene, Cause::starved, reproduction::parent::LastSeenVictim>,
+                                  Cause::sacrificed, reproduction::parent::LastKiller>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
   params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
@@ -164,13 +162,15 @@ TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's b
   const auto robots = ecology.view().robots;
   CHECK(robots[0].parent == 2);
   CHECK(robots[0].species == 1);
-  REQUIRE(ecology.states().rescue_parent[0].killer);
-  CHECK(ecology.states().rescue_parent[0].killer->id == 2);
+  const auto& killers = ecology.states().parent.part<static_cast<std::size_t>(Cause::sacrificed)>();
+  REQUIRE(killers[0].killer);
+  CHECK(killers[0].killer->id == 2);
   CHECK(robots[1].id == 1);
   CHECK_FALSE(robots[1].active);
   CHECK(robots[2].fed_tick == 0);
-  CHECK_FALSE(ecology.states().starvation_parent[2].body);
-  CHECK_FALSE(ecology.states().starvation_parent[2].victim);
+  const auto& seen = ecology.states().parent.part<static_cast<std::size_t>(Cause::starved)>();
+  CHECK_FALSE(seen[2].body);
+  CHECK_FALSE(seen[2].victim);
 }
 
 namespace {
@@ -348,14 +348,13 @@ TEST_CASE("ecology: founders and places are as many as robots, and places are so
 }
 
 TEST_CASE("ecology: a parent without a genome is named") {
-  using Rules = with_capture_parent<with_capture<Scene, Scripted>, Nobody>;
+  using Rules = with_parent_after<with_capture<Scene, Scripted>, Cause::caught, Nobody>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}};
-  CHECK(rule_error([&] {
-          Kinematics<Rules>{params, still}.run_until(0.0);
-        }) == "the policy in rules.capture_parent returned individual 0 as a parent: must have a genome of 15 weights");
+  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(0.0); }) ==
+        "the policy in rules.parent returned individual 0 as a parent: must have a genome of 15 weights");
 }
 
 TEST_CASE("ecology: only the brain's tags are shown") {
@@ -410,7 +409,7 @@ TEST_CASE("ecology: the floor stops sacrifices") {
 }
 
 TEST_CASE("ecology: everybody perceives the same moment, before the first tag changes") {
-  using Rules = with_reprieve<with_brain<Scene, AlwaysMinus>, death::reprieve::NearRememberedAdversary>;
+  using Rules = with_starvation_exemption<with_brain<Scene, AlwaysMinus>, death::starvation::exemption::NearRememberedAdversary>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
@@ -421,7 +420,7 @@ TEST_CASE("ecology: everybody perceives the same moment, before the first tag ch
     const Individual& individual = ecology.view().robots[body];
     CHECK(individual.adversary);
     CHECK(individual.adversary_distance_m == 3.0);
-    CHECK(ecology.states().reprieve[body].adversary_distance_m == 3.0);
+    CHECK(ecology.states().starvation.part<1>()[body].adversary_distance_m == 3.0);
     CHECK(individual.tag == -1);
   }
   const Lines lines = at_tick(0, recorder.events);
@@ -431,10 +430,11 @@ TEST_CASE("ecology: everybody perceives the same moment, before the first tag ch
 }
 
 TEST_CASE("ecology: in turn, who decides later sees the tags that earlier ones have just taken") {
-  using Rules = with_decision_order<with_brain<Scene, AlwaysMinus>, control::decision_order::DecideInTurn>;
+  using Rules = with_brain<Scene, AlwaysMinus>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
+  params.ecology.decision_order = DecisionOrder::in_turn;
   Kinematics<Rules> ecology{params, still};
   ecology.run_until(0.0);
   CHECK(ecology.view().robots[0].adversary == 1);   // both showed +1 when body 0 looked
@@ -480,23 +480,24 @@ TEST_CASE("ecology: the heading that rules see is the table's") {
 
 TEST_CASE("ecology: a remembered prey is renewed only when another body becomes the closest") {
   using Ageing = with_senescence<Scene, death::senescence::OldAge>;
-  using Rules = with_starvation_parent<Ageing, reproduction::parent::LastSeenVictim>;
+  using Rules = with_parent_after<Ageing, Cause::starved, reproduction::parent::LastSeenVictim>;
   auto params = scene<Rules>({{.x_m = 3.0}, {.x_m = 0.0}});
   params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
-  params.rules.starvation_schedule.base_ticks = 1000;
+  params.rules.starvation.interval.base_ticks = 1000;
   params.rules.tag_switch.cool_down_s = 1e6;
   Kinematics<Rules> ecology{params, still};
   ecology.run_until(24.0);
   const auto robots = ecology.view().robots;
   CHECK(robots[0].id == 2);  // reborn at tick 10, seen again from tick 11 on
   CHECK(robots[1].adversary == 0);
-  CHECK(ecology.states().starvation_parent[1].body == 0);
-  REQUIRE(ecology.states().starvation_parent[1].victim);
-  CHECK(ecology.states().starvation_parent[1].victim->id == 0);
+  const auto& seen = ecology.states().parent.part<static_cast<std::size_t>(Cause::starved)>();
+  CHECK(seen[1].body == 0);
+  REQUIRE(seen[1].victim);
+  CHECK(seen[1].victim->id == 0);
 }
 
-TEST_CASE("ecology: without adversary the brain decides or keeps still, by the rule") {
+TEST_CASE("ecology: no target perceived -> the brain decides, or the last decision stays") {
   auto params = scene<Scene>({{.x_m = 0.0}});
   params.rules.community.predators = 0;
   Kinematics<Scene> asked{params, still};
@@ -505,10 +506,8 @@ TEST_CASE("ecology: without adversary the brain decides or keeps still, by the r
   CHECK_FALSE(asked.view().robots[0].adversary);
   CHECK(std::isnan(asked.view().robots[0].adversary_distance_m));
 
-  using Keeps = with_blind_rule<Scene, perception::blind_rule::BlindKeepsDecision>;
-  auto keeps_params = scene<Keeps>({{.x_m = 0.0}});
-  keeps_params.rules.community.predators = 0;
-  Kinematics<Keeps> kept{keeps_params, still};
+  params.ecology.without_target = WithoutTarget::keeps_decision;
+  Kinematics<Scene> kept{params, still};
   kept.run_until(200.0);
   CHECK(kept.view().robots[0].target_angle_rad == 0.0);
   CHECK(kept.view().robots[0].tag == 1);
@@ -519,7 +518,7 @@ TEST_CASE("ecology: death of old age leaves the body to its species") {
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
-  params.rules.starvation_schedule.base_ticks = 1000;
+  params.rules.starvation.interval.base_ticks = 1000;
   const Lines lines = events<Rules>(params, 40.0);
   CHECK(at_tick(10, lines) == Lines{"death body 0 id 0 species 0 senescence", "birth body 0 id 2 species 0",
                                     "death body 1 id 1 species 1 senescence", "birth body 1 id 3 species 1"});
@@ -530,13 +529,13 @@ TEST_CASE("ecology: death of old age leaves the body to its species") {
 
 TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species or none") {
   using Ageing = with_senescence<Scene, death::senescence::OldAge>;
-  using Nearest = with_senescence_parent<Ageing, reproduction::parent::NearestConspecific>;
+  using Nearest = with_parent_after<Ageing, Cause::senescence, reproduction::parent::NearestConspecific>;
   const auto heir = [](auto rules) {
     using Rules = typename decltype(rules)::type;
     auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 5.0}, {.x_m = 0.0}});
     params.rules.community.predators = 1;
     params.rules.senescence.max_age_s = 20.0;
-    params.rules.starvation_schedule.base_ticks = 1000;
+    params.rules.starvation.interval.base_ticks = 1000;
     params.rules.genome_source.random_share = 0.0;
     Kinematics<Rules> ecology{params, still};
     ecology.run_until(20.0);
@@ -551,16 +550,15 @@ TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species o
 }
 
 TEST_CASE("ecology: a parent of another species than the heir is refused") {
-  using Rules = with_senescence_parent<with_senescence<Scene, death::senescence::OldAge>, reproduction::parent::NearestVictim>;
+  using Rules = with_parent_after<with_senescence<Scene, death::senescence::OldAge>, Cause::senescence,
+                                  reproduction::parent::NearestVictim>;
   auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 0.0}});
   params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
-  params.rules.starvation_schedule.base_ticks = 1000;
+  params.rules.starvation.interval.base_ticks = 1000;
   params.rules.genome_source.random_share = 0.0;
-  CHECK(rule_error([&] {
-          Kinematics<Rules>{params, still}.run_until(20.0);
-        }) ==
-        "the policy in rules.senescence_parent returned individual 2, a prey, as the parent of a predator: must be of its "
+  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(20.0); }) ==
+        "the policy in rules.parent returned individual 2, a prey, as the parent of a predator: must be of its "
         "offspring's species");
 }
 
@@ -571,9 +569,9 @@ TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey o
     auto params = scene<Scene>({{.x_m = distance_m - 5.0}, {.x_m = -5.0}});
     params.rules.community.predators = 1;
     params.rules.genome_source.random_share = 0.0;
-    params.rules.reprieve.range_m = 0.0;
+    params.rules.starvation.exemption.range_m = 0.0;
     params.rules.activation.distance_m = 5.0;
-    params.rules.starvation_parent.range_m = 12.0;
+    params.rules.parent.starved.range_m = 12.0;
     Kinematics<Scene> ecology{params, still};
     ecology.run_until(48.0);  // Delta = 24 ticks
     const Individual& born = ecology.view().robots[1];

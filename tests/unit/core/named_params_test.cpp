@@ -27,7 +27,7 @@ TEST_CASE("named_params: numbers, switches, texts and names by their path, with 
   CHECK(value_text(find(rules, "tag_switch.period_s")) == "100");
   CHECK(value_text(find(rules, "sensors.distance_over_scale.full_scale_m")) == "20");
   CHECK(value_text(find(rules, "genome_source.random_share")) == "0.34");
-  CHECK(std::get<std::int64_t>(find(rules, "starvation_schedule.base_ticks").value) == 25);
+  CHECK(std::get<std::int64_t>(find(rules, "starvation.interval.base_ticks").value) == 25);
   CHECK_FALSE(find(rules, "tag_switch.period_s").help.empty());
   const NamedParams physics = named_params_of(Physics{});
   CHECK(value_text(find(physics, "integrator")) == "semi_implicit_euler");

@@ -44,7 +44,7 @@ std::string line_of(const std::string& text, std::string_view beginning) {
 
 }  // namespace
 
-TEST_CASE("print table: a line for each slot in order, then world and physics") {
+TEST_CASE("print table: a line for each slot in order, then ecology and physics") {
   const auto lines = rules::printed_rules<Swapped>();
   REQUIRE(lines.size() == rules::slot_names.size() + 2);
   for (std::size_t i = 0; i < rules::slot_names.size(); ++i) CHECK(lines[i].slot == rules::slot_names[i]);
@@ -55,7 +55,8 @@ TEST_CASE("print table: a line for each slot in order, then world and physics") 
   CHECK(lines[lines.size() - 2].kind == "ecology");
   CHECK(lines[lines.size() - 2].numbers ==
         "robots = 30, duration_s = 6000, tick_s = 2, first_tick_s = 0, control_hz = 60, clock_scale = 1, robot = spider, arena = "
-        "walled_square, cpg_integration = exact, idle_control_steps = 0, phase_at_birth = kept");
+        "walled_square, cpg_integration = exact, idle_control_steps = 0, phase_at_birth = kept, decision_order = together, "
+        "without_target = decides");
   CHECK(lines.back().numbers == "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
 }
 

@@ -44,8 +44,8 @@ struct WastefulWeights : reproduction::initial_genome::UniformWeights {
   }
 };
 struct WastefulSource : reproduction::genome_source::RandomOrInherited {
-  [[nodiscard]] bool inherits(Rng& rng) const {
-    const bool drawn = RandomOrInherited::inherits(rng);
+  [[nodiscard]] reproduction::Descent descent(Rng& rng) const {
+    const reproduction::Descent drawn = RandomOrInherited::descent(rng);
     draw_three(rng);
     return drawn;
   }
@@ -110,7 +110,8 @@ using WastefulLife = with_visibility<
                    WastefulPlacement>,
     WastefulHaze>;
 using Wasteful = with_initial_genome<
-    with_genome_source<with_starvation_parent<with_mutation<WastefulLife, WastefulMutation>, WastefulParent>, WastefulSource>,
+    with_genome_source<with_parent_after<with_mutation<WastefulLife, WastefulMutation>, Cause::starved, WastefulParent>,
+                       WastefulSource>,
     WastefulWeights>;
 using Other = with_mutation<Frugal, OtherMutation>;
 

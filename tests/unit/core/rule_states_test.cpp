@@ -144,7 +144,7 @@ TEST_CASE("rule states: a table without states keeps nothing") {
   CHECK(visited == 0);
   std::vector<std::string> slots;
   for_each_state(RuleStates<rules::Released>{}, [&](std::string_view slot, const auto&) { slots.emplace_back(slot); });
-  CHECK(slots == std::vector<std::string>{"starvation_parent", "rescue_parent", "reprieve"});
+  CHECK(slots == std::vector<std::string>{"parent.starved", "parent.sacrificed", "starvation.exemption"});
 }
 
 TEST_CASE("state log: a column for each member of each state, a row for each robot and tick") {
@@ -155,16 +155,17 @@ TEST_CASE("state log: a column for each member of each state, a row for each rob
   const auto lines = lines_of(folder.path() / "states.csv");
   REQUIRE(lines.size() == 1 + 101 * 30);
   CHECK(lines[0] ==
-        "time_s,tick,body,id,starvation_parent.body,starvation_parent.victim,rescue_parent.killer,reprieve.adversary_distance_m");
+        "time_s,tick,body,id,parent.starved.body,parent.starved.victim,parent.sacrificed.killer,starvation.exemption.adversary_"
+        "distance_m");
   CHECK(lines[1] == "0,0,0,0,,,,0");
   const auto& states = ecology.states();
   for (BodyIndex body = 0; body < 30; ++body) {
     const auto id = [](const std::optional<Ancestor>& one) { return one ? number_text(one->id) : ""; };
-    const auto& seen = states.starvation_parent[body];
+    const auto& seen = states.parent.part<1>()[body];
     CHECK(lines[1 + 100 * 30 + body] == "200,100," + number_text(body) + "," + number_text(ecology.view().robots[body].id) + "," +
                                             (seen.body ? number_text(*seen.body) : "") + "," + id(seen.victim) + "," +
-                                            id(states.rescue_parent[body].killer) + "," +
-                                            number_text(states.reprieve[body].adversary_distance_m));
+                                            id(states.parent.part<2>()[body].killer) + "," +
+                                            number_text(states.starvation.part<1>()[body].adversary_distance_m));
   }
 }
 

@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <trophic/death/reprieve/no_reprieve.hpp>
 #include <trophic/death/rescue/no_rescue.hpp>
 #include <trophic/death/senescence/old_age.hpp>
+#include <trophic/death/starvation/exemption/no_exemption.hpp>
+#include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/support/rule_error.hpp>
@@ -67,14 +68,14 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(numbers.steering.exponent == 2.0);
   CHECK(numbers.initial_genome.limit == 1.0);
   CHECK(numbers.genome_source.random_share == 1.0 / 3.0);
-  CHECK(numbers.starvation_parent.range_m == 12.0);
+  CHECK(numbers.parent.starved.range_m == 12.0);
   CHECK(numbers.activation.distance_m == 5.0);
   CHECK(numbers.capture.reach_m == 1.0);
   CHECK(numbers.capture.min_age_s == 0.0);
   CHECK(numbers.floor.floor == 7);
-  CHECK(numbers.starvation_schedule.base_ticks == 25);
-  CHECK(numbers.starvation_schedule.only_above == 0);
-  CHECK(numbers.reprieve.range_m == 5.0);
+  CHECK(numbers.starvation.interval.base_ticks == 25);
+  CHECK(numbers.starvation.interval.only_above == 0);
+  CHECK(numbers.starvation.exemption.range_m == 5.0);
   CHECK(numbers.rescue.below == 7);
   const EcologyParams ecology = rules::Paper::ecology();
   CHECK(ecology.robots == 30);
@@ -85,6 +86,8 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(ecology.clock_scale == 1.0);
   CHECK(ecology.idle_control_steps == 0);
   CHECK(ecology.phase_at_birth == PhaseAtBirth::kept);
+  CHECK(ecology.decision_order == DecisionOrder::together);
+  CHECK(ecology.without_target == WithoutTarget::decides);
   CHECK(rules::Paper::physics().timestep_s == 0.0012);
 }
 
@@ -99,15 +102,17 @@ TEST_CASE("rules: the released code's numbers") {
   CHECK(numbers.mutation.limit == 1.0);
   CHECK(numbers.capture.min_age_s == 20.0);
   CHECK(numbers.floor.floor == 6);
-  CHECK(numbers.starvation_schedule.base_ticks == 25);
-  CHECK(numbers.starvation_schedule.only_above == 7);
-  CHECK(numbers.reprieve.range_m == 5.0);
+  CHECK(numbers.starvation.interval.base_ticks == 25);
+  CHECK(numbers.starvation.interval.only_above == 7);
+  CHECK(numbers.starvation.exemption.range_m == 5.0);
   CHECK(numbers.rescue.below == 8);
   CHECK(rules::Released::ecology().duration_s == 6500.0);
   CHECK(rules::Released::ecology().first_tick_s == 2.0);
   CHECK(rules::Released::ecology().clock_scale == 1.2);
   CHECK(rules::Released::ecology().idle_control_steps == 1);
   CHECK(rules::Released::ecology().phase_at_birth == PhaseAtBirth::kept);
+  CHECK(rules::Released::ecology().decision_order == DecisionOrder::in_turn);
+  CHECK(rules::Released::ecology().without_target == WithoutTarget::keeps_decision);
   CHECK(rules::Released::physics().timestep_s == 0.012);
   CHECK(rules::Released::physics().integrator == Integrator::rk4);
 }
@@ -124,19 +129,73 @@ TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their num
 }
 
 TEST_CASE("rules: a swapped rule starts at the policy's own numbers, not at those of the table it came from") {
-  CHECK(RuleParams<with_starvation_schedule<rules::Released, rules::Released::StarvationSchedule>>{}
-            .starvation_schedule.only_above == 0);
+  CHECK(RuleParams<with_starvation<rules::Released, rules::Released::Starvation>>{}.starvation.interval.only_above == 0);
   CHECK(RuleParams<with_floor<rules::Released, death::floor::VictimFloor>>{}.floor.floor == 7);
 }
 
 TEST_CASE("rules: swaps can be stacked and the table's name tells them") {
-  using Twice = with_senescence<with_reprieve<rules::Paper, death::reprieve::NoReprieve>, death::senescence::OldAge>;
-  static_assert(std::same_as<Twice::Reprieve, death::reprieve::NoReprieve>);
+  using Twice = with_senescence<with_mutation<rules::Paper, reproduction::mutation::NoMutation>, death::senescence::OldAge>;
+  static_assert(std::same_as<Twice::Mutation, reproduction::mutation::NoMutation>);
   static_assert(std::same_as<Twice::Senescence, death::senescence::OldAge>);
   CHECK(table_name<rules::Paper>() == "paper");
-  CHECK(table_name<Twice>() == "paper with reprieve = no_reprieve with senescence = old_age");
-  using Back = with_reprieve<Twice, death::reprieve::NearPerceivedVictim>;
-  static_assert(std::same_as<Back::Reprieve, rules::Paper::Reprieve>);
+  CHECK(table_name<Twice>() == "paper with mutation = no_mutation with senescence = old_age");
+  using Back = with_mutation<Twice, reproduction::mutation::NormalMutation>;
+  static_assert(std::same_as<Back::Mutation, rules::Paper::Mutation>);
+}
+
+TEST_CASE("rules: one part of a policy is swapped, the others stay with the table's numbers") {
+  using Shorter = with_params<rules::Released, [](auto& params) { params.starvation.interval.base_ticks = 15; }>;
+  using Harsh = with_starvation_exemption<Shorter, death::starvation::exemption::NoExemption>;
+  static_assert(is_rule_table<Harsh>);
+  static_assert(std::same_as<PolicyIn<Harsh, RuleSlot::starvation>::Part<0>, rules::Released::Starvation::Part<0>>);
+  static_assert(std::same_as<PolicyIn<Harsh, RuleSlot::starvation>::Part<1>, death::starvation::exemption::NoExemption>);
+  CHECK(table_name<Harsh>() == "released with starvation.exemption = no_exemption");
+  CHECK(RuleParams<Harsh>{}.starvation.interval.base_ticks == 15);
+  CHECK(RuleParams<Harsh>{}.starvation.interval.only_above == 7);
+  CHECK(RuleParams<Harsh>{}.floor.floor == 6);
+  CHECK(Harsh::ecology().clock_scale == 1.2);
+
+  using AnyPrey = with_parent_after<rules::Paper, Cause::starved, reproduction::parent::NearestVictim>;
+  CHECK(table_name<AnyPrey>() == "paper with parent.starved = nearest_victim");
+  CHECK(RuleParams<AnyPrey>{}.parent.starved.range_m == 4.0);
+  static_assert(std::same_as<PolicyIn<AnyPrey, RuleSlot::parent>::Part<0>, rules::Paper::Parent::Part<0>>);
+}
+
+namespace {
+
+/// All that a table must state.
+struct Smallest final {
+  using P = rules::Paper;
+  static constexpr std::string_view name = "smallest";
+  using Community = P::Community;
+  using Placement = P::Placement;
+  using Heading = P::Heading;
+  using Sensors = P::Sensors;
+  using NewbornTag = P::NewbornTag;
+  using Brain = P::Brain;
+  using Steering = P::Steering;
+  using InitialGenome = P::InitialGenome;
+  using Heredity = P::Heredity;
+  static TableParams<Smallest> params() { return {}; }
+  static EcologyParams ecology() { return {}; }
+  static Physics physics() { return {}; }
+};
+
+}  // namespace
+
+TEST_CASE("rules: a slot that a table leaves out holds its neutral policy, and neither it nor its numbers are named") {
+  static_assert(is_rule_table<Smallest>);
+  static_assert(std::same_as<PolicyIn<Smallest, RuleSlot::capture>, death::capture::NoCapture>);
+  static_assert(is_neutral<Smallest, RuleSlot::senescence> && is_neutral<rules::Paper, RuleSlot::senescence>);
+  std::vector<std::string> slots;
+  for_each_rule<Smallest>([&](std::string_view slot, std::string_view) { slots.emplace_back(slot); });
+  CHECK(slots == std::vector<std::string>{"community", "placement", "heading", "sensors", "newborn_tag", "brain", "steering",
+                                          "initial_genome", "heredity"});
+  // stated or left out, there is no such rule
+  std::vector<std::string> stated;
+  for_each_rule<with_capture<Smallest, death::capture::NoCapture>>(
+      [&](std::string_view slot, std::string_view) { stated.emplace_back(slot); });
+  CHECK(stated == slots);
 }
 
 TEST_CASE("rules: a table of other numbers has the rules and the name of the one that it is made of") {
@@ -188,12 +247,13 @@ TEST_CASE("rules: a policy that does not hold the numbers it was made from is re
   CHECK(made_with_50_s<Misplaced>() == "the policy misplaced in rules.senescence holds another max_age_s than it was made from");
 }
 
-TEST_CASE("rules: every slot once, in the order of the table, with the policy's name") {
+TEST_CASE("rules: every slot that is not neutral once, in the order of the list, with the policy's name") {
   std::vector<std::pair<std::string, std::string>> slots;
   for_each_rule<rules::Paper>([&](std::string_view slot, std::string_view policy) { slots.emplace_back(slot, policy); });
-  REQUIRE(slots.size() == 27);
+  REQUIRE(slots.size() == 19);  // all but senescence
+  CHECK(rules::slot_names.size() == 20);
   CHECK(slots.front() == std::pair<std::string, std::string>{"community", "predator_prey"});
-  CHECK(slots.back() == std::pair<std::string, std::string>{"senescence_parent", "no_parent"});
+  CHECK(slots.back() == std::pair<std::string, std::string>{"rescue", "sacrifice_random_victim"});
   for (std::size_t i = 0; i < slots.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) CHECK(slots[i].first != slots[j].first);
   }

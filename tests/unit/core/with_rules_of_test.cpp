@@ -63,10 +63,10 @@ TEST_CASE("differences are policies and numbers, each once, and duration does no
   CHECK(all[0].name == "floor.floor");
   CHECK(all[0].here == "7");
   CHECK(all[0].there == "5");
-  CHECK(all[0].is_number());
+  CHECK(all[0].is_number);
   CHECK(all[1].name == "senescence");
   CHECK(all[1].there == "old_age");
-  CHECK_FALSE(all[1].is_number());
+  CHECK_FALSE(all[1].is_number);
   CHECK(all[2].name == "ecology.tick_s");
   CHECK(rules::differences<Paper, Paper>().empty());
 }

@@ -8,25 +8,30 @@
 
 using namespace trophic;
 using namespace trophic::test;
+using death::Activates;
 using death::activation::ActiveAwayFromHunters;
 
 TEST_CASE("active away from hunters: farther than 5 m from every predator, exactly 5 m is not enough") {
   const ActiveAwayFromHunters rule;
   HandPopulation robots{
       {{.species = prey, .active = false}, {.species = predator, .x_m = 5.0}, {.species = predator, .x_m = -9.0}}};
-  CHECK_FALSE(rule.activates(0, robots.view()));
+  CHECK(rule.activates(0, robots.view()) == Activates::no);
   robots.poses[1].x_m = 5.0000001;
-  CHECK(rule.activates(0, robots.view()));
+  CHECK(rule.activates(0, robots.view()) == Activates::yes);
   robots.poses[2].x_m = -3.0;
-  CHECK_FALSE(rule.activates(0, robots.view()));
-  CHECK(ActiveAwayFromHunters{{.distance_m = 2.0}}.activates(0, robots.view()));
+  CHECK(rule.activates(0, robots.view()) == Activates::no);
+  CHECK(ActiveAwayFromHunters{{.distance_m = 2.0}}.activates(0, robots.view()) == Activates::yes);
 }
 
 TEST_CASE("active away from hunters: predators of the other tag and prey at hand") {
   const ActiveAwayFromHunters rule;
-  CHECK_FALSE(rule.activates(
-      0, HandPopulation{{{.species = prey, .tag = 1, .active = false}, {.species = predator, .x_m = 1.0, .tag = -1}}}.view()));
-  CHECK(rule.activates(0, HandPopulation{{{.species = prey, .active = false}, {.species = prey, .x_m = 0.1}}}.view()));
+  CHECK(
+      rule.activates(
+          0,
+          HandPopulation{{{.species = prey, .tag = 1, .active = false}, {.species = predator, .x_m = 1.0, .tag = -1}}}.view()) ==
+      Activates::no);
+  CHECK(rule.activates(0, HandPopulation{{{.species = prey, .active = false}, {.species = prey, .x_m = 0.1}}}.view()) ==
+        Activates::yes);
 }
 
 TEST_CASE("active away from hunters: in a food chain only who eats the newborn counts") {
@@ -36,13 +41,9 @@ TEST_CASE("active away from hunters: in a food chain only who eats the newborn c
                                {.species = grazer, .x_m = 6.0, .active = false},
                                {.species = grazer, .x_m = 6.5, .active = false}},
                               chain_web()};
-  CHECK(rule.activates(0, robots.view()));
-  CHECK_FALSE(rule.activates(2, robots.view()));  // 5 m from the hunter
-  CHECK(rule.activates(3, robots.view()));
-}
-
-TEST_CASE("active away from hunters: age counts from birth") {
-  CHECK_FALSE(ActiveAwayFromHunters{}.restarts_age());
+  CHECK(rule.activates(0, robots.view()) == Activates::yes);
+  CHECK(rule.activates(2, robots.view()) == Activates::no);  // 5 m from the hunter
+  CHECK(rule.activates(3, robots.view()) == Activates::yes);
 }
 
 TEST_CASE("active away from hunters: the order of bodies does not matter") {

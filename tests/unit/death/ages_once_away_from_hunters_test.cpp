@@ -6,15 +6,15 @@
 
 using namespace trophic;
 using namespace trophic::test;
+using death::Activates;
 using death::activation::AgesOnceAwayFromHunters;
 
 TEST_CASE("ages once away from hunters: age counts from activation, farther than 5 m from every predator") {
   const AgesOnceAwayFromHunters rule;
-  CHECK(rule.restarts_age());
   HandPopulation robots{
       {{.species = prey, .active = false}, {.species = predator, .x_m = 5.0, .tag = -1}, {.species = prey, .x_m = 0.1}}};
-  CHECK_FALSE(rule.activates(0, robots.view()));
+  CHECK(rule.activates(0, robots.view()) == Activates::no);
   robots.poses[1].x_m = 5.0000001;
-  CHECK(rule.activates(0, robots.view()));
-  CHECK_FALSE(AgesOnceAwayFromHunters{{.distance_m = 6.0}}.activates(0, robots.view()));
+  CHECK(rule.activates(0, robots.view()) == Activates::yes_and_restarts_age);
+  CHECK(AgesOnceAwayFromHunters{{.distance_m = 6.0}}.activates(0, robots.view()) == Activates::no);
 }

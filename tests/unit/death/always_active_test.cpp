@@ -9,6 +9,5 @@ using namespace trophic::test;
 
 TEST_CASE("always active: even with a predator on top of it, and age counts from birth") {
   const HandPopulation robots{{{.species = prey, .active = false}, {.species = predator}}};
-  CHECK(death::activation::AlwaysActive{}.activates(0, robots.view()));
-  CHECK_FALSE(death::activation::AlwaysActive{}.restarts_age());
+  CHECK(death::activation::AlwaysActive{}.activates(0, robots.view()) == death::Activates::yes);
 }

@@ -2,12 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation_schedule/delayed_crowding_interval.hpp>
+#include <trophic/death/starvation/interval/delayed_crowding_interval.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::StarvationClock;
-using death::starvation_schedule::DelayedCrowdingInterval;
+using death::starvation::StarvationClock;
+using death::starvation::interval::DelayedCrowdingInterval;
 
 TEST_CASE("delayed crowding interval: Delta = 25 - p ticks") {
   const DelayedCrowdingInterval rule;

@@ -2,12 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation_schedule/direct_crowding_interval.hpp>
+#include <trophic/death/starvation/interval/direct_crowding_interval.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::StarvationClock;
-using death::starvation_schedule::DirectCrowdingInterval;
+using death::starvation::StarvationClock;
+using death::starvation::interval::DirectCrowdingInterval;
 
 TEST_CASE("direct crowding interval: the number of predators of this tick decides") {
   const DirectCrowdingInterval rule;

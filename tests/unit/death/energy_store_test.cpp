@@ -21,7 +21,8 @@ using test::prey;
 
 namespace {
 
-using Hungry = with_senescence_parent<with_senescence<rules::Paper, EnergyStore>, reproduction::parent::NearestConspecific>;
+using Hungry =
+    with_parent_after<with_senescence<rules::Paper, EnergyStore>, Cause::senescence, reproduction::parent::NearestConspecific>;
 using Kinematics = Ecology<Hungry>;
 
 /// Keeps everybody's account from what it sees of the run, and holds it against the rule's own.
@@ -111,7 +112,7 @@ TEST_CASE("energy store: dies at zero, not before") {
 TEST_CASE("energy store: over a run every joule is accounted for, and who has none left dies") {
   Kinematics::Params params{.seed = 3};
   params.rules.capture.reach_m = 2.0;
-  Kinematics ecology{params, backend::Kinematic::Params{}};
+  Kinematics ecology{params, backend::Kinematic::Params{}, backend::Kinematic::Params{}};
   Ledger ledger{ecology};
   ecology.run_until(4000.0, ledger);
   CHECK(ledger.catches > 20);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <optional>
 #include <set>
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation/hungriest_else_oldest.hpp>
+#include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
+#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::starvation::HungriestElseOldest;
+using death::starvation::choice::HungriestElseOldest;
+using Bodies = std::vector<BodyIndex>;
 
 TEST_CASE("hungriest else oldest: which predators are spared -> who dies") {
   // hungriest: body 2; in order of birth: bodies 3, 1, 2; the prey, older and hungrier than all, never
@@ -18,24 +19,23 @@ TEST_CASE("hungriest else oldest: which predators are spared -> who dies") {
                                {.species = predator, .fed_tick = 30, .id = 5}}};
   struct Case {
     std::set<BodyIndex> spared;
-    std::optional<BodyIndex> dies;
+    Bodies dies;
   };
-  for (const auto& [spared, dies] :
-       {Case{{}, 2}, Case{{1, 3}, 2}, Case{{2}, 3}, Case{{2, 3}, 1}, Case{{1, 2, 3}, std::nullopt}}) {
+  for (const auto& [spared, dies] : {Case{{}, {2}}, Case{{1, 3}, {2}}, Case{{2}, {3}}, Case{{2, 3}, {1}}, Case{{1, 2, 3}, {}}}) {
     CAPTURE(spared.size());
-    CHECK(HungriestElseOldest{}.victim(robots.view(), [&](BodyIndex body) { return spared.contains(body); }) == dies);
+    CHECK(HungriestElseOldest{}.victims(robots.view(), [&](BodyIndex body) { return spared.contains(body); }) == dies);
   }
 }
 
 TEST_CASE("hungriest else oldest: equal hunger -> the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestElseOldest{}.victim(robots.view(), [](BodyIndex) { return false; }) == 1);
+  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Bodies{1});
 }
 
 TEST_CASE("hungriest else oldest: without predators -> none dies") {
   const auto none_spared = [](BodyIndex) { return false; };
-  CHECK(HungriestElseOldest{}.victim(HandPopulation{{{.species = prey}}}.view(), none_spared) == std::nullopt);
-  CHECK(HungriestElseOldest{}.victim(HandPopulation{{}}.view(), none_spared) == std::nullopt);
+  CHECK(HungriestElseOldest{}.victims(HandPopulation{{{.species = prey}}}.view(), none_spared).empty());
+  CHECK(HungriestElseOldest{}.victims(HandPopulation{{}}.view(), none_spared).empty());
 }
 
 TEST_CASE("hungriest else oldest: food chain -> every species that eats can starve") {
@@ -44,6 +44,6 @@ TEST_CASE("hungriest else oldest: food chain -> every species that eats can star
                                {.species = hunter, .fed_tick = 5, .id = 9},
                                {.species = grazer, .fed_tick = 7, .id = 2}},
                               chain_web()};
-  CHECK(HungriestElseOldest{}.victim(robots.view(), [](BodyIndex) { return false; }) == 1);
-  CHECK(HungriestElseOldest{}.victim(robots.view(), [](BodyIndex body) { return body == 1; }) == 3);
+  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Bodies{1});
+  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{3});
 }

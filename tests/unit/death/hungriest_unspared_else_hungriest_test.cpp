@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation/hungriest_unspared_else_hungriest.hpp>
+#include <trophic/death/starvation/choice/hungriest_unspared_else_hungriest.hpp>
+#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::starvation::HungriestUnsparedElseHungriest;
+using death::starvation::choice::HungriestUnsparedElseHungriest;
+using Bodies = std::vector<BodyIndex>;
 
 namespace {
 
@@ -21,18 +22,18 @@ TEST_CASE("hungriest unspared else hungriest: who is spared is passed over, unle
                                {.species = predator, .fed_tick = 10},
                                {.species = predator, .fed_tick = 20}}};
   const HungriestUnsparedElseHungriest rule;
-  CHECK(rule.victim(robots.view(), [](BodyIndex) { return false; }) == 2);
-  CHECK(rule.victim(robots.view(), [](BodyIndex body) { return body == 2; }) == 3);
-  CHECK(rule.victim(robots.view(), [](BodyIndex body) { return body != 1; }) == 1);
-  CHECK(rule.victim(robots.view(), all_spared) == 2);
+  CHECK(rule.victims(robots.view(), [](BodyIndex) { return false; }) == Bodies{2});
+  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Bodies{3});
+  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
+  CHECK(rule.victims(robots.view(), all_spared) == Bodies{2});
 }
 
 TEST_CASE("hungriest unspared else hungriest: at equal hunger the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestUnsparedElseHungriest{}.victim(robots.view(), all_spared) == 1);
+  CHECK(HungriestUnsparedElseHungriest{}.victims(robots.view(), all_spared) == Bodies{1});
 }
 
 TEST_CASE("hungriest unspared else hungriest: nobody without predators") {
-  CHECK(HungriestUnsparedElseHungriest{}.victim(HandPopulation{{{.species = prey}}}.view(), all_spared) == std::nullopt);
-  CHECK(HungriestUnsparedElseHungriest{}.victim(HandPopulation{{}}.view(), all_spared) == std::nullopt);
+  CHECK(HungriestUnsparedElseHungriest{}.victims(HandPopulation{{{.species = prey}}}.view(), all_spared).empty());
+  CHECK(HungriestUnsparedElseHungriest{}.victims(HandPopulation{{}}.view(), all_spared).empty());
 }

@@ -3,13 +3,14 @@
 #include <rapidcheck.h>
 
 #include <cstdint>
-#include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation/hungriest_unspared.hpp>
+#include <trophic/death/starvation/choice/hungriest_unspared.hpp>
+#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::starvation::HungriestUnspared;
+using death::starvation::choice::HungriestUnspared;
+using Bodies = std::vector<BodyIndex>;
 
 namespace {
 
@@ -23,31 +24,31 @@ TEST_CASE("hungriest unspared: the predator with most ticks since birth or last 
                                {.species = predator, .fed_tick = 30},
                                {.species = predator, .fed_tick = 10},
                                {.species = predator, .fed_tick = 20}}};
-  CHECK(HungriestUnspared{}.victim(robots.view(), nobody_spared) == 2);
-  CHECK(HungriestUnspared{}.victim(robots.view(), [](BodyIndex body) { return body == 2; }) == 3);
-  CHECK(HungriestUnspared{}.victim(robots.view(), [](BodyIndex body) { return body != 1; }) == 1);
+  CHECK(HungriestUnspared{}.victims(robots.view(), nobody_spared) == Bodies{2});
+  CHECK(HungriestUnspared{}.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Bodies{3});
+  CHECK(HungriestUnspared{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
 }
 
 TEST_CASE("hungriest unspared: at equal hunger the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestUnspared{}.victim(robots.view(), nobody_spared) == 1);
+  CHECK(HungriestUnspared{}.victims(robots.view(), nobody_spared) == Bodies{1});
 }
 
 TEST_CASE("hungriest unspared: nobody if all are spared") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 30}, {.species = predator, .fed_tick = 10}}};
-  CHECK(HungriestUnspared{}.victim(robots.view(), everyone_spared) == std::nullopt);
+  CHECK(HungriestUnspared{}.victims(robots.view(), everyone_spared).empty());
 }
 
 TEST_CASE("hungriest unspared: nobody without predators") {
-  CHECK(HungriestUnspared{}.victim(HandPopulation{{{.species = prey}}}.view(), nobody_spared) == std::nullopt);
-  CHECK(HungriestUnspared{}.victim(HandPopulation{{}}.view(), nobody_spared) == std::nullopt);
+  CHECK(HungriestUnspared{}.victims(HandPopulation{{{.species = prey}}}.view(), nobody_spared).empty());
+  CHECK(HungriestUnspared{}.victims(HandPopulation{{}}.view(), nobody_spared).empty());
 }
 
 TEST_CASE("hungriest unspared: in a food chain every species that eats somebody can starve") {
   const HandPopulation robots{
       {{.species = plant, .fed_tick = 0}, {.species = grazer, .fed_tick = 3}, {.species = hunter, .fed_tick = 5}}, chain_web()};
-  CHECK(HungriestUnspared{}.victim(robots.view(), nobody_spared) == 1);
-  CHECK(HungriestUnspared{}.victim(robots.view(), [](BodyIndex body) { return body == 1; }) == 2);
+  CHECK(HungriestUnspared{}.victims(robots.view(), nobody_spared) == Bodies{1});
+  CHECK(HungriestUnspared{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{2});
 }
 
 TEST_CASE("hungriest unspared: nobody hungrier is left unspared, and the order of bodies does not matter") {
@@ -58,14 +59,15 @@ TEST_CASE("hungriest unspared: nobody hungrier is left unspared, and the order o
     };
     const auto order = random_order(seed, 12);
     const HandPopulation moved = robots.reordered(order);
-    const auto victim = HungriestUnspared{}.victim(robots.view(), spared(robots));
-    const auto victim_moved = HungriestUnspared{}.victim(moved.view(), spared(moved));
-    RC_ASSERT(victim.has_value() == victim_moved.has_value());
-    if (!victim) return;
-    RC_ASSERT(order[*victim_moved] == *victim);
+    const auto victims = HungriestUnspared{}.victims(robots.view(), spared(robots));
+    const auto victims_moved = HungriestUnspared{}.victims(moved.view(), spared(moved));
+    RC_ASSERT(victims.size() == victims_moved.size());
+    RC_ASSERT(victims.size() <= 1U);
+    if (victims.empty()) return;
+    RC_ASSERT(order[victims_moved[0]] == victims[0]);
     for (BodyIndex body = 0; body < 12; ++body) {
       const Individual& other = robots.individuals[body];
-      if (robots.web.hunts(other.species) && other.tag != 1) RC_ASSERT(other.fed_tick >= robots.individuals[*victim].fed_tick);
+      if (robots.web.hunts(other.species) && other.tag != 1) RC_ASSERT(other.fed_tick >= robots.individuals[victims[0]].fed_tick);
     }
   }));
 }

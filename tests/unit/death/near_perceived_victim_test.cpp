@@ -2,16 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/reprieve/near_perceived_victim.hpp>
+#include <trophic/death/starvation/exemption/near_perceived_victim.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::reprieve::NearPerceivedVictim;
+using death::starvation::exemption::NearPerceivedVictim;
 
 namespace {
 
 bool spared(const NearPerceivedVictim& rule, const HandPopulation& robots) {
-  return rule.spared(0, robots.view(), robots.perceives());
+  return rule.is_exempt(0, robots.view(), robots.perceives());
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ TEST_CASE("near perceived victim: spared at exactly 5 m from a prey that it perc
   CHECK(spared(NearPerceivedVictim{{.range_m = 6.0}}, robots));
 }
 
-TEST_CASE("near perceived victim: the prey that switches its tag ends the reprieve") {
+TEST_CASE("near perceived victim: the prey that switches its tag ends the exemption") {
   const NearPerceivedVictim rule;
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 2.0}}};
   CHECK(spared(rule, robots));

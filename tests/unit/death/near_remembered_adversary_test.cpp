@@ -3,17 +3,17 @@
 
 #include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/death/reprieve/near_remembered_adversary.hpp>
+#include <trophic/death/starvation/exemption/near_remembered_adversary.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::reprieve::NearRememberedAdversary;
+using death::starvation::exemption::NearRememberedAdversary;
 
 TEST_CASE("near remembered adversary: the stored distance decides, not where anybody stands now") {
   const NearRememberedAdversary rule;
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.1}}};
   const auto spared = [&](const NearRememberedAdversary& any, double stored_m) {
-    return any.spared(0, robots.view(), robots.perceives(), {.adversary_distance_m = stored_m});
+    return any.is_exempt(0, robots.view(), robots.perceives(), {.adversary_distance_m = stored_m});
   };
   CHECK(spared(rule, 4.9));
   CHECK_FALSE(spared(rule, 5.0));
@@ -25,7 +25,7 @@ TEST_CASE("near remembered adversary: the stored distance decides, not where any
 TEST_CASE("near remembered adversary: a body that never perceived anybody is exempt") {
   const HandPopulation robots{{{.species = predator}}};
   const NearRememberedAdversary rule;
-  CHECK(rule.spared(0, robots.view(), robots.perceives(), rule.born({}, nullptr, {})));
+  CHECK(rule.is_exempt(0, robots.view(), robots.perceives(), rule.born({}, nullptr, {})));
 }
 
 TEST_CASE("near remembered adversary: the distance is stored while somebody is perceived and outlives blindness and births") {

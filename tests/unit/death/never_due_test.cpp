@@ -2,13 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation_schedule/never_due.hpp>
+#include <trophic/death/starvation/interval/never_due.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
 TEST_CASE("never due: however long ago the last procedure was") {
   HandPopulation robots{{{.species = predator}}};
-  const death::StarvationClock clock{.last_tick = 0, .interval_ticks = 1};
-  CHECK_FALSE(death::starvation_schedule::NeverDue{}.due(clock, robots.at_tick(1'000'000).view()));
+  const death::starvation::StarvationClock clock{.last_tick = 0, .interval_ticks = 1};
+  CHECK_FALSE(death::starvation::interval::NeverDue{}.due(clock, robots.at_tick(1'000'000).view()));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/death/starvation/nobody_starves.hpp>
 
@@ -10,5 +9,5 @@ using namespace trophic::test;
 
 TEST_CASE("nobody starves: not the hungriest predator") {
   const HandPopulation robots{{{.species = predator, .fed_tick = -500}}};
-  CHECK(death::starvation::NobodyStarves{}.victim(robots.view(), [](BodyIndex) { return false; }) == std::nullopt);
+  CHECK(death::starvation::NobodyStarves{}.starving(robots.view(), robots.perceives()) == death::Starving{});
 }

@@ -50,9 +50,9 @@ TEST_CASE("state columns: SLOT.MEMBER, nested members by their path, and a cell 
 
 TEST_CASE("state columns: the slots of a table in their order, and none where no rule keeps anything") {
   const RuleStates<rules::Released> released;
-  CHECK(observe::state_columns(released).names == std::vector<std::string>{"starvation_parent.body", "starvation_parent.victim",
-                                                                           "rescue_parent.killer",
-                                                                           "reprieve.adversary_distance_m"});
+  CHECK(observe::state_columns(released).names == std::vector<std::string>{"parent.starved.body", "parent.starved.victim",
+                                                                           "parent.sacrificed.killer",
+                                                                           "starvation.exemption.adversary_distance_m"});
   const RuleStates<rules::Paper> paper;
   CHECK(observe::state_columns(paper).names.empty());
 }

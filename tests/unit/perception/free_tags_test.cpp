@@ -11,7 +11,5 @@ TEST_CASE("free tags: a tag may change at the moment of the last change") {
   HandPopulation robots{{{.species = prey, .tag_since_s = 200.0}}};
   robots.at_tick(100);
   CHECK(robots.view().time_s == 200.0);
-  CHECK(perception::tag_switch::FreeTags{}.may_switch(robots.individuals[0], robots.view()));
-  CHECK(perception::tag_switch::FreeTags{}.restarts(true));
-  CHECK_FALSE(perception::tag_switch::FreeTags{}.restarts(false));
+  CHECK(perception::tag_switch::FreeTags{}.may_switch(robots.individuals[0], robots.view()) == perception::MaySwitch::yes);
 }

@@ -12,7 +12,7 @@ TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or 
   HandPopulation robots{{{.tag_since_s = 0.0}, {.tag_since_s = 30.0}}};
   const auto may = [&](BodyIndex body, std::int64_t tick) {
     robots.at_tick(tick);
-    return rule.may_switch(robots.individuals[body], robots.view());
+    return rule.may_switch(robots.individuals[body], robots.view()) != perception::MaySwitch::no;
   };
   CHECK_FALSE(may(0, 0));
   CHECK_FALSE(may(0, 24));
@@ -23,15 +23,16 @@ TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or 
 }
 
 TEST_CASE("tag cool-down: runs from the last switch, not from the last opportunity") {
-  CHECK(perception::tag_switch::TagCoolDown{}.restarts(true));
-  CHECK_FALSE(perception::tag_switch::TagCoolDown{}.restarts(false));
+  const HandPopulation robots = HandPopulation{{{.species = prey}}}.at_tick(1000);
+  CHECK(perception::tag_switch::TagCoolDown{}.may_switch(robots.individuals[0], robots.view()) == perception::MaySwitch::yes);
 }
 
 TEST_CASE("tag cool-down: another pause, none") {
   HandPopulation robots{{{.tag_since_s = 10.0}}};
   const auto may = [&](double cool_down_s, std::int64_t tick) {
     robots.at_tick(tick);
-    return perception::tag_switch::TagCoolDown{{.cool_down_s = cool_down_s}}.may_switch(robots.individuals[0], robots.view());
+    return perception::tag_switch::TagCoolDown{{.cool_down_s = cool_down_s}}.may_switch(robots.individuals[0], robots.view()) ==
+           perception::MaySwitch::yes;
   };
   CHECK_FALSE(may(100.0, 54));
   CHECK(may(100.0, 55));

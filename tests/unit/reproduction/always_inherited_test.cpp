@@ -11,8 +11,7 @@ TEST_CASE("always inherited: every controller, nothing is drawn, and without a p
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Rng rng{seed, Stream::genome_source};
     Rng reference = rng;
-    CHECK(rule.inherits(rng));
+    CHECK(rule.descent(rng) == reproduction::Descent::of_parent);
     CHECK(rng.bits() == reference.bits());
   }
-  CHECK(rule.without_parent() == Origin::random);
 }

@@ -3,6 +3,7 @@
 
 #include <support/hand_population.hpp>
 #include <trophic/reproduction/parent/last_killer.hpp>
+#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
@@ -11,15 +12,16 @@ using reproduction::parent::LastKiller;
 TEST_CASE("last killer: whoever last caught somebody in this body, dead by now or not") {
   const LastKiller rule;
   const HandPopulation robots{{{.species = prey}, {.species = predator, .x_m = 0.1}}};
-  const LastKiller::State own{.killer = ancestor(77, predator)};
+  const std::vector<LastKiller::State> states{{.killer = ancestor(77, predator)}, {}};
+  const std::vector<LastKiller::State> empty(2);
   Rng rng{1, Stream::parent};
-  const auto parent = rule.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng, own);
+  const auto parent = rule.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng, states);
   REQUIRE(parent);
   CHECK(parent->id == 77);
-  CHECK(parent->genome == own.killer->genome);
-  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng, {}));
-  CHECK(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = predator}, robots.view(), rng, own));
-  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = prey}, robots.view(), rng, own));
+  CHECK(parent->genome == states[0].killer->genome);
+  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng, empty));
+  CHECK(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = predator}, robots.view(), rng, states));
+  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = prey}, robots.view(), rng, states));
 }
 
 TEST_CASE("last killer: a catch is remembered in the caught body, whoever is born there") {

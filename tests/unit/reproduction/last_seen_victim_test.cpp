@@ -4,6 +4,7 @@
 #include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/reproduction/parent/last_seen_victim.hpp>
+#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
@@ -12,11 +13,12 @@ using reproduction::parent::LastSeenVictim;
 TEST_CASE("last seen victim: whoever the body remembers, at any distance, though another prey stands beside it") {
   const LastSeenVictim rule;
   const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.1}}};
-  const LastSeenVictim::State own{.body = 1, .victim = ancestor(77, prey)};
+  const std::vector<LastSeenVictim::State> states{{.body = 1, .victim = ancestor(77, prey)}, {}};
+  const std::vector<LastSeenVictim::State> empty(2);
   Rng rng{1, Stream::parent};
-  const auto parent = rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng, own);
-  CHECK(parent == own.victim);
-  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng, {}));
+  const auto parent = rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng, states);
+  CHECK(parent == states[0].victim);
+  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng, empty));
 }
 
 TEST_CASE("last seen victim: renewed when another body becomes the closest, whoever is reborn in the remembered one") {

@@ -6,11 +6,13 @@
 #include <trophic/reproduction/genome_source/random_or_inherited_in_name.hpp>
 
 using namespace trophic;
+using reproduction::Descent;
 using reproduction::genome_source::RandomOrInherited;
 using reproduction::genome_source::RandomOrInheritedInName;
 
 TEST_CASE("random or inherited in name: whoever finds no parent is labelled inherited") {
-  CHECK(RandomOrInheritedInName{}.without_parent() == Origin::inherited);
+  Rng rng{1, Stream::genome_source};
+  CHECK(RandomOrInheritedInName{{.random_share = 0.0}}.descent(rng) == Descent::of_parent_in_name);
 }
 
 TEST_CASE("random or inherited in name: the draws are those of random or inherited") {
@@ -18,8 +20,9 @@ TEST_CASE("random or inherited in name: the draws are those of random or inherit
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
       Rng rng{seed, Stream::genome_source};
       Rng reference = rng;
-      CHECK(RandomOrInheritedInName{{.random_share = random_share}}.inherits(rng) ==
-            RandomOrInherited{{.random_share = random_share}}.inherits(reference));
+      const Descent descent = RandomOrInheritedInName{{.random_share = random_share}}.descent(rng);
+      const Descent other = RandomOrInherited{{.random_share = random_share}}.descent(reference);
+      CHECK((descent == Descent::random) == (other == Descent::random));
       CHECK(rng.bits() == reference.bits());
     }
   }

@@ -5,6 +5,7 @@
 #include <trophic/reproduction/genome_source/random_or_inherited.hpp>
 
 using namespace trophic;
+using reproduction::Descent;
 using reproduction::genome_source::RandomOrInherited;
 
 TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
@@ -14,7 +15,7 @@ TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
     int random = 0;
     for (int i = 0; i < size; ++i) {
       Rng rng{16, Stream::genome_source, static_cast<std::uint64_t>(i)};
-      if (!rule.inherits(rng)) ++random;
+      if (rule.descent(rng) == Descent::random) ++random;
     }
     const double standard_error = std::sqrt(random_share * (1.0 - random_share) / size);
     CHECK(std::abs(static_cast<double>(random) / size - random_share) <= 4.0 * standard_error);
@@ -23,13 +24,14 @@ TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
 }
 
 TEST_CASE("random or inherited: whoever should have inherited but found no parent is labelled random") {
-  CHECK(RandomOrInherited{}.without_parent() == Origin::random);
+  Rng rng{1, Stream::genome_source};
+  CHECK(RandomOrInherited{{.random_share = 0.0}}.descent(rng) == Descent::of_parent);
 }
 
 TEST_CASE("random or inherited: one draw") {
   Rng rng{1, Stream::genome_source};
   Rng reference = rng;
-  const bool inherits = RandomOrInherited{}.inherits(rng);
-  CHECK(inherits == (reference.uniform() >= 1.0 / 3.0));
+  const Descent descent = RandomOrInherited{}.descent(rng);
+  CHECK(descent == (reference.uniform() >= 1.0 / 3.0 ? Descent::of_parent : Descent::random));
   CHECK(rng.bits() == reference.bits());
 }

@@ -2,8 +2,10 @@
 // The contract of a slot: what a robot decides from what it is told.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <trophic/population/state.hpp>
 #include <type_traits>
@@ -25,9 +27,6 @@ struct Decision {
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
-TROPHIC_QUESTION(decide)
-TROPHIC_QUESTION(outputs)
-
 /// `genome_size(inputs, outputs)`: number of weights for so many inputs, which the table's sensors give, and outputs
 /// (`Decision::outputs`); `tags()`: every tag that it may choose; `decide(inputs, weights)`: a pure function of both and, with a
 /// State, of `own`, which it may change: asked once in a tick at most. The weights are the genome's, which only births change.
@@ -35,11 +34,46 @@ TROPHIC_QUESTION(outputs)
 /// (with a State also `const State& own`): what decide then makes its decision of.
 /// A brain for one number of inputs alone says so by `static constexpr std::size_t inputs = 3;`.
 template <class P>
-concept Brain = requires(const P policy, StateOf<P> own, std::span<const double> inputs, std::span<const double> weights) {
-  { policy.genome_size(inputs.size(), Decision::outputs) } -> std::same_as<std::size_t>;
+concept Brain = requires(const P policy, std::size_t inputs) {
+  { policy.genome_size(inputs, Decision::outputs) } -> std::same_as<std::size_t>;
   { policy.tags() } -> std::same_as<std::vector<int>>;
-  { ask::decide(policy, own, inputs, weights) } -> std::same_as<Decision>;
-};
+}
+&&(
+    requires(const P policy, std::span<const double> inputs, std::span<const double> weights) {
+      { policy.decide(inputs, weights) } -> std::same_as<Decision>;
+    } ||
+    requires(const P policy, std::span<const double> inputs, std::span<const double> weights, StateOf<P> own) {
+      { policy.decide(inputs, weights, own) } -> std::same_as<Decision>;
+    });
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] Decision decide(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const double> inputs,
+                              std::span<const double> weights) {
+  if constexpr (requires { policy.decide(inputs, weights, own); }) {
+    return policy.decide(inputs, weights, own);
+  } else {
+    return policy.decide(inputs, weights);
+  }
+}
+
+/// None for a brain that does not show its output neurons.
+template <class P>
+[[nodiscard]] std::optional<std::array<double, Decision::outputs>> outputs(const P& policy,
+                                                                           [[maybe_unused]] const StateOf<P>& own,
+                                                                           std::span<const double> inputs,
+                                                                           std::span<const double> weights) {
+  if constexpr (requires { policy.outputs(inputs, weights, own); }) {
+    return policy.outputs(inputs, weights, own);
+  } else if constexpr (requires { policy.outputs(inputs, weights); }) {
+    return policy.outputs(inputs, weights);
+  } else {
+    return std::nullopt;
+  }
+}
+
+}  // namespace ask
 
 namespace detail {
 

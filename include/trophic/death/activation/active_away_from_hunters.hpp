@@ -21,8 +21,9 @@ struct ActiveAwayFromHunters {
   using Params = detail::SafeDistance;
   Params params;
 
-  [[nodiscard]] bool activates(BodyIndex body, const View& view) const { return detail::away_from_hunters(params, body, view); }
-  [[nodiscard]] bool restarts_age() const { return false; }
+  [[nodiscard]] Activates activates(BodyIndex body, const View& view) const {
+    return detail::away_from_hunters(params, body, view) ? Activates::yes : Activates::no;
+  }
 };
 static_assert(Activation<ActiveAwayFromHunters>);
 

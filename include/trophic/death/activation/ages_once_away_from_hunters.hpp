@@ -17,8 +17,9 @@ struct AgesOnceAwayFromHunters {
   using Params = detail::SafeDistance;
   Params params;
 
-  [[nodiscard]] bool activates(BodyIndex body, const View& view) const { return detail::away_from_hunters(params, body, view); }
-  [[nodiscard]] bool restarts_age() const { return true; }
+  [[nodiscard]] Activates activates(BodyIndex body, const View& view) const {
+    return detail::away_from_hunters(params, body, view) ? Activates::yes_and_restarts_age : Activates::no;
+  }
 };
 static_assert(Activation<AgesOnceAwayFromHunters>);
 

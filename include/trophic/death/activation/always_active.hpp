@@ -12,8 +12,7 @@ namespace trophic::death::activation {
 struct AlwaysActive {
   static constexpr std::string_view name = "always_active";
   static constexpr std::string_view source = "control";
-  [[nodiscard]] bool activates(BodyIndex, const View&) const { return true; }
-  [[nodiscard]] bool restarts_age() const { return false; }
+  [[nodiscard]] Activates activates(BodyIndex, const View&) const { return Activates::yes; }
 };
 static_assert(Activation<AlwaysActive>);
 

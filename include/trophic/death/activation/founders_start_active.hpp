@@ -19,10 +19,10 @@ struct FoundersStartActive {
   using Params = detail::SafeDistance;
   Params params;
 
-  [[nodiscard]] bool activates(BodyIndex body, const View& view) const {
-    return view.robots[body].id < view.robots.size() || detail::away_from_hunters(params, body, view);
+  [[nodiscard]] Activates activates(BodyIndex body, const View& view) const {
+    const bool is_founder = view.robots[body].id < view.robots.size();
+    return is_founder || detail::away_from_hunters(params, body, view) ? Activates::yes : Activates::no;
   }
-  [[nodiscard]] bool restarts_age() const { return false; }
 };
 static_assert(Activation<FoundersStartActive>);
 

@@ -14,8 +14,6 @@
 
 namespace trophic::death {
 
-TROPHIC_QUESTION(captures)
-
 /// A hunter catches a victim.
 struct Capture {
   BodyIndex hunter = 0;
@@ -26,8 +24,25 @@ struct Capture {
 /// `captures(view, rng)`: everybody caught at this tick, in order; each victim once. A rule under which somebody's chance to be
 /// caught hangs on which body anyone lives in says so: `static constexpr bool hangs_on_order_of_bodies = true;`.
 template <class P>
-concept CaptureRule = requires(const P policy, const std::span<const StateOf<P>> states, const View& view, Rng& rng) {
-  { ask::captures(policy, states, view, rng) } -> std::same_as<std::vector<Capture>>;
+concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
+  { policy.captures(view, rng) } -> std::same_as<std::vector<Capture>>;
+}
+|| requires(const P policy, const View& view, Rng& rng, std::span<const StateOf<P>> states) {
+  { policy.captures(view, rng, states) } -> std::same_as<std::vector<Capture>>;
 };
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] std::vector<Capture> captures(const P& policy, [[maybe_unused]] std::span<const StateOf<P>> states,
+                                            const View& view, Rng& rng) {
+  if constexpr (requires { policy.captures(view, rng, states); }) {
+    return policy.captures(view, rng, states);
+  } else {
+    return policy.captures(view, rng);
+  }
+}
+
+}  // namespace ask
 
 }  // namespace trophic::death

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <trophic/population/state.hpp>
 #include <trophic/population/view.hpp>
 
 #define TROPHIC_SENTENCE_Floor "bool may_die(Species, const View&) const; see trophic/death/floor/contract.hpp"
@@ -14,5 +15,14 @@ template <class P>
 concept Floor = requires(const P policy, Species species, const View& view) {
   { policy.may_die(species, view) } -> std::same_as<bool>;
 };
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] bool may_die(const P& policy, Species species, const View& view) {
+  return for_species(policy, species).may_die(species, view);
+}
+
+}  // namespace ask
 
 }  // namespace trophic::death

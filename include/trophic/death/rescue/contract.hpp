@@ -14,8 +14,6 @@
 
 namespace trophic::death {
 
-TROPHIC_QUESTION(sacrifices)
-
 /// A victim is given up so that a species does not die out: its body goes to `heir`.
 struct Sacrifice {
   BodyIndex victim = 0;
@@ -25,8 +23,25 @@ struct Sacrifice {
 
 /// `sacrifices(view, rng)`: who is given up at this tick, nobody twice: who is born of one sacrifice is spared the others.
 template <class P>
-concept Rescue = requires(const P policy, const std::span<const StateOf<P>> states, const View& view, Rng& rng) {
-  { ask::sacrifices(policy, states, view, rng) } -> std::same_as<std::vector<Sacrifice>>;
+concept Rescue = requires(const P policy, const View& view, Rng& rng) {
+  { policy.sacrifices(view, rng) } -> std::same_as<std::vector<Sacrifice>>;
+}
+|| requires(const P policy, const View& view, Rng& rng, std::span<const StateOf<P>> states) {
+  { policy.sacrifices(view, rng, states) } -> std::same_as<std::vector<Sacrifice>>;
 };
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] std::vector<Sacrifice> sacrifices(const P& policy, [[maybe_unused]] std::span<const StateOf<P>> states,
+                                                const View& view, Rng& rng) {
+  if constexpr (requires { policy.sacrifices(view, rng, states); }) {
+    return policy.sacrifices(view, rng, states);
+  } else {
+    return policy.sacrifices(view, rng);
+  }
+}
+
+}  // namespace ask
 
 }  // namespace trophic::death

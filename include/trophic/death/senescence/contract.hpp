@@ -13,12 +13,28 @@
 
 namespace trophic::death {
 
-TROPHIC_QUESTION(dies)
-
 /// `dies(individual, view, rng)`: whether an individual dies of itself at this tick; its body stays with its species.
 template <class P>
-concept Senescence = requires(const P policy, const StateOf<P> own, const Individual& individual, const View& view, Rng& rng) {
-  { ask::dies(policy, own, individual, view, rng) } -> std::same_as<bool>;
+concept Senescence = requires(const P policy, const Individual& individual, const View& view, Rng& rng) {
+  { policy.dies(individual, view, rng) } -> std::same_as<bool>;
+}
+|| requires(const P policy, const Individual& individual, const View& view, Rng& rng, const StateOf<P> own) {
+  { policy.dies(individual, view, rng, own) } -> std::same_as<bool>;
 };
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] bool dies(const P& policy, [[maybe_unused]] const StateOf<P>& own, const Individual& individual, const View& view,
+                        Rng& rng) {
+  const auto& rule = for_species(policy, individual.species);
+  if constexpr (requires { rule.dies(individual, view, rng, own); }) {
+    return rule.dies(individual, view, rng, own);
+  } else {
+    return rule.dies(individual, view, rng);
+  }
+}
+
+}  // namespace ask
 
 }  // namespace trophic::death

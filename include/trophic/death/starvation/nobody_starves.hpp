@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Procedures are held, but nobody starves.
+// Nobody starves.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string_view>
 #include <trophic/death/starvation/contract.hpp>
 
 namespace trophic::death::starvation {
 
-/// Rule: hunger kills nobody; the schedule goes on.   Reads: nothing.   Random draws: 0.
+/// Rule: hunger kills no hunter: the neutral policy of the slot.   Reads: nothing.   Random draws: 0.
 struct NobodyStarves {
   static constexpr std::string_view name = "nobody_starves";
   static constexpr std::string_view source = "control";
-  [[nodiscard]] std::optional<BodyIndex> victim(const View&, const std::function<bool(BodyIndex)>&) const { return std::nullopt; }
+  [[nodiscard]] Starving starving(const View&, const perception::Perceives&) const { return {}; }
 };
 static_assert(Starvation<NobodyStarves>);
 

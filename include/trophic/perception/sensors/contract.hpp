@@ -20,8 +20,6 @@
 
 namespace trophic::perception {
 
-TROPHIC_QUESTION(sense)
-
 namespace detail {
 
 template <class P>
@@ -39,10 +37,28 @@ concept NamedSensor = requires {
 /// robot decides. What a sensor says without an adversary is the sensor's own. One with a State may take `const State& own` last;
 /// the State is as it was before this tick's on_sighting.
 template <class P>
-concept OwnSensor = detail::Sized<P> && requires(const P policy, const StateOf<P> own, BodyIndex self,
-                                                 const std::optional<Sighting>& sighting, const View& view, Rng& rng) {
-  { ask::sense(policy, own, self, sighting, view, rng) } -> std::same_as<std::array<double, P::size>>;
-};
+concept OwnSensor = detail::Sized<P> &&(
+    requires(const P policy, BodyIndex self, const std::optional<Sighting>& sighting, const View& view, Rng& rng) {
+      { policy.sense(self, sighting, view, rng) } -> std::same_as<std::array<double, P::size>>;
+    } ||
+    requires(const P policy, BodyIndex self, const std::optional<Sighting>& sighting, const View& view, Rng& rng,
+             const StateOf<P> own) {
+      { policy.sense(self, sighting, view, rng, own) } -> std::same_as<std::array<double, P::size>>;
+    });
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] std::array<double, P::size> sense(const P& policy, [[maybe_unused]] const StateOf<P>& own, BodyIndex self,
+                                                const std::optional<Sighting>& sighting, const View& view, Rng& rng) {
+  if constexpr (requires { policy.sense(self, sighting, view, rng, own); }) {
+    return policy.sense(self, sighting, view, rng, own);
+  } else {
+    return policy.sense(self, sighting, view, rng);
+  }
+}
+
+}  // namespace ask
 
 /// `size` numbers that are the same for everybody: `sense(view)`. Asked once a tick, before the first robot decides.
 template <class P>

@@ -42,10 +42,9 @@ struct FirstSwitchFree {
     own.has_switched = own.has_switched || view.robots[self].tag != own.newborn_tag;
   }
 
-  [[nodiscard]] bool may_switch(const Individual& self, const View& view, const State& own) const {
-    return !own.has_switched || view.time_s - self.tag_since_s >= params.cool_down_s;
+  [[nodiscard]] MaySwitch may_switch(const Individual& self, const View& view, const State& own) const {
+    return !own.has_switched || view.time_s - self.tag_since_s >= params.cool_down_s ? MaySwitch::yes : MaySwitch::no;
   }
-  [[nodiscard]] bool restarts(bool switched) const { return switched; }
 };
 static_assert(TagSwitch<FirstSwitchFree>);
 

@@ -12,8 +12,7 @@ namespace trophic::perception::tag_switch {
 struct FreeTags {
   static constexpr std::string_view name = "free_tags";
   static constexpr std::string_view source = "control";
-  [[nodiscard]] bool may_switch(const Individual&, const View&) const { return true; }
-  [[nodiscard]] bool restarts(bool switched) const { return switched; }
+  [[nodiscard]] MaySwitch may_switch(const Individual&, const View&) const { return MaySwitch::yes; }
 };
 static_assert(TagSwitch<FreeTags>);
 

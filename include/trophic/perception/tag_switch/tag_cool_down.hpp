@@ -24,10 +24,9 @@ struct TagCoolDown {
   };
   Params params;
 
-  [[nodiscard]] bool may_switch(const Individual& self, const View& view) const {
-    return view.time_s - self.tag_since_s >= params.cool_down_s;
+  [[nodiscard]] MaySwitch may_switch(const Individual& self, const View& view) const {
+    return view.time_s - self.tag_since_s >= params.cool_down_s ? MaySwitch::yes : MaySwitch::no;
   }
-  [[nodiscard]] bool restarts(bool switched) const { return switched; }
 };
 static_assert(TagSwitch<TagCoolDown>);
 

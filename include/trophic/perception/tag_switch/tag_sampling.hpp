@@ -25,10 +25,9 @@ struct TagSampling {
   };
   Params params;
 
-  [[nodiscard]] bool may_switch(const Individual& self, const View& view) const {
-    return view.time_s - self.tag_since_s >= params.period_s;
+  [[nodiscard]] MaySwitch may_switch(const Individual& self, const View& view) const {
+    return view.time_s - self.tag_since_s >= params.period_s ? MaySwitch::yes_and_clock_restarts : MaySwitch::no;
   }
-  [[nodiscard]] bool restarts(bool) const { return true; }
 };
 static_assert(TagSwitch<TagSampling>);
 

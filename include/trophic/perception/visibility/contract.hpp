@@ -16,15 +16,31 @@
 
 namespace trophic::perception {
 
-TROPHIC_QUESTION(perceives)
-
 /// `perceives(self, other, view, rng)`: whether who lives in body self can perceive who lives in body other. Species are checked
 /// elsewhere. The stream is that of the two and the tick: asked again within a tick, a noisy rule says the same, and whom else
 /// self looks at does not matter.
 template <class P>
-concept Visibility = requires(const P policy, const StateOf<P> own, BodyIndex self, BodyIndex other, const View& view, Rng& rng) {
-  { ask::perceives(policy, own, self, other, view, rng) } -> std::same_as<bool>;
+concept Visibility = requires(const P policy, BodyIndex self, BodyIndex other, const View& view, Rng& rng) {
+  { policy.perceives(self, other, view, rng) } -> std::same_as<bool>;
+}
+|| requires(const P policy, BodyIndex self, BodyIndex other, const View& view, Rng& rng, const StateOf<P> own) {
+  { policy.perceives(self, other, view, rng, own) } -> std::same_as<bool>;
 };
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] bool perceives(const P& policy, [[maybe_unused]] const StateOf<P>& own, BodyIndex self, BodyIndex other,
+                             const View& view, Rng& rng) {
+  const auto& rule = for_species(policy, view.robots[self].species);
+  if constexpr (requires { rule.perceives(self, other, view, rng, own); }) {
+    return rule.perceives(self, other, view, rng, own);
+  } else {
+    return rule.perceives(self, other, view, rng);
+  }
+}
+
+}  // namespace ask
 
 /// Whom at most a robot can perceive: nobody farther away, nobody who shows another tag, nobody inactive.
 struct Horizon {
@@ -39,8 +55,9 @@ namespace ask {
 /// result: large ecologies search faster. One that is inherited does not count, as who inherits it may perceive more.
 template <class P>
 [[nodiscard]] Horizon horizon([[maybe_unused]] const P& policy, [[maybe_unused]] const Individual& self) {
-  if constexpr (requires { requires std::same_as<decltype(&P::horizon), Horizon (P::*)(const Individual&) const>; }) {
-    return policy.horizon(self);
+  using Rule = AnswersForSpecies<P>;
+  if constexpr (requires { requires std::same_as<decltype(&Rule::horizon), Horizon (Rule::*)(const Individual&) const>; }) {
+    return for_species(policy, self.species).horizon(self);
   } else {
     return {};
   }

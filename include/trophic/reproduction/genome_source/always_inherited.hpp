@@ -12,8 +12,7 @@ namespace trophic::reproduction::genome_source {
 struct AlwaysInherited {
   static constexpr std::string_view name = "always_inherited";
   static constexpr std::string_view source = "control";
-  [[nodiscard]] bool inherits(Rng&) const { return true; }
-  [[nodiscard]] Origin without_parent() const { return Origin::random; }
+  [[nodiscard]] Descent descent(Rng&) const { return Descent::of_parent; }
 };
 static_assert(GenomeSource<AlwaysInherited>);
 

@@ -3,20 +3,23 @@
 #pragma once
 
 #include <concepts>
-#include <trophic/population/individual.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_GenomeSource \
-  "bool inherits(Rng&) const and Origin without_parent() const; see trophic/reproduction/genome_source/contract.hpp"
+#define TROPHIC_SENTENCE_GenomeSource "Descent descent(Rng&) const; see trophic/reproduction/genome_source/contract.hpp"
 
 namespace trophic::reproduction {
 
-/// `inherits(rng)`: whether a new controller descends from a parent (else it is random); `without_parent()`: the label of
-/// one that should have inherited but found no parent.
+/// Where a new controller's genome comes from.
+enum class Descent {
+  random,            ///< drawn at random
+  of_parent,         ///< from a parent; without one it is random, and labelled so
+  of_parent_in_name  ///< from a parent; without one it is random, and labelled inherited
+};
+
+/// `descent(rng)`: where a new controller's genome comes from, and how one without a parent is labelled.
 template <class P>
 concept GenomeSource = requires(const P policy, Rng& rng) {
-  { policy.inherits(rng) } -> std::same_as<bool>;
-  { policy.without_parent() } -> std::same_as<Origin>;
+  { policy.descent(rng) } -> std::same_as<Descent>;
 };
 
 }  // namespace trophic::reproduction

@@ -18,8 +18,7 @@ struct RandomOrInherited {
   using Params = detail::RandomShare;
   Params params;
 
-  [[nodiscard]] bool inherits(Rng& rng) const { return !rng.chance(params.random_share); }
-  [[nodiscard]] Origin without_parent() const { return Origin::random; }
+  [[nodiscard]] Descent descent(Rng& rng) const { return rng.chance(params.random_share) ? Descent::random : Descent::of_parent; }
 };
 static_assert(GenomeSource<RandomOrInherited>);
 

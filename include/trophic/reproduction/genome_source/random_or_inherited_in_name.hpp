@@ -17,8 +17,9 @@ struct RandomOrInheritedInName {
   using Params = detail::RandomShare;
   Params params;
 
-  [[nodiscard]] bool inherits(Rng& rng) const { return !rng.chance(params.random_share); }
-  [[nodiscard]] Origin without_parent() const { return Origin::inherited; }
+  [[nodiscard]] Descent descent(Rng& rng) const {
+    return rng.chance(params.random_share) ? Descent::random : Descent::of_parent_in_name;
+  }
 };
 static_assert(GenomeSource<RandomOrInheritedInName>);
 

@@ -13,13 +13,28 @@
 
 namespace trophic::reproduction {
 
-TROPHIC_QUESTION(mutate)
-
 /// `mutate(weights, offspring, rng)`: perturbs an inherited genome in place. `offspring` is complete but for its genome. With a
 /// State, `own` is what the offspring was born with, and may change: a mutation rate that itself mutates.
 template <class P>
-concept Mutation = requires(const P policy, StateOf<P> own, std::span<double> weights, const Individual& offspring, Rng& rng) {
-  { ask::mutate(policy, own, weights, offspring, rng) } -> std::same_as<void>;
+concept Mutation = requires(const P policy, std::span<double> weights, const Individual& offspring, Rng& rng) {
+  { policy.mutate(weights, offspring, rng) } -> std::same_as<void>;
+}
+|| requires(const P policy, std::span<double> weights, const Individual& offspring, Rng& rng, StateOf<P> own) {
+  { policy.mutate(weights, offspring, rng, own) } -> std::same_as<void>;
 };
+
+namespace ask {
+
+template <class P>
+void mutate(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<double> weights, const Individual& offspring, Rng& rng) {
+  const auto& rule = for_species(policy, offspring.species);
+  if constexpr (requires { rule.mutate(weights, offspring, rng, own); }) {
+    return rule.mutate(weights, offspring, rng, own);
+  } else {
+    return rule.mutate(weights, offspring, rng);
+  }
+}
+
+}  // namespace ask
 
 }  // namespace trophic::reproduction

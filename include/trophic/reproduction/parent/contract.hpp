@@ -9,8 +9,9 @@
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Parent                                                                                        \
-  "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const (with a State also const State& own); see " \
+#define TROPHIC_SENTENCE_Parent                                                                                                 \
+  "std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&) const (with a State also std::span<const State> states); " \
+  "see "                                                                                                                        \
   "trophic/reproduction/parent/contract.hpp"
 
 namespace trophic::reproduction {
@@ -23,14 +24,30 @@ struct Vacancy {
   std::optional<Species> heir = {};  ///< the species that the body goes to, where the rules fix it: a parent must be one of it
 };
 
-TROPHIC_QUESTION(parent)
-
 /// `parent(vacancy, view, rng)`: who reproduces into the vacant body, dead or alive; nobody: the genome is random. Of the species
-/// `vacancy.heir` where that is given; where not, the body goes to the parent's species. With a State, `own` is the vacant
-/// body's.
+/// `vacancy.heir` where that is given; where not, the body goes to the parent's species. ByCause has a rule for each cause of
+/// death.
 template <class P>
-concept Parent = requires(const P policy, const StateOf<P> own, const Vacancy& vacancy, const View& view, Rng& rng) {
-  { ask::parent(policy, own, vacancy, view, rng) } -> std::same_as<std::optional<Ancestor>>;
+concept Parent = requires(const P policy, const Vacancy& vacancy, const View& view, Rng& rng) {
+  { policy.parent(vacancy, view, rng) } -> std::same_as<std::optional<Ancestor>>;
+}
+|| requires(const P policy, const Vacancy& vacancy, const View& view, Rng& rng, AllStates<P> states) {
+  { policy.parent(vacancy, view, rng, states) } -> std::same_as<std::optional<Ancestor>>;
 };
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] std::optional<Ancestor> parent(const P& policy, [[maybe_unused]] const AllStates<P>& states, const Vacancy& vacancy,
+                                             const View& view, Rng& rng) {
+  const auto& rule = for_species(policy, view.robots[vacancy.body].species);
+  if constexpr (requires { rule.parent(vacancy, view, rng, states); }) {
+    return rule.parent(vacancy, view, rng, states);
+  } else {
+    return rule.parent(vacancy, view, rng);
+  }
+}
+
+}  // namespace ask
 
 }  // namespace trophic::reproduction

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
@@ -26,8 +27,9 @@ struct LastKiller {
     own.killer = view.robots[hunter].as_ancestor();
   }
 
-  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View&, Rng&, const State& own) const {
-    return own.killer && vacancy.heir && own.killer->species != *vacancy.heir ? std::nullopt : own.killer;
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View&, Rng&, std::span<const State> states) const {
+    const std::optional<Ancestor>& killer = states[vacancy.body].killer;
+    return killer && vacancy.heir && killer->species != *vacancy.heir ? std::nullopt : killer;
   }
 };
 static_assert(Parent<LastKiller>);

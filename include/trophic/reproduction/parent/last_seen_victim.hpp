@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
@@ -32,7 +33,9 @@ struct LastSeenVictim {
     if (view.web.eats(view.robots[self].species, adversary.species)) own = {sighting->adversary, adversary.as_ancestor()};
   }
 
-  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy&, const View&, Rng&, const State& own) const { return own.victim; }
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View&, Rng&, std::span<const State> states) const {
+    return states[vacancy.body].victim;
+  }
 };
 static_assert(Parent<LastSeenVictim>);
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The released code's reprieve: by the last stored distance, however stale.
+// The released code's exemption: by the last stored distance, however stale.
 #pragma once
 
 #include <optional>
 #include <string_view>
-#include <trophic/death/reprieve/contract.hpp>
+#include <trophic/death/starvation/exemption/contract.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 
-namespace trophic::death::reprieve {
+namespace trophic::death::starvation::exemption {
 
 /// Rule (released code): spared iff the adversary distance stored in the hunter's body is below range. It is stored only
 /// while an adversary is perceived, starts at 0 and outlives births in that body, so that a hunter whose prey has just
@@ -20,7 +20,7 @@ struct NearRememberedAdversary {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a stored distance below this spares the hunter")};
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a stored distance below this exempts the hunter")};
     }
   };
   Params params;
@@ -35,10 +35,10 @@ struct NearRememberedAdversary {
     if (sighting) own.adversary_distance_m = sighting->distance_m;
   }
 
-  [[nodiscard]] bool spared(BodyIndex, const View&, const perception::Perceives&, const State& own) const {
+  [[nodiscard]] bool is_exempt(BodyIndex, const View&, const perception::Perceives&, const State& own) const {
     return own.adversary_distance_m < params.range_m;
   }
 };
-static_assert(Reprieve<NearRememberedAdversary>);
+static_assert(Exemption<NearRememberedAdversary>);
 
-}  // namespace trophic::death::reprieve
+}  // namespace trophic::death::starvation::exemption

@@ -2,12 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/death/reprieve/no_reprieve.hpp>
+#include <trophic/death/starvation/exemption/no_exemption.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("no reprieve: not even beside a prey") {
+TEST_CASE("no exemption: not even next to a prey") {
   const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.5}}};
-  CHECK_FALSE(death::reprieve::NoReprieve{}.spared(0, robots.view(), robots.perceives()));
+  CHECK_FALSE(death::starvation::exemption::NoExemption{}.is_exempt(0, robots.view(), robots.perceives()));
 }

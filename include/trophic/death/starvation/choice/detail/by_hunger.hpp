@@ -6,7 +6,7 @@
 #include <trophic/population/view.hpp>
 #include <vector>
 
-namespace trophic::death::starvation::detail {
+namespace trophic::death::starvation::choice::detail {
 
 /// The bodies of all hunters, the hungriest (most ticks since birth or last catch) first. Ties: the earlier born first.
 [[nodiscard]] inline std::vector<BodyIndex> by_hunger(const View& view) {
@@ -22,4 +22,4 @@ namespace trophic::death::starvation::detail {
   return hunters;
 }
 
-}  // namespace trophic::death::starvation::detail
+}  // namespace trophic::death::starvation::choice::detail

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <string_view>
-#include <trophic/death/starvation_schedule/contract.hpp>
-#include <trophic/death/starvation_schedule/detail/crowding.hpp>
+#include <trophic/death/starvation/interval/contract.hpp>
+#include <trophic/death/starvation/interval/detail/crowding.hpp>
 
-namespace trophic::death::starvation_schedule {
+namespace trophic::death::starvation::interval {
 
 /// Rule (released code): a starvation procedure is held once Delta = base - p ticks have passed since the last one, p the number
 /// of hunters at this tick: births and deaths since then count, other than with DelayedCrowdingInterval. With only_above hunters
@@ -26,6 +26,6 @@ struct DirectCrowdingInterval {
     return detail::is_due(params, interval_ticks(view), clock.last_tick, view);
   }
 };
-static_assert(StarvationSchedule<DirectCrowdingInterval>);
+static_assert(Interval<DirectCrowdingInterval>);
 
-}  // namespace trophic::death::starvation_schedule
+}  // namespace trophic::death::starvation::interval

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The paper's reprieve: a predator close to a prey that it perceives does not starve.
+// The paper's exemption: a predator close to a prey that it perceives does not starve.
 #pragma once
 
 #include <string_view>
-#include <trophic/death/reprieve/contract.hpp>
+#include <trophic/death/starvation/exemption/contract.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 
-namespace trophic::death::reprieve {
+namespace trophic::death::starvation::exemption {
 
-/// Rule: spared iff somebody that the hunter eats and perceives, with the tags of this moment, is within range (Sec.
+/// Rule: exempt iff somebody that the hunter eats and perceives, with the tags of this moment, is within range (Sec.
 /// "Predator Death": "at a minimum certain distance away from an observable prey"; the paper gives no number, the released code
 /// 5 m).
-/// A prey that switches its tag ends the reprieve. Reads: positions, species, visibility.   Random draws: 0.
+/// A prey that switches its tag ends the exemption. Reads: positions, species, visibility.   Random draws: 0.
 struct NearPerceivedVictim {
   static constexpr std::string_view name = "near_perceived_victim";
   static constexpr std::string_view source = "paper, Sec. \"Predator Death\"; silent on the range: released code's";
@@ -20,12 +20,12 @@ struct NearPerceivedVictim {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a perceived victim this close spares the hunter")};
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a perceived victim this close exempts the hunter")};
     }
   };
   Params params;
 
-  [[nodiscard]] bool spared(BodyIndex hunter, const View& view, const perception::Perceives& perceives) const {
+  [[nodiscard]] bool is_exempt(BodyIndex hunter, const View& view, const perception::Perceives& perceives) const {
     const Species own = view.robots[hunter].species;
     const auto eats = [&](Species other) { return view.web.eats(own, other); };
     const auto closest =
@@ -34,6 +34,6 @@ struct NearPerceivedVictim {
     return closest.has_value();
   }
 };
-static_assert(Reprieve<NearPerceivedVictim>);
+static_assert(Exemption<NearPerceivedVictim>);
 
-}  // namespace trophic::death::reprieve
+}  // namespace trophic::death::starvation::exemption

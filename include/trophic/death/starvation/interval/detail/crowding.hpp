@@ -9,7 +9,7 @@
 #include <trophic/population/view.hpp>
 #include <tuple>
 
-namespace trophic::death::starvation_schedule::detail {
+namespace trophic::death::starvation::interval::detail {
 
 struct Crowding {
   std::int64_t base_ticks = 25;
@@ -33,4 +33,4 @@ struct Crowding {
   return view.tick - last_tick >= interval && view.count_hunters() > crowding.only_above;
 }
 
-}  // namespace trophic::death::starvation_schedule::detail
+}  // namespace trophic::death::starvation::interval::detail

@@ -3,13 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
-#include <optional>
 #include <string_view>
-#include <trophic/death/starvation/contract.hpp>
-#include <trophic/death/starvation/detail/by_hunger.hpp>
+#include <trophic/death/starvation/choice/contract.hpp>
+#include <trophic/death/starvation/choice/detail/by_hunger.hpp>
+#include <vector>
 
-namespace trophic::death::starvation {
+namespace trophic::death::starvation::choice {
 
 /// Rule (released code): as HungriestUnspared, but if all hunters are spared the hungriest dies all the same: a procedure always
 /// has a victim.   Reads: hunger, ids.   Random draws: 0.
@@ -17,13 +16,13 @@ struct HungriestUnsparedElseHungriest {
   static constexpr std::string_view name = "hungriest_unspared_else_hungriest";
   static constexpr std::string_view source = "released code";
 
-  [[nodiscard]] std::optional<BodyIndex> victim(const View& view, const std::function<bool(BodyIndex)>& spared) const {
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
     const auto hunters = detail::by_hunger(view);
-    if (hunters.empty()) return std::nullopt;
-    const auto dying = std::ranges::find_if_not(hunters, spared);
-    return dying != hunters.end() ? *dying : hunters.front();
+    if (hunters.empty()) return {};
+    const auto dying = std::ranges::find_if_not(hunters, is_exempt);
+    return {dying != hunters.end() ? *dying : hunters.front()};
   }
 };
-static_assert(Starvation<HungriestUnsparedElseHungriest>);
+static_assert(Choice<HungriestUnsparedElseHungriest>);
 
-}  // namespace trophic::death::starvation
+}  // namespace trophic::death::starvation::choice

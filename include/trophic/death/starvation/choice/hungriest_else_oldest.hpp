@@ -3,13 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
-#include <optional>
 #include <string_view>
-#include <trophic/death/starvation/contract.hpp>
-#include <trophic/death/starvation/detail/by_hunger.hpp>
+#include <trophic/death/starvation/choice/contract.hpp>
+#include <trophic/death/starvation/choice/detail/by_hunger.hpp>
+#include <vector>
 
-namespace trophic::death::starvation {
+namespace trophic::death::starvation::choice {
 
 /// Rule: the hunter with the highest hunger dies (ties: the earlier born) unless it is spared. Then the earliest born of all
 /// hunters that are not spared dies; ids are in order of birth. If all are spared none dies. The paper is silent: in "the next
@@ -19,14 +18,14 @@ struct HungriestElseOldest {
   static constexpr std::string_view name = "hungriest_else_oldest";
   static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Predator Death\"";
 
-  [[nodiscard]] std::optional<BodyIndex> victim(const View& view, const std::function<bool(BodyIndex)>& spared) const {
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
     auto hunters = detail::by_hunger(view);
-    if (hunters.empty()) return std::nullopt;
+    if (hunters.empty()) return {};
     std::ranges::sort(hunters.begin() + 1, hunters.end(), {}, [&](BodyIndex body) { return view.robots[body].id; });
-    const auto dying = std::ranges::find_if_not(hunters, spared);
-    return dying != hunters.end() ? std::optional{*dying} : std::nullopt;
+    const auto dying = std::ranges::find_if_not(hunters, is_exempt);
+    return dying != hunters.end() ? std::vector{*dying} : std::vector<BodyIndex>{};
   }
 };
-static_assert(Starvation<HungriestElseOldest>);
+static_assert(Choice<HungriestElseOldest>);
 
-}  // namespace trophic::death::starvation
+}  // namespace trophic::death::starvation::choice

@@ -3,13 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
-#include <optional>
 #include <string_view>
-#include <trophic/death/starvation/contract.hpp>
-#include <trophic/death/starvation/detail/by_hunger.hpp>
+#include <trophic/death/starvation/choice/contract.hpp>
+#include <trophic/death/starvation/choice/detail/by_hunger.hpp>
+#include <vector>
 
-namespace trophic::death::starvation {
+namespace trophic::death::starvation::choice {
 
 /// Rule: of all hunters the one with the highest hunger (ticks since birth or last catch) dies, unless it is spared; then the
 /// next hungriest. The text has "the next oldest predator dies" (Sec. "Predator Death"), here read as the next hungriest, as the
@@ -19,12 +18,12 @@ struct HungriestUnspared {
   static constexpr std::string_view name = "hungriest_unspared";
   static constexpr std::string_view source = "paper, Sec. \"Predator Death\"; silent on the measure of age: released code's";
 
-  [[nodiscard]] std::optional<BodyIndex> victim(const View& view, const std::function<bool(BodyIndex)>& spared) const {
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
     const auto hunters = detail::by_hunger(view);
-    const auto dying = std::ranges::find_if_not(hunters, spared);
-    return dying != hunters.end() ? std::optional{*dying} : std::nullopt;
+    const auto dying = std::ranges::find_if_not(hunters, is_exempt);
+    return dying != hunters.end() ? std::vector{*dying} : std::vector<BodyIndex>{};
   }
 };
-static_assert(Starvation<HungriestUnspared>);
+static_assert(Choice<HungriestUnspared>);
 
-}  // namespace trophic::death::starvation
+}  // namespace trophic::death::starvation::choice

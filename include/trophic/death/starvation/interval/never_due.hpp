@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
-#include <trophic/death/starvation_schedule/contract.hpp>
+#include <trophic/death/starvation/interval/contract.hpp>
 
-namespace trophic::death::starvation_schedule {
+namespace trophic::death::starvation::interval {
 
 /// Rule: no starvation procedure is held: the control that shows what starvation does.   Reads: nothing.   Random draws: 0.
 struct NeverDue {
@@ -16,6 +16,6 @@ struct NeverDue {
   [[nodiscard]] std::int64_t interval_ticks(const View&) const { return std::numeric_limits<std::int64_t>::max(); }
   [[nodiscard]] bool due(const StarvationClock&, const View&) const { return false; }
 };
-static_assert(StarvationSchedule<NeverDue>);
+static_assert(Interval<NeverDue>);
 
-}  // namespace trophic::death::starvation_schedule
+}  // namespace trophic::death::starvation::interval

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <string_view>
-#include <trophic/death/starvation_schedule/contract.hpp>
-#include <trophic/death/starvation_schedule/detail/crowding.hpp>
+#include <trophic/death/starvation/interval/contract.hpp>
+#include <trophic/death/starvation/interval/detail/crowding.hpp>
 
-namespace trophic::death::starvation_schedule {
+namespace trophic::death::starvation::interval {
 
 /// Rule: a starvation procedure is held every Delta = base - p ticks, p the number of hunters (Sec. "Predator Death", Eq. 3: base
 /// 25). Delta is fixed at the start and again after each procedure, so that it depends on the crowding with a delay;
@@ -26,6 +26,6 @@ struct DelayedCrowdingInterval {
     return detail::is_due(params, clock.interval_ticks, clock.last_tick, view);
   }
 };
-static_assert(StarvationSchedule<DelayedCrowdingInterval>);
+static_assert(Interval<DelayedCrowdingInterval>);
 
-}  // namespace trophic::death::starvation_schedule
+}  // namespace trophic::death::starvation::interval

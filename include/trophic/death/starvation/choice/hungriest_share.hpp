@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A share of all predators starves in one procedure: for large ecologies.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <trophic/death/starvation/choice/contract.hpp>
+#include <trophic/death/starvation/choice/detail/by_hunger.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::death::starvation::choice {
+
+/// Rule: of all hunters the hungriest that are not exempt die, until a share of all hunters has died, rounded up: as
+/// HungriestUnspared, which takes one, for populations in which one death at a tick is too few. The paper's rule takes one of
+/// about 14 in a procedure; 1/14 is the default.   Reads: hunger, ids.   Random draws: 0.
+struct HungriestShare {
+  static constexpr std::string_view name = "hungriest_share";
+  static constexpr std::string_view source = "not in the paper";
+
+  struct Params {
+    double share = 1.0 / 14.0;
+    static constexpr auto fields() {
+      return std::tuple{
+          field("share", &Params::share, between(0.0, 1.0), "of all hunters that starve in a procedure, rounded up")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
+    const auto hunters = detail::by_hunger(view);
+    const auto most = static_cast<std::size_t>(std::ceil(params.share * static_cast<double>(hunters.size())));
+    std::vector<BodyIndex> dying;
+    for (auto hunter = hunters.begin(); hunter != hunters.end() && dying.size() < most; ++hunter) {
+      if (!is_exempt(*hunter)) dying.push_back(*hunter);
+    }
+    return dying;
+  }
+};
+static_assert(Choice<HungriestShare>);
+
+}  // namespace trophic::death::starvation::choice

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The contract of a part of starvation::Procedure: when a starvation procedure is held.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <trophic/params/params.hpp>
+#include <trophic/population/view.hpp>
+#include <tuple>
+
+namespace trophic::death::starvation {
+
+/// When the starvation procedure ran last and the interval fixed then.
+struct StarvationClock {
+  std::int64_t last_tick = 0;
+  std::int64_t interval_ticks = 0;
+  static constexpr auto fields() {
+    return std::tuple{field("last_tick", &StarvationClock::last_tick), field("interval_ticks", &StarvationClock::interval_ticks)};
+  }
+};
+
+/// `interval_ticks(view)`: ticks between two starvation procedures as of now; `due(clock, view)`: whether one is held at
+/// this tick.
+template <class P>
+concept Interval = requires(const P policy, const StarvationClock& clock, const View& view) {
+  { policy.interval_ticks(view) } -> std::same_as<std::int64_t>;
+  { policy.due(clock, view) } -> std::same_as<bool>;
+};
+
+}  // namespace trophic::death::starvation

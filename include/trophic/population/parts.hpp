@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// A policy made of policies.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+#include <trophic/params/policy.hpp>
+#include <tuple>
+#include <utility>
+
+namespace trophic {
+
+/// The parts of a policy that is made of policies, for it to derive from. Such a policy is a template of the types of its parts
+/// and of nothing else, and has `static constexpr std::array<std::string_view, N> part_names` and Params with one member for each
+/// part, both in the same order. Its parts keep their own states: the population treats each as a rule of its own, under the name
+/// SLOT.PART. One part is swapped by `with_part` (rules/with_part.hpp).
+template <class... Ps>
+class Parts {
+ public:
+  static constexpr std::size_t part_count = sizeof...(Ps);
+  template <std::size_t place>
+  using Part = std::tuple_element_t<place, std::tuple<Ps...>>;
+
+  template <std::size_t place>
+  [[nodiscard]] const Part<place>& part() const {
+    return std::get<place>(parts_);
+  }
+
+ protected:
+  /// Parts with the numbers that `Params` has for each.
+  template <class Params>
+  explicit Parts(const Params& numbers) : Parts{numbers, std::index_sequence_for<Ps...>{}} {}
+
+ private:
+  template <class Params, std::size_t... place>
+  Parts(const Params& numbers, std::index_sequence<place...>)
+      : parts_{make_policy<Ps>(numbers.*(std::get<place>(Params::fields()).member))...} {}
+
+  std::tuple<Ps...> parts_;
+};
+
+/// A policy that derives from Parts.
+template <class P>
+concept MadeOfParts = requires {
+  P::part_names;
+  { P::part_count } -> std::convertible_to<std::size_t>;
+};
+
+namespace detail {
+
+/// The words "PART: POLICY, PART: POLICY" of the parts that are not of the type `LeftOut`.
+template <class LeftOut, class Names, class... Ps>
+struct PartWords {
+  static constexpr auto words = [] {
+    std::array<std::string_view, 4 * sizeof...(Ps)> all;
+    std::size_t end = 0;
+    std::size_t place = 0;
+    const auto add = [&](bool is_named, std::string_view policy) {
+      const std::string_view name = Names::part_names[place++];
+      if (!is_named) return;
+      all[end] = end == 0 ? "" : ", ";
+      all[end + 1] = name;
+      all[end + 2] = ": ";
+      all[end + 3] = policy;
+      end += 4;
+    };
+    (add(!std::same_as<Ps, LeftOut>, policy_name<Ps>()), ...);
+    return all;
+  }();
+  static constexpr std::string_view separator{};
+};
+
+/// "SOURCE + SOURCE" of those parts.
+template <class LeftOut, class... Ps>
+struct PartSources {
+  static constexpr auto words = [] {
+    std::array<std::string_view, 2 * sizeof...(Ps)> all;
+    std::size_t end = 0;
+    const auto add = [&](bool is_named, std::string_view source) {
+      if (!is_named) return;
+      all[end] = end == 0 ? "" : " + ";
+      all[end + 1] = source;
+      end += 2;
+    };
+    (add(!std::same_as<Ps, LeftOut>, source_of<Ps>()), ...);
+    return all;
+  }();
+  static constexpr std::string_view separator{};
+};
+
+}  // namespace detail
+
+}  // namespace trophic

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// A parent rule for each cause of death.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/params/policy.hpp>
+#include <trophic/population/individual.hpp>
+#include <trophic/population/parts.hpp>
+#include <trophic/population/state.hpp>
+#include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/reproduction/parent/no_parent.hpp>
+#include <trophic/support/joined_text.hpp>
+#include <tuple>
+
+namespace trophic::reproduction::parent {
+
+/// Rule: the parent is the one that the rule for this cause of death names; a cause without a rule has no parent. A number is set
+/// by its cause: `rules.parent.starved.range_m`. One rule is swapped by `with_parent_after<Rules, Cause::starved, Policy>`
+/// (rules/with_part.hpp).   Reads: what the rule for the cause reads.   Random draws: those of that rule.
+template <class Caught, class Starved = NoParent, class Sacrificed = NoParent, class Senescence = NoParent>
+struct ByCause : Parts<Caught, Starved, Sacrificed, Senescence> {
+  struct Names {
+    static constexpr std::array part_names = enum_names(Cause{});
+  };
+  static constexpr auto& part_names = Names::part_names;
+  /// "caught: killer, starved: nearest_victim".
+  static constexpr std::string_view name =
+      JoinedText<trophic::detail::PartWords<NoParent, Names, Caught, Starved, Sacrificed, Senescence>>::view;
+  static constexpr std::string_view source =
+      JoinedText<trophic::detail::PartSources<NoParent, Caught, Starved, Sacrificed, Senescence>>::view;
+
+  struct Params {
+    ParamsOf<Caught> caught{};
+    ParamsOf<Starved> starved{};
+    ParamsOf<Sacrificed> sacrificed{};
+    ParamsOf<Senescence> senescence{};
+    static constexpr auto fields() {
+      return std::tuple{field("caught", &Params::caught), field("starved", &Params::starved),
+                        field("sacrificed", &Params::sacrificed), field("senescence", &Params::senescence)};
+    }
+  };
+  Params params;
+
+  using States = std::tuple<AllStates<Caught>, AllStates<Starved>, AllStates<Sacrificed>, AllStates<Senescence>>;
+
+  explicit ByCause(const Params& numbers = {}) : ByCause::Parts{numbers}, params{numbers} {}
+
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng& rng, const States& states) const {
+    const auto asked = [&]<Cause cause>() {
+      constexpr auto place = static_cast<std::size_t>(cause);
+      return ask::parent(this->template part<place>(), std::get<place>(states), vacancy, view, rng);
+    };
+    switch (vacancy.cause) {
+      case Cause::caught:
+        return asked.template operator()<Cause::caught>();
+      case Cause::starved:
+        return asked.template operator()<Cause::starved>();
+      case Cause::sacrificed:
+        return asked.template operator()<Cause::sacrificed>();
+      case Cause::senescence:
+        break;
+    }
+    return asked.template operator()<Cause::senescence>();
+  }
+};
+static_assert(Parent<ByCause<NoParent>>);
+
+}  // namespace trophic::reproduction::parent

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// A table with one part of a policy swapped: the parent rule for one cause, the interval between starvation procedures.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/params/policy.hpp>
+#include <trophic/population/individual.hpp>
+#include <trophic/population/parts.hpp>
+#include <trophic/rules/table.hpp>
+#include <trophic/support/joined_text.hpp>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace trophic {
+
+namespace detail {
+
+template <class Whole, std::size_t swapped, class Policy, class Indices>
+struct whole_with_part;
+template <template <class...> class Whole, class... Ps, std::size_t swapped, class Policy, std::size_t... place>
+struct whole_with_part<Whole<Ps...>, swapped, Policy, std::index_sequence<place...>> {
+  using type = Whole<std::conditional_t<place == swapped, Policy, Ps>...>;
+};
+
+/// `part_of(params)`: the numbers of one part.
+template <std::size_t place, class Params>
+[[nodiscard]] constexpr auto& part_of(Params& params) {
+  return params.*(std::get<place>(std::remove_const_t<Params>::fields()).member);
+}
+
+template <class Rules, RuleSlot slot, std::size_t place, class Policy>
+struct swap_part {
+  using Whole = PolicyIn<Rules, slot>;
+  static_assert(MadeOfParts<Whole>, "with_part: the table's policy in this slot is not made of parts; swap it by with_<slot>");
+  using type = typename whole_with_part<Whole, place, Policy, std::make_index_sequence<Whole::part_count>>::type;
+};
+
+}  // namespace detail
+
+/// A table with one part of a policy swapped, at the new part's own numbers; the other parts keep the table's numbers.
+template <class Rules, RuleSlot slot, std::size_t place, class Policy>
+struct with_part final : detail::OfTable<with_rule<Rules, slot, typename detail::swap_part<Rules, slot, place, Policy>::type>> {
+  /// "paper with parent.starved = nearest_victim".
+  struct Words {
+    static constexpr std::array<std::string_view, 7> words{
+        detail::policy_name<Rules>(), " with ", slot_name(slot), ".", PolicyIn<Rules, slot>::part_names[place], " = ",
+        detail::policy_name<Policy>()};
+    static constexpr std::string_view separator{};
+  };
+  static constexpr std::string_view name = JoinedText<Words>::view;
+
+  static TableParams<with_part> params() {
+    using Swapped = with_rule<Rules, slot, typename detail::swap_part<Rules, slot, place, Policy>::type>;
+    auto own = detail::same_params<with_part>(detail::stated_params<Swapped>());
+    const auto kept = detail::stated_params<Rules>();
+    [&]<std::size_t... other>(std::index_sequence<other...>) {
+      const auto keep = [&]<std::size_t one>() {
+        if constexpr (one != place) detail::part_of<one>(of_slot<slot>(own)) = detail::part_of<one>(of_slot<slot>(kept));
+      };
+      (keep.template operator()<other>(), ...);
+    }
+    (std::make_index_sequence<PolicyIn<Rules, slot>::part_count>{});
+    return own;
+  }
+};
+
+/// The table with another parent rule after deaths of this cause: `with_parent_after<Paper, Cause::starved, NearestVictim>`. Its
+/// Parent must be a ByCause.
+template <class Rules, Cause cause, class Policy>
+using with_parent_after = with_part<Rules, RuleSlot::parent, static_cast<std::size_t>(cause), Policy>;
+
+/// The table with another rule of when starvation procedures are held, who is exempt, or who dies. Its Starvation must be a
+/// Procedure.
+template <class Rules, class Policy>
+using with_starvation_interval = with_part<Rules, RuleSlot::starvation, 0, Policy>;
+template <class Rules, class Policy>
+using with_starvation_exemption = with_part<Rules, RuleSlot::starvation, 1, Policy>;
+template <class Rules, class Policy>
+using with_starvation_choice = with_part<Rules, RuleSlot::starvation, 2, Policy>;
+
+}  // namespace trophic
