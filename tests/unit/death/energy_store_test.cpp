@@ -112,7 +112,7 @@ TEST_CASE("energy store: dies at zero, not before") {
 TEST_CASE("energy store: over a run every joule is accounted for, and who has none left dies") {
   Kinematics::Params params{.seed = 3};
   params.rules.capture.reach_m = 2.0;
-  Kinematics ecology{params, backend::Kinematic::Params{}, backend::Kinematic::Params{}};
+  Kinematics ecology{params, backend::Kinematic::Params{}};
   Ledger ledger{ecology};
   ecology.run_until(4000.0, ledger);
   CHECK(ledger.catches > 20);
