@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>

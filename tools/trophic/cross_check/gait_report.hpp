@@ -9,7 +9,7 @@
 #include <string_view>
 #include <tools/trophic/cross_check/report.hpp>
 #include <tools/trophic/cross_check/walk.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <vector>
 
 namespace trophic::command::cross_check {

@@ -10,7 +10,7 @@
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <trophic/observe/column.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <tuple>
 
 namespace trophic::command::cross_check {
