@@ -108,6 +108,7 @@
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/column.hpp>
 #include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/event_log.hpp>

@@ -2,9 +2,6 @@
 // From a CPPN to the weights of a robot's CPG.
 #pragma once
 
-#include <Eigen/Core>
-#include <cstddef>
-#include <string>
 #include <tools/gait_evolution/network.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/robot_model.hpp>
@@ -13,28 +10,6 @@ namespace trophic::gait_evolution {
 
 /// The gait that a CPPN gives a robot (Sec. "Targeted Steering"): with the grid cells of the hinges, the internal weight of hinge
 /// i is CPPN(i, i), the coupling of two neighbours i < j is CPPN(i, j); hinges that are no neighbours are not coupled.
-[[nodiscard]] inline Gait cppn_gait(const Genome& genome, const RobotModel& robot) {
-  const Network network{genome};
-  const auto n = static_cast<Eigen::Index>(robot.hinges.size());
-  Gait gait{.name = robot.name + "_cppn",
-            .robot = robot.name,
-            .provenance = "queried from a CPPN",
-            .hinges = {},
-            .internal = Eigen::VectorXd::Zero(n),
-            .coupling = Eigen::MatrixXd::Zero(n, n)};
-  for (std::size_t i = 0; i < robot.hinges.size(); ++i) {
-    const Eigen::Vector3i& cell = robot.hinges[i].grid_position;
-    const auto row = static_cast<Eigen::Index>(i);
-    gait.hinges.push_back(robot.hinges[i].name);
-    gait.internal[row] = network(cell, cell);
-    for (const std::size_t j : robot.hinge_neighbours[i]) {
-      if (j <= i) continue;
-      const auto column = static_cast<Eigen::Index>(j);
-      gait.coupling(row, column) = network(cell, robot.hinges[j].grid_position);
-      gait.coupling(column, row) = -gait.coupling(row, column);
-    }
-  }
-  return gait;
-}
+[[nodiscard]] Gait cppn_gait(const Genome& genome, const RobotModel& robot);
 
 }  // namespace trophic::gait_evolution

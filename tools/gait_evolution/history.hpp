@@ -2,37 +2,21 @@
 // A pre-experiment's history as CSV tables.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <tools/gait_evolution/lineage.hpp>
 #include <trophic/observe/column.hpp>
-#include <trophic/observe/csv.hpp>
-#include <trophic/params/params.hpp>
 #include <tuple>
 #include <vector>
 
 namespace trophic::gait_evolution {
 
 /// The fitness of those who survived a generation, highest first.
-[[nodiscard]] inline std::vector<double> fitness_after(const Lineage& lineage, std::size_t generation) {
-  std::vector<double> fitness;
-  for (const Individual& individual : lineage.individuals) {
-    if (individual.survived(generation)) fitness.push_back(individual.fitness);
-  }
-  std::ranges::sort(fitness, std::greater{});
-  return fitness;
-}
+[[nodiscard]] std::vector<double> fitness_after(const Lineage& lineage, std::size_t generation);
 
 /// The middle of sorted numbers, or the mean of the two middle ones. At least one number.
-[[nodiscard]] inline double median(const std::vector<double>& sorted) {
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2.0;
-}
+[[nodiscard]] double median(const std::vector<double>& sorted);
 
 /// generations.csv: one row a generation; the founders' is 0.
 struct GenerationRow {
@@ -80,40 +64,8 @@ struct TaxonRow {
   }
 };
 
-[[nodiscard]] inline std::string generations_csv(const Lineage& lineage) {
-  std::vector<GenerationRow> rows;
-  for (std::size_t generation = 0; generation < lineage.generations; ++generation) {
-    const auto count = [&](auto&& counts) {
-      return static_cast<std::size_t>(std::ranges::count_if(lineage.individuals, counts));
-    };
-    const std::vector<double> fitness = fitness_after(lineage, generation);
-    rows.push_back(
-        {.generation = generation,
-         .evaluations = count([=](const Individual& one) { return one.born <= generation; }),
-         .best = fitness.front(),
-         .median = median(fitness),
-         .worst = fitness.back(),
-         .diverged = count([=](const Individual& one) { return one.born == generation && !std::isfinite(one.fitness); })});
-  }
-  return observe::table_text(std::span<const GenerationRow>{rows});
-}
+[[nodiscard]] std::string generations_csv(const Lineage& lineage);
 
-[[nodiscard]] inline std::string phylogeny_csv(const Lineage& lineage) {
-  std::vector<TaxonRow> rows;
-  for (std::size_t id = 0; id < lineage.individuals.size(); ++id) {
-    const Individual& one = lineage.individuals[id];
-    std::string ancestors;
-    for (const std::size_t parent : one.parents) ancestors += (ancestors.empty() ? "" : ",") + number_text(parent);
-    rows.push_back({.id = id,
-                    .ancestor_list = "[" + (ancestors.empty() ? std::string{"none"} : ancestors) + "]",
-                    .ancestor = one.parents.empty() ? id : one.parents[0],
-                    .origin_time = one.born,
-                    .destruction_time = one.died,
-                    .fitness = one.fitness,
-                    .hidden_nodes = one.genome.nodes.size() - 1,
-                    .enabled_links = static_cast<std::size_t>(std::ranges::count_if(one.genome.links, &LinkGene::enabled))});
-  }
-  return observe::table_text(std::span<const TaxonRow>{rows});
-}
+[[nodiscard]] std::string phylogeny_csv(const Lineage& lineage);
 
 }  // namespace trophic::gait_evolution

@@ -2,7 +2,6 @@
 // Which number a new link or node gets, so that the same innovation has the same number in every genome of a run.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <tools/gait_evolution/genome.hpp>
@@ -21,30 +20,16 @@ class Innovations {
     friend bool operator==(const Split&, const Split&) = default;
   };
 
-  Innovations() {
-    for (std::uint32_t input = 0; input < Genome::inputs; ++input) link(input, Genome::output);
-  }
+  Innovations();
 
   /// Continues a stored record: `links` in the order of their numbers, `splits` in the order in which they happened.
-  Innovations(const std::vector<Ends>& links, std::vector<Split> splits) : splits_{std::move(splits)} {
-    for (const auto& [from, to] : links) link(from, to);
-  }
+  Innovations(const std::vector<Ends>& links, std::vector<Split> splits);
 
   /// The number of the link between two nodes; a new one where no genome has had it.
-  std::uint32_t link(std::uint32_t from, std::uint32_t to) {
-    const auto [entry, is_new] = number_of_link_.try_emplace({from, to}, static_cast<std::uint32_t>(links_.size()));
-    if (is_new) links_.emplace_back(from, to);
-    return entry->second;
-  }
+  std::uint32_t link(std::uint32_t from, std::uint32_t to);
 
   /// The id of the node that splits a link of `genome`: the first one ever made there that the genome lacks, or a new one.
-  std::uint32_t node(std::uint32_t split_link, const Genome& genome) {
-    const auto known = std::ranges::find_if(
-        splits_, [&](const Split& split) { return split.link == split_link && !genome.has_node(split.node); });
-    if (known != splits_.end()) return known->node;
-    splits_.push_back({split_link, Genome::output + 1 + static_cast<std::uint32_t>(splits_.size())});
-    return splits_.back().node;
-  }
+  std::uint32_t node(std::uint32_t split_link, const Genome& genome);
 
   friend bool operator==(const Innovations&, const Innovations&) = default;
 

@@ -2,9 +2,7 @@
 // Everybody who ever lived in a pre-experiment.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <tools/gait_evolution/genome.hpp>
@@ -33,18 +31,10 @@ struct Lineage {
   friend bool operator==(const Lineage&, const Lineage&) = default;
 
   /// Ids of those alive, ascending.
-  [[nodiscard]] std::vector<std::size_t> living() const {
-    std::vector<std::size_t> ids;
-    for (std::size_t id = 0; id < individuals.size(); ++id) {
-      if (!individuals[id].died) ids.push_back(id);
-    }
-    return ids;
-  }
+  [[nodiscard]] std::vector<std::size_t> living() const;
 
   /// The id of the fittest ever; the oldest among equals. At least one individual.
-  [[nodiscard]] std::size_t champion() const {
-    return static_cast<std::size_t>(std::ranges::max_element(individuals, {}, &Individual::fitness) - individuals.begin());
-  }
+  [[nodiscard]] std::size_t champion() const;
 };
 
 }  // namespace trophic::gait_evolution

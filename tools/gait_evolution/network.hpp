@@ -3,10 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <tools/gait_evolution/genome.hpp>
-#include <unordered_map>
 #include <vector>
 
 namespace trophic::gait_evolution {
@@ -16,20 +14,7 @@ namespace trophic::gait_evolution {
 class Network {
  public:
   /// Throws std::invalid_argument where the genome is not valid.
-  explicit Network(const Genome& genome) {
-    validate(genome);
-    std::unordered_map<std::uint32_t, std::size_t> slot_of_node;
-    for (std::uint32_t input = 0; input < Genome::inputs; ++input) slot_of_node[input] = input;
-    for (const NodeGene& gene : topological_order(genome)) {
-      Node node{.activation = gene.activation, .incoming = {}};
-      for (const LinkGene& link : genome.links) {
-        if (link.to == gene.id && link.enabled) node.incoming.push_back({slot_of_node.at(link.from), link.weight});
-      }
-      slot_of_node[gene.id] = Genome::inputs + nodes_.size();
-      nodes_.push_back(std::move(node));
-    }
-    output_slot_ = slot_of_node.at(Genome::output);
-  }
+  explicit Network(const Genome& genome);
 
   /// The output for a pair of modules' grid cells: inputs (1, x1, y1, z1, x2, y2, z2).
   [[nodiscard]] double operator()(const Eigen::Vector3i& first, const Eigen::Vector3i& second) const {

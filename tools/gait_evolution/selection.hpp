@@ -2,13 +2,9 @@
 // Who becomes a parent, and who survives.
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
-#include <numeric>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/support/rng.hpp>
@@ -31,11 +27,7 @@ concept Couples = Selection<P> && P::couples;
 
 namespace detail {
 
-inline void check_count(std::string_view policy, std::size_t count, std::size_t individuals) {
-  if (count <= individuals) return;
-  throw std::invalid_argument{std::string{policy} + ": " + std::to_string(count) +
-                              " distinct individuals wanted: must be <= " + std::to_string(individuals)};
-}
+void check_count(std::string_view policy, std::size_t count, std::size_t individuals);
 
 }  // namespace detail
 
@@ -55,48 +47,17 @@ struct RoundRobin {
   };
   Params params;
 
-  [[nodiscard]] std::vector<std::size_t> select(std::span<const double> fitness, std::size_t count, Rng& rng) const {
-    detail::check_count(name, count, fitness.size());
-    std::vector<std::size_t> wins(fitness.size());
-    for (std::size_t self = 0; self < fitness.size(); ++self) {
-      std::vector<std::size_t> others(fitness.size());
-      std::iota(others.begin(), others.end(), std::size_t{0});
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(self));
-      if (params.opponents != 0 && params.opponents < others.size()) {
-        rng.shuffle(std::span{others});
-        others.resize(params.opponents);
-      }
-      wins[self] = static_cast<std::size_t>(
-          std::ranges::count_if(others, [&](std::size_t other) { return fitness[self] > fitness[other]; }));
-    }
-    std::vector<std::size_t> order(fitness.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(
-        order, [&](std::size_t a, std::size_t b) { return wins[a] != wins[b] ? wins[a] > wins[b] : fitness[a] > fitness[b]; });
-    order.resize(count);
-    return order;
-  }
+  [[nodiscard]] std::vector<std::size_t> select(std::span<const double> fitness, std::size_t count, Rng& rng) const;
 };
 static_assert(Selection<RoundRobin>);
 
 namespace detail {
 
 /// The fittest of `size` candidates drawn with repetition, the first drawn among equals: its place in `candidates`. size draws.
-[[nodiscard]] inline std::size_t tournament(std::span<const double> fitness, std::span<const std::size_t> candidates,
-                                            std::size_t size, Rng& rng) {
-  std::size_t best = rng.index(candidates.size());
-  for (std::size_t drawn = 1; drawn < size; ++drawn) {
-    const std::size_t other = rng.index(candidates.size());
-    if (fitness[candidates[other]] > fitness[candidates[best]]) best = other;
-  }
-  return best;
-}
+[[nodiscard]] std::size_t tournament(std::span<const double> fitness, std::span<const std::size_t> candidates, std::size_t size,
+                                     Rng& rng);
 
-[[nodiscard]] inline std::vector<std::size_t> all_of(std::span<const double> fitness) {
-  std::vector<std::size_t> all(fitness.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
+[[nodiscard]] std::vector<std::size_t> all_of(std::span<const double> fitness);
 
 }  // namespace detail
 
@@ -113,17 +74,7 @@ struct Tournament {
   };
   Params params;
 
-  [[nodiscard]] std::vector<std::size_t> select(std::span<const double> fitness, std::size_t count, Rng& rng) const {
-    detail::check_count(name, count, fitness.size());
-    std::vector<std::size_t> candidates = detail::all_of(fitness);
-    std::vector<std::size_t> selected;
-    while (selected.size() < count) {
-      const std::size_t best = detail::tournament(fitness, candidates, params.size, rng);
-      selected.push_back(candidates[best]);
-      candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(best));
-    }
-    return selected;
-  }
+  [[nodiscard]] std::vector<std::size_t> select(std::span<const double> fitness, std::size_t count, Rng& rng) const;
 };
 static_assert(Selection<Tournament>);
 
@@ -142,21 +93,7 @@ struct TournamentCouples {
   };
   Params params;
 
-  [[nodiscard]] std::vector<std::size_t> select(std::span<const double> fitness, std::size_t count, Rng& rng) const {
-    if (fitness.size() < 2) {
-      throw std::invalid_argument{"tournament_couples: " + std::to_string(fitness.size()) + " individuals: must be >= 2"};
-    }
-    if (count % 2 != 0) throw std::invalid_argument{"tournament_couples: " + std::to_string(count) + " parents: must be even"};
-    const std::vector<std::size_t> everybody = detail::all_of(fitness);
-    std::vector<std::size_t> selected;
-    while (selected.size() < count) {
-      const std::size_t first = detail::tournament(fitness, everybody, params.size, rng);
-      std::size_t second = first;
-      while (second == first) second = detail::tournament(fitness, everybody, params.size, rng);
-      selected.insert(selected.end(), {first, second});
-    }
-    return selected;
-  }
+  [[nodiscard]] std::vector<std::size_t> select(std::span<const double> fitness, std::size_t count, Rng& rng) const;
 };
 static_assert(Couples<TournamentCouples>);
 

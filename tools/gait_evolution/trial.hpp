@@ -54,19 +54,13 @@ struct Trial {
 using Pilot = std::function<double(double time_s, const GroundPose& now)>;
 
 /// The same target angle all the time.
-[[nodiscard]] inline Pilot steady(double target_angle_rad) {
-  return [target_angle_rad](double, const GroundPose&) { return target_angle_rad; };
-}
+[[nodiscard]] Pilot steady(double target_angle_rad);
 
 /// The direction of the negative x-axis relative to the heading; positive to the right, in [-pi, pi).
-[[nodiscard]] inline double bearing_of_minus_x_rad(const GroundPose& now) {
-  return -wrap_angle(std::numbers::pi - now.heading_rad);
-}
+[[nodiscard]] double bearing_of_minus_x_rad(const GroundPose& now);
 
 /// The floor of a trial: a plane whose walls are out of reach.
-[[nodiscard]] inline Arena endless_floor() {
-  return {.name = "endless_floor", .half_side_m = 1000.0, .extent_m = 2000.0, .friction = 1.0, .height_field = {}};
-}
+[[nodiscard]] Arena endless_floor();
 
 /// Tries a gait: the robot starts at the origin, at rest, turned by `start_turn_rad` (counter-clockwise) from the trial's facing.
 /// Locomotion as in the ecology; the pilot is asked before every control step. Throws Diverged. No random draws.

@@ -2,31 +2,14 @@
 // `trophic analyze` on a sweep: its cells against one of them.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <iostream>
 #include <optional>
-#include <set>
-#include <stdexcept>
 #include <string>
 #include <tools/analysis/data/sweep_runs.hpp>
-#include <tools/analysis/metrics/metric_choice.hpp>
-#include <tools/analysis/metrics/run_metrics.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
-#include <tools/analysis/report/axis_effects.hpp>
-#include <tools/analysis/report/axis_rows.hpp>
-#include <tools/analysis/report/cell_differences.hpp>
-#include <tools/analysis/report/sweep_json.hpp>
-#include <tools/analysis/report/sweep_tables.hpp>
-#include <tools/analysis/report/sweep_text.hpp>
-#include <trophic/command/output.hpp>
-#include <trophic/observe/run_folder.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
-#include <trophic/support/new_file.hpp>
-#include <trophic/support/version.hpp>
 #include <vector>
 
 namespace trophic::command::detail::analyze {
@@ -40,104 +23,19 @@ struct SweepOptions {
   std::optional<std::uint64_t> jobs;
 
   /// Throws std::invalid_argument if anything is asked, as of folders that are no sweep.
-  void check_none() const {
-    const auto refuse = [](bool is_asked, const char* option) {
-      if (is_asked) throw std::invalid_argument{std::string{option} + ": only with a sweep, a folder with plan.jsonl"};
-    };
-    refuse(reference.has_value(), "--reference");
-    refuse(!metrics.empty(), "--metric");
-    refuse(difference.has_value(), "--difference");
-    refuse(allow_missing, "--allow-missing");
-    refuse(jobs.has_value(), "--jobs");
-  }
+  void check_none() const;
   /// Throws std::invalid_argument for a number out of bounds, and for a difference of no metric.
-  void check() const {
-    if (jobs == 0U) throw std::invalid_argument{"--jobs 0: must be >= 1"};
-    if (!difference) return;
-    if (!(std::isfinite(*difference) && *difference > 0.0)) {
-      throw std::invalid_argument{"--difference " + number_text(*difference) + ": must be > 0"};
-    }
-    if (metrics.empty()) throw std::invalid_argument{"--difference: needs --metric, which names what is to differ"};
-  }
+  void check() const;
 };
 
-inline void write_json(const std::filesystem::path& path, const Json& json) {
-  write_new_file(path, json_text(json, 2) + '\n');
-}
+void write_json(const std::filesystem::path& path, const Json& json);
 
 /// Everything that can be known of a sweep without measuring it. Throws std::invalid_argument.
-inline void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const SweepOptions& options,
-                        std::optional<double> until_s) {
-  const analysis::GridCell* base = sweep.grid.find(reference);
-  if (base == nullptr) {
-    throw std::invalid_argument{"--reference " + std::to_string(reference) + ": must be a cell of the sweep, " +
-                                std::to_string(sweep.grid.cells.front().number) + " to " +
-                                std::to_string(sweep.grid.cells.back().number)};
-  }
-  for (const analysis::GridCell& cell : sweep.grid.cells) static_cast<void>(analysis::is_paired(*base, cell));
-  const double first_s = sweep.plan.front().until_s;
-  for (const sweep::PlannedRun& run : sweep.plan) {
-    const std::string here = sweep.folder_of(run.index).string() + ": " + number_text(run.until_s) + " s";
-    if (until_s && run.until_s < *until_s)
-      throw std::invalid_argument{here + ": must be >= " + number_text(*until_s) + " s, as --until asks"};
-    if (!until_s && run.until_s != first_s) {
-      throw std::invalid_argument{here + ", but " + sweep.folder_of(0).string() + " has " + number_text(first_s) +
-                                  " s; runs of different length are not compared: use --until"};
-    }
-  }
-  if (!sweep.missing.empty() && !options.allow_missing) {
-    throw std::invalid_argument{sweep.folder.string() + ": " + analysis::missing_line(sweep) +
-                                " (--allow-missing leaves them out)"};
-  }
-  if (analysis::detail::runs_there(sweep, *base, &analysis::GridReplicate::run) == 0) {
-    throw std::invalid_argument{"--reference " + std::to_string(reference) + ": must be a cell with a complete run"};
-  }
-}
+void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const SweepOptions& options,
+                 std::optional<double> until_s);
 
 /// Measures a sweep and writes what its cells differ in.
-inline void measure_sweep(const std::filesystem::path& folder, const std::filesystem::path& out_folder,
-                          const SweepOptions& options, std::optional<double> until_s) {
-  options.check();
-  const analysis::SweepRuns sweep = analysis::read_sweep(folder);
-  const auto reference = static_cast<std::size_t>(options.reference.value_or(sweep.grid.cells.front().number));
-  check_sweep(sweep, reference, options, until_s);
-  std::set<std::int64_t> thinnings;
-  for (const sweep::PlannedRun& run : sweep.plan) thinnings.insert(run.extent.agents_every_ticks);
-  for (const std::int64_t every : thinnings) {
-    if (const std::string lost = analysis::lost_to_thinning(every); !lost.empty())
-      std::cerr << "trophic analyze: " << lost << "\n";
-  }
-  const auto names = analysis::chosen(analysis::metric_names(sweep.webs), options.metrics);
-  const auto out = observe::make_new_folder(out_folder);
-  analysis::SweepValues values;
-  try {
-    values = analysis::measure_sweep(sweep, options.jobs.value_or(1), until_s);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(out, ignored);
-    throw;
-  }
-  if (!sweep.missing.empty()) std::cerr << "trophic analyze: " << analysis::missing_line(sweep) << "; left out\n";
-  const auto differences = analysis::compare_cells(sweep.grid, values, reference, names);
-  std::vector<analysis::RunsForDifference> answers;
-  if (options.difference) answers = analysis::runs_for_difference(differences, *options.difference);
-
-  analysis::print_sweep(std::cout, sweep, differences, reference, until_s);
-  analysis::print_cell_differences(std::cout, sweep.grid, differences);
-  const auto effects = analysis::axis_effects(sweep.grid, values, reference, names);
-  analysis::print_axis_effects(std::cout, effects);
-  analysis::print_runs_for_difference(std::cout, answers, differences);
-  analysis::write_cells(out / "cells.csv", sweep, until_s);
-  analysis::write_runs(out / "runs.csv", sweep, values);
-  analysis::write_sweep_metrics(out / "sweep_metrics.csv", sweep.grid, values);
-  analysis::write_sweep_differences(out / "sweep_differences.csv", differences, reference);
-  analysis::write_axis_effects(out / "sweep_effects.csv", effects);
-  Json json{{"trophic", trophic::version}};
-  json["sweep"] = analysis::sweep_json(sweep, differences, reference, answers);
-  write_json(out / "summary.json", json);
-  std::cout << "files   " << out.string()
-            << "/{cells.csv,runs.csv,sweep_metrics.csv,sweep_differences.csv,sweep_effects.csv,summary.json}\n";
-  flush_output();
-}
+void measure_sweep(const std::filesystem::path& folder, const std::filesystem::path& out_folder, const SweepOptions& options,
+                   std::optional<double> until_s);
 
 }  // namespace trophic::command::detail::analyze

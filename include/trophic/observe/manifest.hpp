@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/params/archive.hpp>

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/tables.hpp>
 #include <trophic/population/view.hpp>

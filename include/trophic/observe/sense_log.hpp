@@ -15,7 +15,7 @@
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/touch.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>

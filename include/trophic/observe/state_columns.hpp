@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 #include <trophic/observe/csv.hpp>
-#include <trophic/observe/state_log.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <type_traits>

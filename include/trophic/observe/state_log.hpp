@@ -4,21 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/population/view.hpp>
 #include <utility>
-#include <vector>
 
 namespace trophic::observe {
-
-/// What rules with a State keep, as text: state_columns.hpp makes it of a table's states.
-struct StateColumns {
-  std::vector<std::string> names = {};                                     ///< SLOT.MEMBER
-  std::function<void(BodyIndex body, std::string& row)> append = nullptr;  ///< a comma and a cell for each name
-};
 
 /// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.state_columns()};`.
 /// Columns: time_s, tick, body, id, then SLOT.MEMBER for each member of each State of the table: numbers exact, an Ancestor by

@@ -7,6 +7,7 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 #include <vector>
 

@@ -3,10 +3,8 @@
 
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <trophic/observe/csv.hpp>
 #include <tuple>
-#include <unit/observe/scene.hpp>
 
 using namespace trophic;
 
@@ -37,19 +35,4 @@ TEST_CASE("csv: cells are exact unless decimals are stated, nothing is empty, a 
   text.clear();
   observe::append_row(text, Row{.exact = std::numeric_limits<double>::quiet_NaN(), .none = 3, .yes = false, .text = "a,b"}, web);
   CHECK(text == ",0.666667,3,0,\"a,b\"\n");
-}
-
-TEST_CASE("csv: a file that exists is not overwritten, and a full disk is said") {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.file("rows.csv", "mine\n");
-  CHECK(test::message_of<std::runtime_error>([&] {
-          observe::LineFile{path, "header\n"};
-        }) == "cannot create " + path + ": File exists");
-  CHECK(test::content(path) == "mine\n");
-  const auto other = folder.path() / "other.csv";
-  observe::LineFile file{other, "header\n"};
-  file.buffer() += "row\n";
-  CHECK(test::content(other) == "header\n");  // not before it is flushed
-  file.flush();
-  CHECK(test::content(other) == "header\nrow\n");
 }

@@ -13,10 +13,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/checksum.hpp>
-#include <trophic/support/whole_file.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -28,40 +26,18 @@ namespace trophic::analysis {
 class CsvReader {
  public:
   /// Throws std::runtime_error "FILE: ..." if it cannot be read, has no header or lacks one of `columns`.
-  CsvReader(const std::filesystem::path& path, std::initializer_list<std::string_view> columns) : file_{path.string()} {
-    try {
-      text_ = read_whole_file(path, largest_table);
-    } catch (const std::invalid_argument& reason) {
-      throw std::runtime_error{reason.what()};
-    }
-    if (!split_line()) throw error("has no header");
-    header_.assign(cells_.begin(), cells_.end());
-    for (const std::string_view column : columns) want(column);
-  }
+  CsvReader(const std::filesystem::path& path, std::initializer_list<std::string_view> columns);
 
   [[nodiscard]] bool has(std::string_view column) const { return std::ranges::find(header_, column) != header_.end(); }
 
   /// Asks for one more column. Throws std::runtime_error where the file lacks it.
-  void want(std::string_view column) {
-    const auto found = std::ranges::find(header_, column);
-    if (found == header_.end()) throw error(1, "no column \"" + std::string{column} + "\"; another kind of file?");
-    wanted_.push_back({std::string{column}, static_cast<std::size_t>(found - header_.begin())});
-  }
+  void want(std::string_view column);
 
   /// Goes to the next row; false after the last. Throws std::runtime_error "FILE:LINE: ..." for a wrong number of cells.
-  bool next() {
-    if (!split_line()) return false;
-    if (cells_.size() != header_.size()) {
-      throw error(line_, std::to_string(cells_.size()) + " cells, the header has " + std::to_string(header_.size()));
-    }
-    return true;
-  }
+  bool next();
 
   /// Rows and checksum of the whole file, whatever has been read.
-  [[nodiscard]] observe::TableSum sum() const {
-    const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
-    return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = checksum(text_)};
-  }
+  [[nodiscard]] observe::TableSum sum() const;
 
   [[nodiscard]] std::size_t line() const { return line_; }
   /// Whether the file ended in the middle of a line; known once next() is false.
@@ -104,16 +80,10 @@ class CsvReader {
   }
 
   /// Where among the columns asked for a name stands; it must be one of them.
-  [[nodiscard]] std::size_t place_of(std::string_view column) const {
-    return static_cast<std::size_t>(std::ranges::find(wanted_, column, &Wanted::name) - wanted_.begin());
-  }
-  [[noreturn]] void reject(std::size_t column, std::string_view must) const {
-    throw error(line_, wanted_.at(column).name + " = \"" + std::string{text(column)} + "\": must be " + std::string{must});
-  }
+  [[nodiscard]] std::size_t place_of(std::string_view column) const;
+  [[noreturn]] void reject(std::size_t column, std::string_view must) const;
   /// An error about a line of this file, for the caller to throw.
-  [[nodiscard]] std::runtime_error error(std::size_t line, const std::string& what) const {
-    return std::runtime_error{file_ + ":" + std::to_string(line) + ": " + what};
-  }
+  [[nodiscard]] std::runtime_error error(std::size_t line, const std::string& what) const;
 
  private:
   struct Wanted {
@@ -123,24 +93,7 @@ class CsvReader {
 
   [[nodiscard]] std::runtime_error error(const std::string& what) const { return std::runtime_error{file_ + ": " + what}; }
 
-  bool split_line() {
-    const std::size_t end = text_.find('\n', at_);
-    if (end == std::string::npos) {
-      truncated_ = at_ < text_.size();
-      return false;
-    }
-    ++line_;
-    std::string_view rest = std::string_view{text_}.substr(at_, end - at_);
-    if (rest.ends_with('\r')) rest.remove_suffix(1);
-    at_ = end + 1;
-    cells_.clear();
-    for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
-      cells_.push_back(rest.substr(0, comma));
-      rest.remove_prefix(comma + 1);
-    }
-    cells_.push_back(rest);
-    return true;
-  }
+  bool split_line();
 
   static constexpr std::uint64_t largest_table = std::uint64_t{64} << 30U;
 

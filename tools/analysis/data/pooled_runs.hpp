@@ -3,14 +3,9 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <tools/analysis/data/run_manifest.hpp>
-#include <trophic/support/json.hpp>
-#include <trophic/support/whole_file.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::analysis {
@@ -23,89 +18,15 @@ struct PooledRuns {
 
 /// The folders of the runs that a path stands for: the path itself, or the replicates that its replicates.json lists. A listed
 /// one that is not there goes to `remarks`. Throws std::invalid_argument for a path that is no folder or a broken list.
-[[nodiscard]] inline std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path,
-                                                                    std::vector<std::string>& remarks) {
-  if (!std::filesystem::is_directory(path)) throw std::invalid_argument{path.string() + ": is not a folder"};
-  const std::filesystem::path list = path / "replicates.json";
-  if (!std::filesystem::exists(list)) return {path};
-  std::vector<std::filesystem::path> folders;
-  try {
-    const auto json = parse_json(read_whole_file(list));
-    for (const auto& replicate : json.at("replicates")) {
-      const std::filesystem::path folder = path / replicate.at("folder").get<std::string>();
-      if (std::filesystem::is_directory(folder)) {
-        folders.push_back(folder);
-      } else {
-        remarks.push_back(folder.string() + ": missing, the replicate was not run");
-      }
-    }
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument{list.string() + ": " + error.what()};
-  }
-  return folders;
-}
+[[nodiscard]] std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path,
+                                                             std::vector<std::string>& remarks);
 
 /// Why two runs are not pooled: a sentence that names both; empty where they may be.
-[[nodiscard]] inline std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut) {
-  const std::string here = manifest.folder.string() + ": ";
-  const std::string there = other.folder.string();
-  if (manifest.fingerprint != other.fingerprint) {
-    return here + "fingerprint " + manifest.fingerprint + " (" + manifest.rules + " on " + manifest.backend + "), but " + there +
-           " has " + other.fingerprint + " (" + other.rules + " on " + other.backend +
-           "); runs of different rules or numbers are not pooled: use --compare";
-  }
-  if (other.seed == manifest.seed) {
-    return here + "seed " + std::to_string(manifest.seed) + " as in " + there + "; the same run twice is no second replicate";
-  }
-  if (other.begins != manifest.begins) {
-    const auto beginning = [](const RunManifest& run) {
-      return "begins " + (run.begins.empty() ? "at its beginning" : run.begins);
-    };
-    return here + beginning(manifest) + ", but " + there + " " + beginning(other) +
-           "; futures of one moment are not pooled with other runs";
-  }
-  if (other.agents_every_ticks != manifest.agents_every_ticks) {
-    return here + "agents_every_ticks " + std::to_string(manifest.agents_every_ticks) + ", but " + there + " has " +
-           std::to_string(other.agents_every_ticks) + "; runs that say more and less of their robots are not pooled";
-  }
-  if (is_cut) return "";
-  if (manifest.status != other.status || !lasted_alike(manifest, other)) {
-    return here + lasted_text(manifest) + ", but " + there + " has " + lasted_text(other) +
-           "; runs of different length are not pooled: leave some out, or cut all with --until";
-  }
-  return "";
-}
+[[nodiscard]] std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut);
 
 /// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
 /// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, beginning, status,
 /// duration or the ticks in agents.csv, if one is there twice, or if nothing can be read.
-[[nodiscard]] inline PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut) {
-  PooledRuns pooled;
-  std::vector<std::filesystem::path> folders;
-  for (const std::filesystem::path& path : paths) {
-    for (auto& folder : run_folders(path, pooled.remarks)) folders.push_back(std::move(folder));
-  }
-  for (const std::filesystem::path& folder : folders) {
-    RunManifest manifest;
-    try {
-      manifest = read_manifest(folder);
-    } catch (const std::runtime_error& error) {
-      pooled.remarks.push_back(std::string{error.what()} + "; left out");
-      continue;
-    }
-    for (const RunManifest& other : pooled.manifests) {
-      if (const std::string why = why_not_pooled(manifest, other, is_cut); !why.empty()) throw std::invalid_argument{why};
-    }
-    pooled.manifests.push_back(std::move(manifest));
-  }
-  if (pooled.manifests.empty()) {
-    throw std::invalid_argument{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
-  }
-  if (const std::string& begins = pooled.manifests.front().begins; pooled.manifests.size() > 1 && !begins.empty()) {
-    pooled.remarks.push_back("all runs begin " + begins +
-                             ": they share that past, so that intervals tell of its futures, not of runs");
-  }
-  return pooled;
-}
+[[nodiscard]] PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut);
 
 }  // namespace trophic::analysis

@@ -2,20 +2,16 @@
 // What a run's manifest says.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
-#include <trophic/support/whole_file.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 
@@ -39,97 +35,21 @@ struct RunManifest {
 };
 
 /// When a run ended; none of one that was killed or is still running.
-[[nodiscard]] inline std::optional<double> end_s(const RunManifest& run) {
-  return run.status == "complete" ? std::optional{run.reached_s.value_or(run.until_s)} : run.reached_s;
-}
+[[nodiscard]] std::optional<double> end_s(const RunManifest& run);
 
 /// How a run ended and when, of how much.
-[[nodiscard]] inline std::string lasted_text(const RunManifest& run) {
-  const auto end = end_s(run);
-  return "status \"" + run.status + "\" at " + (end ? number_text(*end) : "an unknown time") + " of " + number_text(run.until_s) +
-         " s";
-}
+[[nodiscard]] std::string lasted_text(const RunManifest& run);
 
 /// Whether two runs are known to have lasted equally long, of the same time.
-[[nodiscard]] inline bool lasted_alike(const RunManifest& a, const RunManifest& b) {
-  return a.until_s == b.until_s && end_s(a) && end_s(a) == end_s(b);
-}
+[[nodiscard]] bool lasted_alike(const RunManifest& a, const RunManifest& b);
 
 /// The first value in which two objects differ, as "KEY = THAT OF b: must be THAT OF a", a's keys first; empty where none does.
-[[nodiscard]] inline std::string first_difference(const Json& a, const Json& b) {
-  const Json flat_a = a.flatten();
-  const Json flat_b = b.flatten();
-  const auto text = [](const Json& of, const std::string& key) {
-    return of.contains(key) ? json_text(of[key]) : std::string{"missing"};
-  };
-  for (const Json& one : {flat_a, flat_b}) {
-    for (const auto& [key, value] : one.items()) {
-      const std::string here = text(flat_a, key);
-      const std::string there = text(flat_b, key);
-      if (here != there) return key.substr(1) + " = " + there + ": must be " + here;
-    }
-  }
-  return "";
-}
+[[nodiscard]] std::string first_difference(const Json& a, const Json& b);
 
 /// What the text of a manifest says; `path` is what errors call it. Throws std::runtime_error naming file and field.
-[[nodiscard]] inline RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
-  try {
-    const auto json = parse_json(text);
-    RunManifest manifest;
-    manifest.folder = path.parent_path();
-    manifest.fingerprint = json.at("fingerprint").get<std::string>();
-    manifest.rules = json.at("rule_table").get<std::string>();
-    manifest.backend = json.at("backend").get<std::string>();
-    manifest.status = json.at("status").get<std::string>();
-    manifest.seed = whole_number<std::uint64_t>(json, "seed");
-    if (json.contains("origin")) {
-      const auto said = [&](const char* key) { return json["origin"].at(key).get<std::string>(); };
-      manifest.begins = "at " + said("at_s") + " s of " + said("run") + " (seed " + said("seed") + ")";
-    }
-    manifest.until_s = json.at("clock").at("until_s").get<double>();
-    manifest.half_side_m = json.at("arena").at("half_side_m").get<double>();
-    if (json.contains("agents_every_ticks")) {
-      manifest.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
-    }
-    if (json.contains("result")) manifest.reached_s = json["result"].at("reached_s").get<double>();
-    manifest.policies = json.value("rules", Json::object());
-    manifest.params = json.value("params", Json::object());
-    const auto names = json.at("species").get<std::vector<std::string>>();
-    std::vector<Feeding> links;
-    const auto number = [&](const std::string& name) {
-      return static_cast<Species>(std::ranges::find(names, name) - names.begin());
-    };
-    for (const auto& link : json.at("food_web")) {
-      links.push_back({number(link.at("hunter").get<std::string>()), number(link.at("victim").get<std::string>())});
-    }
-    manifest.web = FoodWeb{names, links};
-    if (json.contains("tables")) {
-      for (const auto& [file, sum] : json["tables"].items()) {
-        manifest.tables[file] = {.rows = whole_number<std::uint64_t>(sum, "rows"),
-                                 .crc32 = whole_number<std::uint32_t>(sum, "crc32")};
-      }
-    }
-    return manifest;
-  } catch (const Json::exception& error) {
-    throw std::runtime_error{path.string() + ": " + error.what()};
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error{path.string() + ": " + error.what()};
-  }
-}
+[[nodiscard]] RunManifest manifest_of(std::string_view text, const std::filesystem::path& path);
 
 /// Reads FOLDER/manifest.json. Errors as manifest_of.
-[[nodiscard]] inline RunManifest read_manifest(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "manifest.json";
-  std::string text;
-  try {
-    text = read_whole_file(path);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error{std::string{error.what()} + "; is " + folder.string() + " a run's folder?"};
-  }
-  RunManifest manifest = manifest_of(text, path);
-  manifest.folder = folder;
-  return manifest;
-}
+[[nodiscard]] RunManifest read_manifest(const std::filesystem::path& folder);
 
 }  // namespace trophic::analysis

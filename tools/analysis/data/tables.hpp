@@ -2,9 +2,7 @@
 // What was observed, as tables in memory: one row per event, one row per robot and tick.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -40,40 +38,19 @@ enum class Group { all, random, inherited, active, inherited_active };
   }
   return false;
 }
-[[nodiscard]] inline bool belongs(const AgentRow& row, Group group) {
-  return belongs(row.origin, row.active, group);
-}
+[[nodiscard]] bool belongs(const AgentRow& row, Group group);
 
 /// The rows of each tick, in order. Views of `agents`, which must outlive them.
-[[nodiscard]] inline std::vector<Agents> by_tick(Agents agents) {
-  std::vector<Agents> moments;
-  for (auto first = agents.begin(); first != agents.end();) {
-    const auto last = std::find_if(first, agents.end(), [&](const AgentRow& row) { return row.tick != first->tick; });
-    moments.emplace_back(first, last);
-    first = last;
-  }
-  return moments;
-}
+[[nodiscard]] std::vector<Agents> by_tick(Agents agents);
 
 /// Rows of one tick, found by individual or by body.
 class Moment {
  public:
-  explicit Moment(Agents rows) : rows_{rows} {
-    for (const AgentRow& row : rows) by_id_.emplace_back(row.id, &row);
-    std::ranges::sort(by_id_);
-  }
+  explicit Moment(Agents rows);
   /// None if nobody of that number is alive.
-  [[nodiscard]] const AgentRow* find(IndividualId id) const {
-    const auto found = std::ranges::lower_bound(by_id_, id, {}, &std::pair<IndividualId, const AgentRow*>::first);
-    return found != by_id_.end() && found->first == id ? found->second : nullptr;
-  }
+  [[nodiscard]] const AgentRow* find(IndividualId id) const;
   /// None if no row of this tick has that body.
-  [[nodiscard]] const AgentRow* find_body(BodyIndex body) const {
-    // A log lists bodies by their numbers: the first place to look at is nearly always the right one.
-    if (body < rows_.size() && rows_[body].body == body) return &rows_[body];
-    const auto found = std::ranges::find(rows_, body, &AgentRow::body);
-    return found != rows_.end() ? &*found : nullptr;
-  }
+  [[nodiscard]] const AgentRow* find_body(BodyIndex body) const;
 
  private:
   Agents rows_;
@@ -87,17 +64,6 @@ struct Stretch {
 };
 
 /// One stretch from each tick, in order. `ticks` > 0.
-[[nodiscard]] inline std::vector<Stretch> stretches(Agents agents, std::int64_t ticks) {
-  const std::vector<Agents> moments = by_tick(agents);
-  std::vector<Stretch> all;
-  std::size_t later = 0;
-  for (const Agents& now : moments) {
-    const std::int64_t tick = now.front().tick + ticks;
-    while (later < moments.size() && moments[later].front().tick < tick) ++later;
-    const bool has_end = later < moments.size() && moments[later].front().tick == tick;
-    all.push_back({now, has_end ? moments[later] : Agents{}});
-  }
-  return all;
-}
+[[nodiscard]] std::vector<Stretch> stretches(Agents agents, std::int64_t ticks);
 
 }  // namespace trophic::analysis

@@ -2,7 +2,6 @@
 // What was measured in a run, each value with the baselines that it has to be set beside.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <compare>
 #include <optional>
@@ -56,13 +55,6 @@ struct RunMetrics {
 };
 
 /// What runs have as a metric's value; runs without one are left out.
-[[nodiscard]] inline std::vector<double> values_of(std::span<const RunMetrics> runs, const MetricName& name) {
-  std::vector<double> values;
-  for (const RunMetrics& run : runs) {
-    const auto found = std::ranges::find(run.measurements, name, &Measurement::name);
-    if (found != run.measurements.end() && found->value) values.push_back(*found->value);
-  }
-  return values;
-}
+[[nodiscard]] std::vector<double> values_of(std::span<const RunMetrics> runs, const MetricName& name);
 
 }  // namespace trophic::analysis

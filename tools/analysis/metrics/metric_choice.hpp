@@ -2,10 +2,7 @@
 // Metrics by name: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tools/analysis/metrics/measurement.hpp>
@@ -14,36 +11,10 @@
 namespace trophic::analysis {
 
 /// Whether a choice names a metric; a part that is not said is any.
-[[nodiscard]] inline bool chooses(std::string_view choice, const MetricName& name) {
-  for (const std::string* part : {&name.metric, &name.species, &name.group}) {
-    const std::size_t end = choice.find(':');
-    if (choice.substr(0, end) != *part) return false;
-    if (end == std::string_view::npos) return true;
-    choice.remove_prefix(end + 1);
-  }
-  return false;
-}
+[[nodiscard]] bool chooses(std::string_view choice, const MetricName& name);
 
 /// Those of `names` that any of the choices names, all where there is no choice; in their order. Throws std::invalid_argument,
 /// with the names of all metrics, for a choice that names none.
-[[nodiscard]] inline std::vector<MetricName> chosen(std::span<const MetricName> names, std::span<const std::string> choices) {
-  for (const std::string& choice : choices) {
-    if (std::ranges::any_of(names, [&](const MetricName& name) { return chooses(choice, name); })) continue;
-    std::string all;
-    std::string_view last;
-    for (const MetricName& name : names) {
-      if (name.metric == last) continue;
-      all += (all.empty() ? "" : ", ") + name.metric;
-      last = name.metric;
-    }
-    throw std::invalid_argument{"metric " + choice + ": must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of " + all};
-  }
-  std::vector<MetricName> found;
-  for (const MetricName& name : names) {
-    const auto is_named = [&](const std::string& choice) { return chooses(choice, name); };
-    if (choices.empty() || std::ranges::any_of(choices, is_named)) found.push_back(name);
-  }
-  return found;
-}
+[[nodiscard]] std::vector<MetricName> chosen(std::span<const MetricName> names, std::span<const std::string> choices);
 
 }  // namespace trophic::analysis

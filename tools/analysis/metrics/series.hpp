@@ -2,13 +2,8 @@
 // Averages over windows of time.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <trophic/params/params.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -23,16 +18,9 @@ using Series = std::vector<Point>;
 /// The plain mean; none of nothing.
 class Mean {
  public:
-  void add(double value) {
-    sum_ += value;
-    ++count_;
-  }
-  void add(const std::optional<double>& value) {
-    if (value) add(*value);
-  }
-  [[nodiscard]] std::optional<double> value() const {
-    return count_ == 0 ? std::nullopt : std::optional{sum_ / static_cast<double>(count_)};
-  }
+  void add(double value);
+  void add(const std::optional<double>& value);
+  [[nodiscard]] std::optional<double> value() const;
 
  private:
   double sum_ = 0.0;
@@ -44,32 +32,15 @@ class Mean {
 class WindowMean {
  public:
   /// Throws std::invalid_argument unless `window_s` > 0.
-  explicit WindowMean(double window_s) : window_s_{window_s} {
-    if (!(window_s > 0.0)) throw std::invalid_argument{"window_s = " + number_text(window_s) + ": must be > 0"};
-  }
+  explicit WindowMean(double window_s);
 
-  void add(double time_s, const std::optional<double>& value) {
-    const auto window = static_cast<std::size_t>(std::max(0.0, std::ceil(time_s / window_s_) - 1.0));
-    if (window >= windows_.size()) windows_.resize(window + 1);
-    windows_[window].add(value);
-    all_.add(value);
-  }
+  void add(double time_s, const std::optional<double>& value);
 
-  [[nodiscard]] Series series() const {
-    Series points;
-    for (std::size_t k = 0; k < windows_.size(); ++k) {
-      points.push_back({static_cast<double>(k + 1) * window_s_, windows_[k].value()});
-    }
-    return points;
-  }
+  [[nodiscard]] Series series() const;
   /// The mean of all that was added, each value with the same weight.
   [[nodiscard]] std::optional<double> mean() const { return all_.value(); }
   /// The mean of the windows' means, each window with the same weight.
-  [[nodiscard]] std::optional<double> mean_of_points() const {
-    Mean mean;
-    for (const Mean& window : windows_) mean.add(window.value());
-    return mean.value();
-  }
+  [[nodiscard]] std::optional<double> mean_of_points() const;
 
  private:
   double window_s_;

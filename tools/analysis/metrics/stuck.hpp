@@ -2,7 +2,6 @@
 // How many robots stand still.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <tools/analysis/data/tables.hpp>
@@ -16,21 +15,7 @@ inline constexpr std::int64_t stuck_ticks = 5;  ///< 10 s
 
 /// At each tick the share of stuck robots of a species, or of all; ticks without a member or without one `ticks` later are left
 /// out. Bodies count, for the species that they belong to at the start: a birth meanwhile does not move them.
-[[nodiscard]] inline WindowMean stuck(Agents agents, std::optional<Species> species, double reach_m = stuck_reach_m,
-                                      std::int64_t ticks = stuck_ticks, double window_s = 200.0) {
-  WindowMean mean{window_s};
-  for (const auto& [now, later] : stretches(agents, ticks)) {
-    if (later.empty()) continue;
-    const Moment end{later};
-    Mean share;
-    for (const AgentRow& from : now) {
-      const AgentRow* to = end.find_body(from.body);
-      if (to == nullptr || (species && from.species != *species)) continue;
-      share.add(std::hypot(to->x_m - from.x_m, to->y_m - from.y_m) < reach_m ? 1.0 : 0.0);
-    }
-    mean.add(now.front().time_s, share.value());
-  }
-  return mean;
-}
+[[nodiscard]] WindowMean stuck(Agents agents, std::optional<Species> species, double reach_m = stuck_reach_m,
+                               std::int64_t ticks = stuck_ticks, double window_s = 200.0);
 
 }  // namespace trophic::analysis

@@ -2,88 +2,26 @@
 // Tag symmetry: whether two species show opposite tags, and what tags without any meaning would give.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <map>
-#include <numbers>
-#include <optional>
 #include <tools/analysis/data/tables.hpp>
 #include <tools/analysis/metrics/series.hpp>
 #include <trophic/support/rng.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic::analysis {
 
 /// E|mean of `a` fair coins + mean of `b` fair coins|, coins showing -1 or +1: the tag symmetry that populations of these numbers
 /// have if each robot tosses a coin. Exact for up to 1000 coins in all. Beyond that the mean of the more is taken as normal, and
 /// of the fewer, too, from 250 on: sqrt(2 (1/a + 1/b) / pi). The relative error is then below 1e-3. Both must be > 0.
-[[nodiscard]] inline double fair_coin_symmetry(std::size_t a, std::size_t b) {
-  if (a > b) std::swap(a, b);
-  const auto count_a = static_cast<double>(a);
-  const auto count_b = static_cast<double>(b);
-  const bool is_large = a + b > 1000;
-  if (is_large && a >= 250) return std::sqrt(2.0 * (1.0 / count_a + 1.0 / count_b) / std::numbers::pi);
-  const auto probabilities = [](double coins) {  // of k heads, k = 0, ..., coins
-    std::vector<double> probability;
-    for (double k = 0.0; k <= coins; k += 1.0) {
-      probability.push_back(
-          std::exp(std::lgamma(coins + 1.0) - std::lgamma(k + 1.0) - std::lgamma(coins - k + 1.0) - coins * std::numbers::ln2));
-    }
-    return probability;
-  };
-  const auto of_a = probabilities(count_a);
-  double expectation = 0.0;
-  if (is_large) {
-    const double deviation = std::sqrt(1.0 / count_b);
-    for (std::size_t i = 0; i < of_a.size(); ++i) {
-      const double z = (2.0 * static_cast<double>(i) / count_a - 1.0) / deviation;
-      const double folded = std::sqrt(2.0 / std::numbers::pi) * std::exp(-0.5 * z * z) + z * std::erf(z / std::numbers::sqrt2);
-      expectation += of_a[i] * deviation * folded;
-    }
-    return expectation;
-  }
-  const auto of_b = probabilities(count_b);
-  for (std::size_t i = 0; i < of_a.size(); ++i) {
-    const double mean_a = 2.0 * static_cast<double>(i) / count_a - 1.0;
-    for (std::size_t j = 0; j < of_b.size(); ++j) {
-      expectation += of_a[i] * of_b[j] * std::abs(mean_a + 2.0 * static_cast<double>(j) / count_b - 1.0);
-    }
-  }
-  return expectation;
-}
+[[nodiscard]] double fair_coin_symmetry(std::size_t a, std::size_t b);
 
 /// The paper's baseline: the mean of |u + v| over `pairs` pairs of numbers uniform in [-1, 1) (2/3 in the limit). Two draws per
 /// pair. It stands for two infinitely large species whose mean tags can be anything, not for 30 robots.
-[[nodiscard]] inline double uniform_pair_symmetry(Rng& rng, std::size_t pairs = 100'000) {
-  Mean mean;
-  for (std::size_t i = 0; i < pairs; ++i) {
-    const double first = rng.uniform(-1.0, 1.0);
-    mean.add(std::abs(first + rng.uniform(-1.0, 1.0)));
-  }
-  return mean.value().value_or(0.0);
-}
+[[nodiscard]] double uniform_pair_symmetry(Rng& rng, std::size_t pairs = 100'000);
 
 /// E|mean tag of `a` robots + mean tag of `b` robots| if `plus` tags of +1 and the others of -1 are dealt out among all of them:
 /// exact, by the hypergeometric distribution. It keeps whatever everybody has in common, such as a bias to one tag. a and b must
 /// be > 0.
-[[nodiscard]] inline double dealt_symmetry(std::size_t a, std::size_t b, std::size_t plus) {
-  const auto log_choose = [](std::size_t n, std::size_t k) {
-    return std::lgamma(static_cast<double>(n) + 1.0) - std::lgamma(static_cast<double>(k) + 1.0) -
-           std::lgamma(static_cast<double>(n - k) + 1.0);
-  };
-  const auto mean_tag = [](std::size_t positive, std::size_t all) {
-    return 2.0 * static_cast<double>(positive) / static_cast<double>(all) - 1.0;
-  };
-  double expectation = 0.0;
-  for (std::size_t in_a = plus > b ? plus - b : 0; in_a <= std::min(a, plus); ++in_a) {
-    const double probability = std::exp(log_choose(a, in_a) + log_choose(b, plus - in_a) - log_choose(a + b, plus));
-    expectation += probability * std::abs(mean_tag(in_a, a) + mean_tag(plus - in_a, b));
-  }
-  return expectation;
-}
+[[nodiscard]] double dealt_symmetry(std::size_t a, std::size_t b, std::size_t plus);
 
 /// Tag symmetry of two species over a run, and what the same ticks would give with tags that say nothing about the species.
 struct TagSymmetry {
@@ -95,39 +33,7 @@ struct TagSymmetry {
 /// At each tick |mean tag of one species + mean tag of the other|, members of the group only: the inherited ones (Sec. "Metrics
 /// for system dynamics"); ticks at which either species has no such member are left out. Close to 0: the species show opposite
 /// tags. The mean of the tags (-1, 1, 1, 1) is 0.5; the paper's example of an average tag gives 0.75 for it, which is wrong.
-[[nodiscard]] inline TagSymmetry tag_symmetry(Agents agents, Species a, Species b, Group group = Group::inherited,
-                                              double window_s = 200.0) {
-  struct Count {
-    std::size_t all = 0;
-    std::size_t plus = 0;
-    void add(int tag) {
-      ++all;
-      if (tag > 0) ++plus;
-    }
-    [[nodiscard]] double mean() const { return 2.0 * static_cast<double>(plus) / static_cast<double>(all) - 1.0; }
-  };
-  TagSymmetry symmetry{WindowMean{window_s}, WindowMean{window_s}, WindowMean{window_s}};
-  std::map<std::pair<std::size_t, std::size_t>, double> coins;
-  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, double> deals;
-  for (const Agents& now : by_tick(agents)) {
-    Count in_a;
-    Count in_b;
-    for (const AgentRow& row : now) {
-      if (!belongs(row, group)) continue;
-      if (row.species == a) in_a.add(row.tag);
-      if (row.species == b) in_b.add(row.tag);
-    }
-    if (in_a.all == 0 || in_b.all == 0) continue;
-    const auto [coin, new_coin] = coins.try_emplace({in_a.all, in_b.all});
-    if (new_coin) coin->second = fair_coin_symmetry(in_a.all, in_b.all);
-    const auto [deal, new_deal] = deals.try_emplace({in_a.all, in_b.all, in_a.plus + in_b.plus});
-    if (new_deal) deal->second = dealt_symmetry(in_a.all, in_b.all, in_a.plus + in_b.plus);
-    const double time_s = now.front().time_s;
-    symmetry.observed.add(time_s, std::abs(in_a.mean() + in_b.mean()));
-    symmetry.dealt.add(time_s, deal->second);
-    symmetry.fair_coins.add(time_s, coin->second);
-  }
-  return symmetry;
-}
+[[nodiscard]] TagSymmetry tag_symmetry(Agents agents, Species a, Species b, Group group = Group::inherited,
+                                       double window_s = 200.0);
 
 }  // namespace trophic::analysis

@@ -2,12 +2,7 @@
 // Velocity: how fast robots get nearer to where their adversary was.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <iterator>
-#include <map>
-#include <set>
 #include <tools/analysis/data/tables.hpp>
 #include <tools/analysis/metrics/series.hpp>
 #include <vector>
@@ -26,86 +21,29 @@ struct VelocitySample {
   double velocity_m_s = 0.0;
 };
 
-namespace detail {
-
-/// `adversary_of(row, start)` is asked of every robot at every tick, in order; a null pointer: no sample.
-template <class AdversaryOf>
-[[nodiscard]] std::vector<VelocitySample> samples_towards(Agents agents, std::int64_t ticks, AdversaryOf adversary_of) {
-  const auto distance = [](const AgentRow& a, const AgentRow& b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); };
-  std::vector<VelocitySample> samples;
-  for (const auto& [now, later] : stretches(agents, ticks)) {
-    const Moment start{now};
-    const Moment end{later};
-    for (const AgentRow& from : now) {
-      const AgentRow* adversary = adversary_of(from, start);
-      const AgentRow* to = end.find(from.id);
-      if (to == nullptr || adversary == nullptr) continue;
-      samples.push_back({.time_s = from.time_s,
-                         .end_s = to->time_s,
-                         .species = from.species,
-                         .origin = from.origin,
-                         .active = from.active,
-                         .velocity_m_s = (distance(from, *adversary) - distance(*to, *adversary)) / (to->time_s - from.time_s)});
-    }
-  }
-  return samples;
-}
-
-}  // namespace detail
-
 /// A stretch of the paper: 12 s.
 inline constexpr std::int64_t velocity_ticks = 6;
 
 /// Every stretch of `ticks` ticks of every robot that has an adversary at its start, one starting
 /// at each tick. The adversary may die meanwhile: only its position at the start counts. A robot that is reborn meanwhile is
 /// somebody else: no sample; nor are there any in the last `ticks` ticks.
-[[nodiscard]] inline std::vector<VelocitySample> velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks) {
-  return detail::samples_towards(agents, ticks, [](const AgentRow& from, const Moment& start) {
-    return from.adversary ? start.find(*from.adversary) : nullptr;
-  });
-}
+[[nodiscard]] std::vector<VelocitySample> velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks);
 
 /// As velocity_samples, with the adversary that the authors' log stores: of each body the body that it last perceived as closest,
 /// kept while it sees nobody and across births. Bodies that have never perceived anybody give no sample. The published velocities
 /// come from such a log. Needs the rows of every tick: between two that are farther apart somebody else may have been perceived.
-[[nodiscard]] inline std::vector<VelocitySample> stored_velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks) {
-  std::map<BodyIndex, BodyIndex> stored;
-  return detail::samples_towards(agents, ticks, [&stored](const AgentRow& from, const Moment& start) -> const AgentRow* {
-    const AgentRow* seen = from.adversary ? start.find(*from.adversary) : nullptr;
-    if (seen != nullptr) stored.insert_or_assign(from.body, seen->body);
-    const auto kept = stored.find(from.body);
-    return kept == stored.end() ? nullptr : start.find_body(kept->second);
-  });
-}
+[[nodiscard]] std::vector<VelocitySample> stored_velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks);
 
 /// Samples of the stretches that end at a mark: at the first tick of `agents` at or after `every_s`, 2 `every_s`, ..., and at
 /// which a stretch ends. The paper's "population averages measured every 200 seconds, resulting in 30 points" may be these
 /// instead of means over windows: a stretch's velocity is measured when it ends, and 200, 400, ..., 6000 s are 30 marks, while
 /// no stretch that begins at 6000 s can be measured.
-[[nodiscard]] inline std::vector<VelocitySample> samples_at_marks(const std::vector<VelocitySample>& samples, Agents agents,
-                                                                  double every_s = 200.0, std::int64_t ticks = velocity_ticks) {
-  std::set<double> marks;
-  double next_s = every_s;
-  for (const auto& [now, later] : stretches(agents, ticks)) {
-    if (later.empty() || later.front().time_s < next_s) continue;
-    marks.insert(later.front().time_s);
-    next_s = (std::floor(later.front().time_s / every_s) + 1.0) * every_s;
-  }
-  std::vector<VelocitySample> chosen;
-  std::ranges::copy_if(samples, std::back_inserter(chosen), [&](const VelocitySample& s) { return marks.contains(s.end_s); });
-  return chosen;
-}
+[[nodiscard]] std::vector<VelocitySample> samples_at_marks(const std::vector<VelocitySample>& samples, Agents agents,
+                                                           double every_s = 200.0, std::int64_t ticks = velocity_ticks);
 
 /// Velocity of a group, averaged in windows of `window_s` (200 s in the paper: 30 points). Its mean_of_points() is the straight
 /// line in the paper's figure.
-[[nodiscard]] inline WindowMean velocity(const std::vector<VelocitySample>& samples, Species species, Group group,
-                                         double window_s = 200.0) {
-  WindowMean mean{window_s};
-  for (const VelocitySample& sample : samples) {
-    if (sample.species != species || !belongs(sample.origin, sample.active, group)) continue;
-    mean.add(sample.time_s, sample.velocity_m_s);
-  }
-  return mean;
-}
+[[nodiscard]] WindowMean velocity(const std::vector<VelocitySample>& samples, Species species, Group group,
+                                  double window_s = 200.0);
 
 }  // namespace trophic::analysis

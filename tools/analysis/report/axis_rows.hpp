@@ -2,8 +2,6 @@
 // sweep_effects.csv, and the effects that are decided for people.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -11,12 +9,8 @@
 #include <span>
 #include <string>
 #include <tools/analysis/report/axis_effects.hpp>
-#include <tools/analysis/report/reading.hpp>
-#include <tools/analysis/report/table_file.hpp>
-#include <tools/analysis/report/text_table.hpp>
 #include <trophic/observe/column.hpp>
 #include <tuple>
-#include <vector>
 
 namespace trophic::analysis {
 
@@ -65,66 +59,12 @@ struct AxisEffectRow {
   }
 };
 
-[[nodiscard]] inline AxisEffectRow row_of(const AxisEffect& of) {
-  const Difference& d = of.difference;
-  return {.axis = of.axis,
-          .value = of.value,
-          .reference = of.reference,
-          .metric = of.name.metric,
-          .species = of.name.species,
-          .group = of.name.group,
-          .unit = of.name.unit,
-          .compared = of.over_shadow ? "over_shadow" : "raw",
-          .settings = of.settings,
-          .seeds = of.seeds,
-          .mean = of.mean,
-          .mean_reference = of.mean_reference,
-          .difference = d.value,
-          .lower = lower_of(d.interval),
-          .upper = upper_of(d.interval),
-          .p = d.p,
-          .p_holm = d.adjusted,
-          .decided = decided_text(d)};
-}
+[[nodiscard]] AxisEffectRow row_of(const AxisEffect& of);
 
 /// Writes sweep_effects.csv. Throws std::runtime_error if it exists or cannot be written.
-inline void write_axis_effects(const std::filesystem::path& path, std::span<const AxisEffect> effects) {
-  TableFile<AxisEffectRow> file{path};
-  for (const AxisEffect& effect : effects) file.write(row_of(effect));
-  file.finish();
-}
+void write_axis_effects(const std::filesystem::path& path, std::span<const AxisEffect> effects);
 
 /// One line for each axis and metric of which a value is decided, the value with the largest effect.
-inline void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects) {
-  if (effects.empty()) return;
-  std::size_t decided = 0;
-  std::vector<const AxisEffect*> largest;
-  for (const AxisEffect& effect : effects) {
-    if (!effect.difference.differs()) continue;
-    ++decided;
-    const auto found = std::ranges::find_if(
-        largest, [&](const AxisEffect* other) { return other->axis == effect.axis && other->name == effect.name; });
-    if (found == largest.end()) {
-      largest.push_back(&effect);
-    } else if (std::abs(*effect.difference.value) > std::abs(*(*found)->difference.value)) {
-      *found = &effect;
-    }
-  }
-  out << "averaged over the other axes, " << decided << " of " << effects.size() << " effects of an axis are decided (Holm)";
-  if (largest.empty()) {
-    out << "\n";
-    return;
-  }
-  out << "; the largest of each:\n";
-  constexpr std::size_t shown = 20;
-  for (std::size_t i = 0; i < std::min(shown, largest.size()); ++i) {
-    const AxisEffect& effect = *largest[i];
-    const Reading reading{effect.name};
-    out << detail::padded(metric_title(effect.name) + (effect.over_shadow ? ", over shadow" : ""), 44)
-        << detail::padded(reading.with_interval(effect.difference.value, effect.difference.interval, true), 28) << effect.axis
-        << " " << effect.reference << " -> " << effect.value << "\n";
-  }
-  if (largest.size() > shown) out << "and " << largest.size() - shown << " more: decided in sweep_effects.csv\n";
-}
+void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects);
 
 }  // namespace trophic::analysis

@@ -23,28 +23,13 @@ struct FlipEffect {
 };
 
 /// Whether a metric moves with the composition of the population alone, so that only a shadow tells what inheritance does.
-[[nodiscard]] inline bool needs_shadow(const MetricName& name) {
-  return name.metric.starts_with("attribution") || name.metric.starts_with("velocity");
-}
+[[nodiscard]] bool needs_shadow(const MetricName& name);
 
 /// One effect a metric: over the shadows where the metric needs it and both sets have one, else raw. The p values are not yet
 /// adjusted: `adjust_together` does it for all flips at once.
-[[nodiscard]] inline std::vector<FlipEffect> effects_of(const std::string& flip, std::span<const SetDifference> differences) {
-  std::vector<FlipEffect> effects;
-  for (const SetDifference& d : differences) {
-    const bool over_shadow = needs_shadow(d.name) && d.over_shadow.value.has_value();
-    Difference difference = over_shadow ? d.over_shadow : d.raw;
-    difference.adjusted.reset();
-    effects.push_back({flip, d.name, over_shadow, d.a, d.b, difference});
-  }
-  return effects;
-}
+[[nodiscard]] std::vector<FlipEffect> effects_of(const std::string& flip, std::span<const SetDifference> differences);
 
 /// Holm's correction over all flips and metrics of a list.
-inline void adjust_together(std::vector<FlipEffect>& effects) {
-  std::vector<Difference*> together;
-  for (FlipEffect& effect : effects) together.push_back(&effect.difference);
-  adjust_together(together);
-}
+void adjust_together(std::vector<FlipEffect>& effects);
 
 }  // namespace trophic::analysis

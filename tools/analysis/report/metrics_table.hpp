@@ -2,17 +2,12 @@
 // Results for machines: metrics.csv.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
-#include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
-#include <tools/analysis/report/summary.hpp>
-#include <tools/analysis/report/table_file.hpp>
 #include <trophic/observe/column.hpp>
 #include <tuple>
 
@@ -50,41 +45,6 @@ struct MetricRow {
 };
 
 /// Throws std::runtime_error if the file exists or cannot be written.
-inline void write_metrics(const std::filesystem::path& path, std::span<const ShadowedSet> sets) {
-  TableFile<MetricRow> file{path};
-  const auto write = [&](const std::string& label, const RunSet& set, bool is_shadow) {
-    for (std::size_t i = 0; i < set.runs.size(); ++i) {
-      std::string run = set.manifests[i].folder.lexically_normal().filename().string();
-      std::ranges::replace(run, ',', '_');
-      const auto row = [&](const MetricName& name, const std::string& baseline, std::optional<double> time_s,
-                           std::optional<double> value) {
-        if (is_shadow && !baseline.empty()) return;  // its own baselines say nothing about the set
-        file.write({.set = label,
-                    .run = run,
-                    .seed = set.manifests[i].seed,
-                    .metric = name.metric,
-                    .species = name.species,
-                    .group = name.group,
-                    .baseline = is_shadow ? std::string{shadow_name} : baseline,
-                    .time_s = time_s,
-                    .value = value,
-                    .unit = name.unit});
-      };
-      for (const Measurement& measurement : set.runs[i].measurements) {
-        row(measurement.name, "", {}, measurement.value);
-        for (const Baseline& baseline : measurement.baselines) row(measurement.name, baseline.name, {}, baseline.value);
-      }
-      for (const Curve& curve : set.runs[i].curves) {
-        for (const Point& point : curve.points) row(curve.name, curve.baseline, point.time_s, point.value);
-      }
-      file.flush();
-    }
-  };
-  for (const ShadowedSet& set : sets) {
-    write(set.ours.label, set.ours, false);
-    if (set.shadow) write(set.ours.label, *set.shadow, true);
-  }
-  file.finish();
-}
+void write_metrics(const std::filesystem::path& path, std::span<const ShadowedSet> sets);
 
 }  // namespace trophic::analysis

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <tools/analysis/metrics/measurement.hpp>
 
@@ -188,21 +187,10 @@ inline constexpr std::array<Claim, 12> claims{{
     {"predators dead in a run", detail::published::predator_deaths},
 }};
 
-[[nodiscard]] inline MetricName metric_of(const ClaimReading& reading) {
-  const std::string_view unit = reading.metric.starts_with("velocity") ? "m/s" : "1";
-  return {std::string{reading.metric}, std::string{reading.species}, std::string{reading.group}, std::string{unit}};
-}
+[[nodiscard]] MetricName metric_of(const ClaimReading& reading);
 
 /// The published number of a metric, under any reading; none for a metric that was not published, or that only the logs give as
 /// another way to count.
-[[nodiscard]] inline std::optional<double> published(const MetricName& name) {
-  for (const Claim& claim : claims) {
-    for (const ClaimReading& reading : claim.readings) {
-      const bool is_recount = reading.source == Source::logs && claim.readings.front().source == Source::text;
-      if (metric_of(reading) == name && !is_recount) return reading.value;
-    }
-  }
-  return std::nullopt;
-}
+[[nodiscard]] std::optional<double> published(const MetricName& name);
 
 }  // namespace trophic::analysis

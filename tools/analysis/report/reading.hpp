@@ -31,16 +31,9 @@ class Reading {
     return value ? (*this)(*value, sign) : "missing";
   }
   [[nodiscard]] std::string with_interval(const std::optional<double>& value, const std::optional<Interval>& interval,
-                                          bool sign = false) const {
-    if (!value) return "missing";
-    if (!interval) return (*this)(*value, sign);
-    return (*this)(*value, sign) + " [" + (*this)(interval->lower, sign) + ", " + (*this)(interval->upper, sign) + "]";
-  }
+                                          bool sign = false) const;
   /// A mean with its interval, or with the spread between runs where there are too few for one.
-  [[nodiscard]] std::string of(const Estimate& estimate) const {
-    if (estimate.interval || !estimate.deviation) return with_interval(estimate.mean, estimate.interval);
-    return (*this)(estimate.mean) + " (sd " + (*this)(estimate.deviation) + ")";
-  }
+  [[nodiscard]] std::string of(const Estimate& estimate) const;
 
  private:
   double factor_;
@@ -48,9 +41,6 @@ class Reading {
 };
 
 /// "velocity prey (random), cm/s".
-[[nodiscard]] inline std::string metric_title(const MetricName& name) {
-  return name.metric + " " + name.species + (name.group == "all" ? "" : " (" + name.group + ")") +
-         (name.unit == "m/s" ? ", cm/s" : "");
-}
+[[nodiscard]] std::string metric_title(const MetricName& name);
 
 }  // namespace trophic::analysis

@@ -2,24 +2,14 @@
 // Results of a sweep for people: what is decided, what is not, and how many runs would decide.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <functional>
 #include <optional>
 #include <ostream>
-#include <set>
 #include <span>
 #include <string>
-#include <string_view>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
-#include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/report/cell_differences.hpp>
-#include <tools/analysis/report/reading.hpp>
-#include <tools/analysis/report/text_table.hpp>
-#include <trophic/params/params.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -27,52 +17,21 @@ namespace trophic::analysis {
 namespace detail {
 
 /// With a noun in the plural where it is not one.
-[[nodiscard]] inline std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
+[[nodiscard]] std::string counted(std::size_t count, const std::string& noun);
 
-[[nodiscard]] inline std::string decimals(double value, int count, bool sign = false) {
-  std::string text(64, '\0');
-  text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), sign ? "%+.*f" : "%.*f", count, value)));
-  return text;
-}
+[[nodiscard]] std::string decimals(double value, int count, bool sign = false);
 
 /// The last part of a setting's path, and the whole where two axes end alike.
-[[nodiscard]] inline std::string axis_title(std::span<const Axis> axes, const Axis& axis) {
-  const auto tail = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
-  const auto alike = std::ranges::count_if(axes, [&](const Axis& other) { return tail(other.name) == tail(axis.name); });
-  return alike > 1 ? axis.name : tail(axis.name);
-}
+[[nodiscard]] std::string axis_title(std::span<const Axis> axes, const Axis& axis);
 
 /// "reach_m 0.5, sd 0.05".
-[[nodiscard]] inline std::string cell_title(const SweepGrid& grid, std::size_t number) {
-  const auto place = static_cast<std::size_t>(grid.find(number) - grid.cells.data());
-  std::string text;
-  for (const Axis& axis : grid.axes) {
-    const std::string value = axis.values[place].empty() ? "unset" : axis.values[place];
-    text += (text.empty() ? "" : ", ") + axis_title(grid.axes, axis) + " " + value;
-  }
-  return text;
-}
+[[nodiscard]] std::string cell_title(const SweepGrid& grid, std::size_t number);
 
 /// The values of an axis, each once, in the order of the cells; of many the first few.
-[[nodiscard]] inline std::string values_on(const Axis& axis) {
-  constexpr std::size_t shown = 8;
-  std::vector<std::string> values;
-  for (const std::string& value : axis.values) {
-    if (std::ranges::find(values, value) == values.end()) values.push_back(value);
-  }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(shown, values.size()); ++i) {
-    text += (i > 0 ? ", " : "") + (values[i].empty() ? std::string{"unset"} : values[i]);
-  }
-  return text + (values.size() > shown ? ", ... (" + std::to_string(values.size()) + " values)" : "");
-}
+[[nodiscard]] std::string values_on(const Axis& axis);
 
 /// The name of a metric as far as it fits a line, with what was compared.
-[[nodiscard]] inline std::string compared_title(const CellDifference& d) {
-  return metric_title(d.name) + (d.over_shadow ? ", over shadow" : "");
-}
+[[nodiscard]] std::string compared_title(const CellDifference& d);
 
 /// A metric that is decided in some cells.
 struct DecidedMetric {
@@ -81,128 +40,21 @@ struct DecidedMetric {
 };
 
 /// Those that are decided in most cells first.
-[[nodiscard]] inline std::vector<DecidedMetric> decided_metrics(const CellDifferences& differences) {
-  std::vector<DecidedMetric> metrics;
-  for (const CellDifference& d : differences.all) {
-    if (!d.difference.differs()) continue;
-    auto found = std::ranges::find_if(metrics, [&](const DecidedMetric& other) { return other.largest->name == d.name; });
-    if (found == metrics.end()) found = metrics.insert(found, {&d, 0});
-    ++found->cells;
-    if (std::abs(*d.difference.value) > std::abs(*found->largest->difference.value)) found->largest = &d;
-  }
-  std::ranges::stable_sort(metrics, std::ranges::greater{}, &DecidedMetric::cells);
-  return metrics;
-}
+[[nodiscard]] std::vector<DecidedMetric> decided_metrics(const CellDifferences& differences);
 
 /// One line a metric: in how many cells it is decided, and where it differs most.
-inline void print_decided_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences) {
-  const std::vector<DecidedMetric> metrics = decided_metrics(differences);
-  if (metrics.empty()) {
-    out << "no comparison is decided\n";
-    return;
-  }
-  out << padded("decided metric", 44) << padded("cells", 9) << padded("largest difference [corrected]", 34) << padded("g", 8)
-      << "in cell\n";
-  constexpr std::size_t shown = 20;
-  for (const DecidedMetric& metric : std::span{metrics}.first(std::min(shown, metrics.size()))) {
-    const CellDifference& d = *metric.largest;
-    const std::string of = std::to_string(metric.cells) + "/" + std::to_string(grid.cells.size() - 1);
-    out << padded(compared_title(d), 44) << padded(of, 9)
-        << padded(Reading{d.name}.with_interval(d.difference.value, d.corrected, true), 34)
-        << padded(d.hedges_g ? decimals(*d.hedges_g, 1, true) : "-", 8) << d.cell << " (" << cell_title(grid, d.cell) << ")\n";
-  }
-  if (metrics.size() > shown)
-    out << "and " << counted(metrics.size() - shown, "metric") << " more: decided in sweep_differences.csv\n";
-  out << "decided: p <= 0.05, corrected (Holm), which finds a little more than intervals that hold all at once; g: Hedges'\n";
-}
+void print_decided_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
 
 }  // namespace detail
 
 /// The grid, the reference cell, how many comparisons there are and how they were made.
-inline void print_sweep(std::ostream& out, const SweepRuns& sweep, const CellDifferences& differences, std::size_t reference,
-                        std::optional<double> until_s = {}) {
-  const auto there = static_cast<std::size_t>(std::ranges::count(sweep.is_there, true));
-  const double lasted_s = until_s.value_or(sweep.plan.front().until_s);
-  out << "sweep of " << detail::counted(sweep.grid.cells.size(), "cell") << ", " << detail::counted(there, "run") << " of "
-      << number_text(lasted_s) << " s\n";
-  for (const Axis& axis : sweep.grid.axes) out << "axis " << axis.name << ": " << detail::values_on(axis) << "\n";
-  out << "reference: cell " << reference;
-  if (!sweep.grid.axes.empty()) out << " (" << detail::cell_title(sweep.grid, reference) << ")";
-  out << "\n";
-  if (differences.all.empty()) {
-    out << "one cell alone: there is nothing to compare\n";
-    return;
-  }
-  std::set<bool> designs;
-  for (const CellDifference& d : differences.all) designs.insert(d.paired);
-  const std::string_view design = designs.size() > 1 ? "seed by seed where cells share seeds, else as independent sets"
-                                  : *designs.begin() ? "seed by seed"
-                                                     : "as independent sets (other seeds in each cell)";
-  out << detail::counted(differences.comparisons, "comparison") << " with it, " << design
-      << "; p corrected for all of them (Holm), "
-      << "intervals, too (Bonferroni)\n";
-}
+void print_sweep(std::ostream& out, const SweepRuns& sweep, const CellDifferences& differences, std::size_t reference,
+                 std::optional<double> until_s = {});
 
 /// One line a metric that is decided anywhere, then what is not, in words.
-inline void print_cell_differences(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences) {
-  if (differences.all.empty()) return;
-  detail::print_decided_metrics(out, grid, differences);
-  std::size_t decided = 0;
-  std::size_t too_few = 0;
-  std::vector<std::string> open;
-  std::set<std::string> with_verdict;
-  for (const CellDifference& d : differences.all) {
-    if (detail::is_comparison(d) && !d.difference.p) ++too_few;
-    if (!d.difference.differs()) continue;
-    ++decided;
-    with_verdict.insert(metric_title(d.name));
-  }
-  for (const CellDifference& d : differences.all) {
-    const std::string title = metric_title(d.name);
-    if (!detail::is_comparison(d) || with_verdict.contains(title)) continue;
-    if (std::ranges::find(open, title) == open.end()) open.push_back(title);
-  }
-  const std::size_t undecided = differences.comparisons - decided;
-  if (undecided > 0) {
-    out << "no verdict on " << undecided << " of " << differences.comparisons
-        << " comparisons: a difference is not shown, and neither is its absence\n";
-  }
-  if (!open.empty()) {
-    constexpr std::size_t shown = 6;
-    out << "no verdict in any cell on " << detail::counted(open.size(), "metric") << ": ";
-    for (std::size_t i = 0; i < std::min(shown, open.size()); ++i) out << (i > 0 ? "; " : "") << open[i];
-    out << (open.size() > shown ? "; ...\n" : "\n");
-  }
-  if (too_few > 0) {
-    out << "too few runs for a verdict in " << too_few << " of them: " << runs_for_verdict << " in each cell are needed\n";
-  }
-  if (undecided > 0) {
-    out << "runs_needed and smallest_detectable in sweep_differences.csv say what more runs would show; fewer metrics "
-           "(--metric), "
-           "chosen before looking, need fewer runs\n";
-  }
-}
+void print_cell_differences(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
 
 /// One line a metric: how many replicates a difference of that size would need.
-inline void print_runs_for_difference(std::ostream& out, std::span<const RunsForDifference> answers, const CellDifferences& of) {
-  for (const RunsForDifference& answer : answers) {
-    const Reading reading{answer.name};
-    out << "a difference of " << reading(answer.difference) << " in " << metric_title(answer.name)
-        << (answer.over_shadow ? ", over shadow" : "") << " needs ";
-    const auto runs = [](const std::optional<std::size_t>& count) {
-      return count ? std::to_string(*count) : "more than " + std::to_string(most_runs);
-    };
-    if (answer.cells == 0) {
-      out << "an unknown number of replicates: fewer than two were compared\n";
-      continue;
-    }
-    out << runs(answer.runs) << " replicates a cell (" << runs(answer.fewest) << " to " << runs(answer.most)
-        << ", cell by cell) for 80 % power\n";
-  }
-  if (!answers.empty()) {
-    out << "at the level of one of " << detail::counted(of.comparisons, "comparison") << ", " << number_text(of.level())
-        << "; by the spread of the runs at hand\n";
-  }
-}
+void print_runs_for_difference(std::ostream& out, std::span<const RunsForDifference> answers, const CellDifferences& of);
 
 }  // namespace trophic::analysis

@@ -6,6 +6,7 @@
 #include <string>
 #include <trophic/observe/column.hpp>
 #include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/observe/growing_file.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/new_file.hpp>

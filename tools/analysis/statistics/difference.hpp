@@ -2,13 +2,10 @@
 // Differences between sets of runs, and the correction for looking at many of them.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
-#include <tools/analysis/statistics/holm.hpp>
 #include <tools/analysis/statistics/interval.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 
@@ -23,27 +20,12 @@ struct Difference {
 };
 
 /// As tables have it: yes or no; empty without a p value.
-[[nodiscard]] inline std::string decided_text(const Difference& difference) {
-  if (!difference.adjusted) return "";
-  return difference.differs() ? "yes" : "no";
-}
+[[nodiscard]] std::string decided_text(const Difference& difference);
 
 /// `value` is given by the caller, as a contrast needs more runs than a difference does.
-[[nodiscard]] inline Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of) {
-  return {value, interval_of(of), p_value(of), {}};
-}
+[[nodiscard]] Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of);
 
 /// Holm's correction over all of `differences` together. One without a p value, in which nothing varies, is no comparison.
-inline void adjust_together(std::span<Difference* const> differences) {
-  std::vector<double> p_values;
-  for (const Difference* each : differences) {
-    if (each->p) p_values.push_back(*each->p);
-  }
-  const std::vector<double> adjusted = holm(p_values);
-  std::size_t k = 0;
-  for (Difference* each : differences) {
-    each->adjusted = each->p ? std::optional{adjusted[k++]} : std::nullopt;
-  }
-}
+void adjust_together(std::span<Difference* const> differences);
 
 }  // namespace trophic::analysis

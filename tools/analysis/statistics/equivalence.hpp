@@ -5,10 +5,8 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <tools/analysis/statistics/interval.hpp>
-#include <trophic/params/params.hpp>
 
 namespace trophic::analysis {
 
@@ -29,28 +27,10 @@ struct EquivalenceTest {
 /// Two one-sided tests [schuirmann1987], each at level `alpha`: equivalent iff the interval of the difference at 1 - 2 alpha
 /// lies within +-margin; different iff it does not and the interval at 1 - alpha leaves out zero. Intervals as interval_of.
 /// Throws std::invalid_argument unless margin > 0 and alpha lies between 0 and 0.5.
-[[nodiscard]] inline EquivalenceTest test_equivalence(const std::optional<Contrast>& difference, double margin,
-                                                      double alpha = 0.05) {
-  if (!(margin > 0.0)) throw std::invalid_argument{"margin = " + number_text(margin) + ": must be > 0"};
-  if (!(alpha > 0.0 && alpha < 0.5)) throw std::invalid_argument{"alpha = " + number_text(alpha) + ": must be > 0 and < 0.5"};
-  EquivalenceTest test;
-  test.margin = margin;
-  if (!difference) return test;
-  test.difference = difference->value;
-  test.interval = interval_of(difference, 1.0 - 2.0 * alpha);
-  const Interval wide = *interval_of(difference, 1.0 - alpha);
-  const bool within = test.interval->lower > -margin && test.interval->upper < margin;
-  const bool apart = wide.lower > 0.0 || wide.upper < 0.0;
-  test.verdict = within ? Equivalence::equivalent : apart ? Equivalence::different : Equivalence::undecided;
-  return test;
-}
+[[nodiscard]] EquivalenceTest test_equivalence(const std::optional<Contrast>& difference, double margin, double alpha = 0.05);
 
 /// Of mean(b) - mean(a).
-[[nodiscard]] inline EquivalenceTest test_equivalence(std::span<const double> a, std::span<const double> b, double margin,
-                                                      double alpha = 0.05) {
-  EquivalenceTest test = test_equivalence(contrast({{-1.0, a}, {1.0, b}}), margin, alpha);
-  if (!a.empty() && !b.empty()) test.difference = *mean_of(b) - *mean_of(a);
-  return test;
-}
+[[nodiscard]] EquivalenceTest test_equivalence(std::span<const double> a, std::span<const double> b, double margin,
+                                               double alpha = 0.05);
 
 }  // namespace trophic::analysis

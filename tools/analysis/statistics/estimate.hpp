@@ -31,8 +31,6 @@ struct Estimate {
   std::optional<Interval> interval;
 };
 
-[[nodiscard]] inline Estimate estimate(std::span<const double> values) {
-  return {values.size(), mean_of(values), deviation_of(values), interval_of_mean(values)};
-}
+[[nodiscard]] Estimate estimate(std::span<const double> values);
 
 }  // namespace trophic::analysis

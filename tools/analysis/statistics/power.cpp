@@ -10,7 +10,10 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <tools/analysis/statistics/student_t.hpp>
+#include <trophic/params/params.hpp>
 
 namespace trophic::analysis {
 
@@ -42,6 +45,57 @@ double errors_for_power(double freedom, double level, double power) {
   std::uintmax_t steps = 200;
   const auto near = boost::math::tools::toms748_solve(missing, low, high, boost::math::tools::eps_tolerance<double>{24}, steps);
   return near.second;
+}
+
+std::optional<Scatter> scatter_of(std::span<const double> values) {
+  if (values.size() < 2) return std::nullopt;
+  return Scatter{std::pow(*deviation_of(values), 2.0), 1.0};
+}
+
+std::optional<Scatter> scatter_of(std::span<const double> a, std::span<const double> b) {
+  const auto of_a = scatter_of(a);
+  const auto of_b = scatter_of(b);
+  if (!of_a || !of_b) return std::nullopt;
+  const double sum = of_a->variance + of_b->variance;
+  const double squares = of_a->variance * of_a->variance + of_b->variance * of_b->variance;
+  return Scatter{sum, squares > 0.0 ? sum * sum / squares : 1.0};
+}
+
+double detectable_difference(const Contrast& of, double level, double power) {
+  return of.error == 0.0 ? 0.0 : of.error * errors_for_power(of.freedom, level, power);
+}
+
+std::optional<std::size_t> runs_for_power(double difference, const Scatter& scatter, double level, double power) {
+  const auto check = [](const char* name, double value) {
+    if (value > 0.0 && value < 1.0) return;
+    throw std::invalid_argument{std::string{name} + " = " + number_text(value) + ": must be > 0 and < 1"};
+  };
+  check("level", level);
+  check("power", power);
+  if (difference == 0.0) return std::nullopt;
+  if (is_rounding(std::sqrt(scatter.variance), difference)) return runs_for_verdict;
+  const double spreads = std::abs(difference) / std::sqrt(scatter.variance);
+  const auto suffices = [&](std::size_t runs) {
+    const auto count = static_cast<double>(runs);
+    return power_of_t(spreads * std::sqrt(count), scatter.freedom * (count - 1.0), level) >= power;
+  };
+  // The normal distribution asks for fewer runs than t does: from there upwards in growing steps, then back by halving.
+  constexpr double as_good_as_normal = 1e9;
+  const double wanted = student_t_quantile(1.0 - level / 2.0, as_good_as_normal) + student_t_quantile(power, as_good_as_normal);
+  const double fewest = std::pow(std::max(wanted, 0.0) / spreads, 2.0);
+  if (fewest > static_cast<double>(most_runs)) return std::nullopt;
+  std::size_t enough = std::max(runs_for_verdict, static_cast<std::size_t>(fewest));
+  std::size_t few = enough - 1;
+  for (std::size_t step = 1; !suffices(enough); step *= 2) {
+    few = enough;
+    enough += step;
+    if (enough > most_runs) return std::nullopt;
+  }
+  while (enough - few > 1) {
+    const std::size_t middle = few + (enough - few) / 2;
+    (suffices(middle) ? enough : few) = middle;
+  }
+  return enough;
 }
 
 }  // namespace trophic::analysis

@@ -4,15 +4,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <trophic/observe/column.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <tuple>
 
 namespace trophic::command::cross_check {
@@ -83,47 +81,16 @@ class Csv {
 
   /// Mean and 95 % interval over n robots or runs; `against_mujoco`: MuJoCo's at its default timestep are the test's first set.
   void add(const Subject& subject, const analysis::Estimate& estimate,
-           const std::optional<analysis::EquivalenceTest>& against_mujoco = {}) {
-    const auto lower = [](const auto& interval) { return interval ? std::optional{interval->lower} : std::nullopt; };
-    const auto upper = [](const auto& interval) { return interval ? std::optional{interval->upper} : std::nullopt; };
-    const auto test = against_mujoco.value_or(trophic::analysis::EquivalenceTest{});
-    file_.write({.part = std::string{subject.part},
-                 .engine = subject.engine,
-                 .settings = subject.settings,
-                 .timestep_s = subject.timestep_s,
-                 .target_angle_rad = subject.target_angle_rad,
-                 .quantity = std::string{subject.quantity},
-                 .species = subject.species,
-                 .group = subject.group,
-                 .unit = std::string{subject.unit},
-                 .mean = estimate.mean,
-                 .lower = lower(estimate.interval),
-                 .upper = upper(estimate.interval),
-                 .n = estimate.runs,
-                 .margin = against_mujoco ? std::optional{test.margin} : std::nullopt,
-                 .difference = test.difference,
-                 .difference_lower = lower(test.interval),
-                 .difference_upper = upper(test.interval),
-                 .verdict = std::string{against_mujoco ? trophic::enum_name(test.verdict) : ""}});
-    file_.flush();
-  }
+           const std::optional<analysis::EquivalenceTest>& against_mujoco = {});
 
  private:
   trophic::observe::CsvFile<CheckRow> file_;
 };
 
-[[nodiscard]] inline std::string text(double value, int decimals) {
-  std::ostringstream stream;
-  stream << std::fixed << std::setprecision(decimals) << value;
-  return stream.str();
-}
+[[nodiscard]] std::string text(double value, int decimals);
 
 /// "mean [lower, upper]", as much of it as there is.
-[[nodiscard]] inline std::string text(const std::optional<double>& mean, const std::optional<analysis::Interval>& interval,
-                                      double unit, int decimals) {
-  std::string all = mean ? text(unit * *mean, decimals) : "none";
-  if (interval) all += " [" + text(unit * interval->lower, decimals) + ", " + text(unit * interval->upper, decimals) + "]";
-  return all;
-}
+[[nodiscard]] std::string text(const std::optional<double>& mean, const std::optional<analysis::Interval>& interval, double unit,
+                               int decimals);
 
 }  // namespace trophic::command::cross_check

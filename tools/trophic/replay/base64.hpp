@@ -2,25 +2,11 @@
 // Bytes as text, for files that carry others.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace trophic::command::replay {
 
-[[nodiscard]] inline std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() / 3 * 4 + 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
-    std::uint32_t three = 0;
-    for (std::size_t i = 0; i < 3; ++i) three = three << 8U | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-    for (std::size_t i = 0; i < 4; ++i) text.push_back(i <= count ? letters[three >> (18U - 6U * i) & 63U] : '=');
-  }
-  return text;
-}
+[[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace trophic::command::replay

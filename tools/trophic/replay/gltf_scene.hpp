@@ -4,19 +4,14 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/trophic/replay/gltf_file.hpp>
 #include <tools/trophic/replay/recorded_agents.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/observe/read_recording.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/population/species_colour.hpp>
 #include <utility>
 #include <vector>
 
@@ -32,198 +27,36 @@ class GltfScene {
 
   /// Throws std::invalid_argument for `only` who does not live in the stretch, for a stretch that takes too much room, and for
   /// tables that are not the run's.
-  GltfScene(const RecordedRun& run, double from_s, double to_s, std::optional<IndividualId> only)
-      : recording_{run.recording},
-        first_{recording_.frame_at(from_s)},
-        last_{recording_.frame_at(to_s)},
-        agents_{run, recording_.time_s(first_), recording_.time_s(last_), 0.0} {
-    const auto& head = recording_.head();
-    const double bytes = 4.0 * static_cast<double>((last_ - first_ + 1) * (only ? 1 : head.robots) * (7 + 4 * head.joints));
-    if (!(bytes <= most_bytes)) {
-      throw std::invalid_argument{"--from, --to: " + std::to_string(last_ - first_ + 1) + " frames take " +
-                                  std::to_string(static_cast<long>(bytes / 1e6)) +
-                                  " MB: must be <= 1000; choose a shorter time, or one robot with --follow"};
-    }
-    file_.describe({{"fingerprint", head.fingerprint},
-                    {"seed", head.seed},
-                    {"rule_table", head.rule_table},
-                    {"from_s", recording_.time_s(first_)},
-                    {"to_s", recording_.time_s(last_)}});
-    for (std::size_t i = 0; i < head.species.size(); ++i) {
-      const Colour colour = species_colour(i);
-      cores_.push_back(file_.add_box(head.species[i], file_.add_material(head.species[i], colour)));
-      limbs_.push_back(
-          file_.add_box(head.species[i] + " limb", file_.add_material(head.species[i] + " limb", limb_colour(colour))));
-    }
-    add_arena(head.arena);
-    for (std::size_t body = 0; body < head.robots; ++body) add_occupants(body, only);
-    if (only && individuals_ == 0) {
-      throw std::invalid_argument{"--follow " + std::to_string(*only) + ": nobody of that id lives between " +
-                                  number_text(from_s) + " and " + number_text(to_s) + " s"};
-    }
-  }
+  GltfScene(const RecordedRun& run, double from_s, double to_s, std::optional<IndividualId> only);
 
   [[nodiscard]] const GltfFile& file() const { return file_; }
   [[nodiscard]] std::size_t individuals() const { return individuals_; }
   [[nodiscard]] std::size_t frames() const { return last_ - first_ + 1; }
 
  private:
-  [[nodiscard]] float since_first(std::size_t frame) const {
-    return static_cast<float>(recording_.time_s(frame) - recording_.time_s(first_));
-  }
+  [[nodiscard]] float since_first(std::size_t frame) const;
 
-  void add_arena(const Arena& arena) {
-    const double half = arena.half_side_m;
-    const std::size_t node =
-        file_.add_node(GltfFile::upright(), "arena", Eigen::Vector3d::Zero(), Eigen::Quaterniond::Identity());
-    const std::size_t floor = file_.add_material("floor", {0.93F, 0.94F, 0.95F});
-    const std::size_t wall = file_.add_material("wall", {0.72F, 0.76F, 0.8F});
-    if (arena.height_field) return add_slopes(node, floor, *arena.height_field);
-    const auto put = [&](std::size_t mesh, const Eigen::Vector3d& at_m, const Eigen::Vector3d& half_m) {
-      file_.add_shape(node, mesh, at_m, Eigen::Quaterniond::Identity(), half_m);
-    };
-    put(file_.add_box("floor", floor), {0.0, 0.0, -0.01}, {half, half, 0.01});
-    const std::size_t box = file_.add_box("wall", wall);
-    const double thick_m = 0.006 * half;
-    const double high_m = 0.0175 * half;
-    for (const double side : {-1.0, 1.0}) {
-      put(box, {side * (half + thick_m), 0.0, high_m}, {thick_m, half + 2.0 * thick_m, high_m});
-      put(box, {0.0, side * (half + thick_m), high_m}, {half + 2.0 * thick_m, thick_m, high_m});
-    }
-  }
+  void add_arena(const Arena& arena);
 
-  void add_slopes(std::size_t parent, std::size_t material, const HeightField& field) {
-    const double cell_m = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
-    const auto height = [&](std::size_t ix, std::size_t iy) { return field.height_m[iy * field.nodes + ix]; };
-    const auto slope = [&](std::size_t low, std::size_t high, double rise_m) {
-      return -rise_m / (cell_m * static_cast<double>(high - low));
-    };
-    std::vector<float> places;
-    std::vector<float> normals;
-    std::vector<std::uint32_t> corners;
-    const auto index = [&](std::size_t ix, std::size_t iy) { return static_cast<std::uint32_t>(iy * field.nodes + ix); };
-    for (std::size_t iy = 0; iy < field.nodes; ++iy) {
-      for (std::size_t ix = 0; ix < field.nodes; ++ix) {
-        const std::size_t west = ix == 0 ? 0 : ix - 1;
-        const std::size_t east = std::min(ix + 1, field.nodes - 1);
-        const std::size_t south = iy == 0 ? 0 : iy - 1;
-        const std::size_t north = std::min(iy + 1, field.nodes - 1);
-        const Eigen::Vector3d normal = Eigen::Vector3d{slope(west, east, height(east, iy) - height(west, iy)),
-                                                       slope(south, north, height(ix, north) - height(ix, south)), 1.0}
-                                           .normalized();
-        for (const double value : {static_cast<double>(ix) * cell_m - field.half_extent_m,
-                                   static_cast<double>(iy) * cell_m - field.half_extent_m, height(ix, iy)}) {
-          places.push_back(static_cast<float>(value));
-        }
-        for (int i = 0; i < 3; ++i) normals.push_back(static_cast<float>(normal[i]));
-        if (ix + 1 == field.nodes || iy + 1 == field.nodes) continue;
-        for (const std::uint32_t corner :
-             {index(ix, iy), index(ix + 1, iy), index(ix + 1, iy + 1), index(ix, iy), index(ix + 1, iy + 1), index(ix, iy + 1)}) {
-          corners.push_back(corner);
-        }
-      }
-    }
-    file_.add_shape(parent, file_.add_surface("ground", material, places, normals, corners), Eigen::Vector3d::Zero(),
-                    Eigen::Quaterniond::Identity(), Eigen::Vector3d::Ones());
-  }
+  void add_slopes(std::size_t parent, std::size_t material, const HeightField& field);
 
   /// Everybody who lived in a body, one after another, or the only one asked for.
-  void add_occupants(std::size_t body, std::optional<IndividualId> only) {
-    std::size_t from = first_;
-    while (from <= last_) {
-      const observe::AgentRow row = row_at(from, body);
-      std::size_t next = from + 1;
-      while (next <= last_ && row_at(next, body).id == row.id) ++next;
-      // The frame of a death is the last one of the dead and the first one of the heir.
-      if (!only || row.id == *only) add_individual(body, row, from, next);
-      from = next;
-    }
-  }
-  [[nodiscard]] const observe::AgentRow& row_at(std::size_t frame, std::size_t body) const {
-    return agents_.at(recording_.time_s(frame))[body];
-  }
+  void add_occupants(std::size_t body, std::optional<IndividualId> only);
+  [[nodiscard]] const observe::AgentRow& row_at(std::size_t frame, std::size_t body) const;
 
   /// `next`: the first frame of whom it is no longer, beyond the last frame for who lives on.
-  void add_individual(std::size_t body, const observe::AgentRow& row, std::size_t from, std::size_t next) {
-    ++individuals_;
-    const std::size_t to = std::min(next, last_);
-    const auto& robot = recording_.head().robot;
-    const Pose start = recording_.root(from, body);
-    const std::size_t root =
-        file_.add_node(GltfFile::upright(), "robot " + std::to_string(row.id), start.position_m, start.orientation);
-    file_.describe(root, {{"id", row.id}, {"species", recording_.head().species.at(row.species)}, {"body", body}});
-    std::vector<std::size_t> links{root};
-    for (std::size_t i = 0; i < robot.links.size(); ++i) {
-      const Link& link = robot.links[i];
-      if (i > 0) {
-        const std::string& name = robot.hinges[i - 1].name;
-        links.push_back(file_.add_node(links[static_cast<std::size_t>(link.parent)], name, link.offset_m, turned(i, from, body)));
-      }
-      for (const Box& box : link.boxes) {
-        file_.add_shape(links[i], (i == 0 ? cores_ : limbs_)[row.species], box.centre_m, box.orientation, box.half_extents_m);
-      }
-    }
-    if (to > from) add_motion(body, links, from, to);
-    add_lifetime(root, from, next);
-  }
+  void add_individual(std::size_t body, const observe::AgentRow& row, std::size_t from, std::size_t next);
 
   /// How a link stands to its parent.
-  [[nodiscard]] Eigen::Quaterniond turned(std::size_t link, std::size_t frame, std::size_t body) const {
-    const auto& head = recording_.head();
-    if (head.joints == 0) return head.robot.links[link].rotation;
-    const double angle_rad = recording_.joint_angle_rad(frame, body, link - 1);
-    return (head.robot.links[link].rotation * Eigen::AngleAxisd{angle_rad, head.robot.hinges[link - 1].axis}).normalized();
-  }
+  [[nodiscard]] Eigen::Quaterniond turned(std::size_t link, std::size_t frame, std::size_t body) const;
 
-  void add_motion(std::size_t body, const std::vector<std::size_t>& links, std::size_t from, std::size_t to) {
-    const std::size_t times = times_between(from, to);
-    std::vector<float> places;
-    std::vector<float> turns;
-    Eigen::Quaterniond before = recording_.root(from, body).orientation;
-    for (std::size_t frame = from; frame <= to; ++frame) {
-      const Pose pose = recording_.root(frame, body);
-      for (int i = 0; i < 3; ++i) places.push_back(static_cast<float>(pose.position_m[i]));
-      add_turn(turns, pose.orientation, before);
-    }
-    file_.move(links[0], "translation", times, places);
-    file_.move(links[0], "rotation", times, turns);
-    if (recording_.head().joints == 0) return;
-    for (std::size_t link = 1; link < links.size(); ++link) {
-      turns.clear();
-      before = turned(link, from, body);
-      for (std::size_t frame = from; frame <= to; ++frame) add_turn(turns, turned(link, frame, body), before);
-      file_.move(links[link], "rotation", times, turns);
-    }
-  }
+  void add_motion(std::size_t body, const std::vector<std::size_t>& links, std::size_t from, std::size_t to);
   /// Of the two quaternions of an orientation the one that is nearer to the one before.
-  static void add_turn(std::vector<float>& turns, const Eigen::Quaterniond& turn, Eigen::Quaterniond& before) {
-    const double sign = before.dot(turn) < 0.0 ? -1.0 : 1.0;
-    before = Eigen::Quaterniond{sign * turn.coeffs()};
-    for (int i = 0; i < 4; ++i) turns.push_back(static_cast<float>(before.coeffs()[i]));
-  }
+  static void add_turn(std::vector<float>& turns, const Eigen::Quaterniond& turn, Eigen::Quaterniond& before);
 
-  void add_lifetime(std::size_t node, std::size_t from, std::size_t next) {
-    std::vector<float> times_s;
-    std::vector<float> scales;
-    const auto add = [&](std::size_t frame, float scale) {
-      times_s.push_back(since_first(frame));
-      scales.insert(scales.end(), 3, scale);
-    };
-    if (from > first_) add(first_, 0.0F);
-    add(from, 1.0F);
-    if (next <= last_) add(next, 0.0F);
-    if (times_s.size() > 1) file_.move(node, "scale", file_.add_times(times_s), scales, true);
-  }
+  void add_lifetime(std::size_t node, std::size_t from, std::size_t next);
 
-  [[nodiscard]] std::size_t times_between(std::size_t from, std::size_t to) {
-    const auto [found, is_new] = times_.try_emplace({from, to}, 0);
-    if (is_new) {
-      std::vector<float> times_s;
-      for (std::size_t frame = from; frame <= to; ++frame) times_s.push_back(since_first(frame));
-      found->second = file_.add_times(times_s);
-    }
-    return found->second;
-  }
+  [[nodiscard]] std::size_t times_between(std::size_t from, std::size_t to);
 
   const observe::RecordingReader& recording_;
   std::size_t first_;

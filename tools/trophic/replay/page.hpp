@@ -2,195 +2,20 @@
 // A page that carries runs: the viewer, the recordings, and of the tables what a viewer needs.
 #pragma once
 
-#include <zlib.h>
-
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <initializer_list>
-#include <iterator>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tools/analysis/data/csv_reader.hpp>
-#include <tools/trophic/replay/base64.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
-#include <trophic/support/json.hpp>
-#include <utility>
 #include <vector>
-
-/// The viewer's page, made from the folder viewer by npm, and its length. A program that is built without npm lacks it.
-extern "C" {
-[[gnu::weak]] extern const char trophic_viewer_page[];
-[[gnu::weak]] extern const unsigned long trophic_viewer_page_size;
-}
 
 namespace trophic::command::replay {
 
 /// Throws std::invalid_argument where the program was built without the viewer.
-[[nodiscard]] inline std::string_view viewer_page() {
-  if (&trophic_viewer_page_size == nullptr) {
-    throw std::invalid_argument{"this program was built without the viewer; install npm (Node.js 18 or later) and build again"};
-  }
-  return {static_cast<const char*>(trophic_viewer_page), trophic_viewer_page_size};
-}
-
-[[nodiscard]] inline std::string deflated(std::string_view text) {
-  uLongf size = compressBound(static_cast<uLong>(text.size()));
-  std::string bytes(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-                static_cast<uLong>(text.size()), 9) != Z_OK) {
-    throw std::runtime_error{"zlib cannot compress a table: out of memory"};
-  }
-  bytes.resize(size);
-  return bytes;
-}
-
-/// A cell; one of more than nine characters that is a number with a fraction by four digits of it.
-inline void append_short(std::string& text, std::string_view cell) {
-  double value = 0.0;
-  const bool is_long = cell.size() > 9 && cell.find('.') != std::string_view::npos;
-  if (!is_long || std::from_chars(cell.data(), cell.data() + cell.size(), value).ptr != cell.data() + cell.size()) {
-    text += cell;
-    return;
-  }
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 4);
-  text.append(digits.data(), end.ptr);
-}
-
-/// The columns of a file but for those named, in the rows that `keep` says yes to; it is asked with the reader at the row, whose
-/// first columns are `looked_at`. A last line that was cut off is left out. With `is_short` long numbers are shortened.
-template <class Keep>
-[[nodiscard]] std::string table_without(const std::filesystem::path& path, std::initializer_list<std::string_view> left_out,
-                                        std::initializer_list<std::string_view> looked_at, Keep&& keep, bool is_short = false) {
-  std::string header;
-  {
-    std::ifstream file{path};
-    std::getline(file, header);
-  }
-  analysis::CsvReader csv{path, looked_at};
-  std::vector<std::size_t> places;
-  std::string text;
-  for (std::size_t at = 0; at <= header.size();) {
-    const std::size_t end = std::min(header.find(',', at), header.size());
-    const std::string name = header.substr(at, end - at);
-    at = end + 1;
-    if (std::ranges::find(left_out, name) != left_out.end()) continue;
-    places.push_back(looked_at.size() + places.size());
-    csv.want(name);
-    text += (text.empty() ? "" : ",") + name;
-  }
-  while (csv.next()) {
-    if (!keep(csv)) continue;
-    text += '\n';
-    for (const std::size_t place : places) {
-      if (place != places.front()) text += ',';
-      is_short ? append_short(text, csv.text(place)) : static_cast<void>(text += csv.text(place));
-    }
-  }
-  return text += '\n';
-}
-
-/// The bytes of a recording, only of the blocks that a window touches.
-[[nodiscard]] inline std::string recording_bytes(const RecordedRun& run, const Window& window) {
-  const std::filesystem::path path = run.folder / "replay.trp";
-  std::ifstream file{path, std::ios::binary};
-  std::string all{std::istreambuf_iterator<char>{file}, {}};
-  if (!window.from_s && !window.to_s) return all;
-  namespace format = observe::recording;
-  std::string kept = all.substr(0, format::magic.size());
-  for (std::size_t at = kept.size(); at + 12 <= all.size();) {
-    const std::size_t size = std::size_t{12} + format::u32_at(all, at);
-    if (at + size > all.size()) break;
-    const std::string_view kind = std::string_view{all}.substr(at + 4, 4);
-    bool keep = kind == format::head_kind;
-    if (kind == format::frames_kind) {
-      const std::size_t first = format::u32_at(all, at + 8);
-      const std::size_t last = first + format::u32_at(all, at + 12) - 1;
-      keep = !(window.from_s && run.recording.time_s(last) < *window.from_s - 1e-9) &&
-             !(window.to_s && run.recording.time_s(first) > *window.to_s + 1e-9);
-    }
-    if (keep) kept.append(all, at, size);
-    at += size;
-  }
-  return kept;
-}
-
-/// What a page carries of a run: (name, bytes).
-[[nodiscard]] inline std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun& run,
-                                                                                    const Window& window) {
-  const auto in_window = [&](const analysis::CsvReader& csv) { return window.has(csv.get<double>(0)); };
-  const double tick_s = run.recording.head().times.tick_s;
-  const auto ticks = [&](const analysis::CsvReader& csv) { return window.has_tick(csv.get<double>(0), tick_s); };
-  const auto always = [](const analysis::CsvReader&) { return true; };
-  std::vector<std::pair<std::string_view, std::string>> files;
-  files.emplace_back("replay", recording_bytes(run, window));
-  files.emplace_back("agents", deflated(table_without(run.folder / "agents.csv",
-                                                      {"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"},
-                                                      {"time_s"}, ticks)));
-  files.emplace_back("events", deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"},
-                                                      {"time_s"}, in_window)));
-  files.emplace_back("phylogeny", deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, always)));
-  if (std::filesystem::exists(run.folder / "senses.csv")) {
-    files.emplace_back("senses",
-                       deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, ticks, true)));
-  }
-  return files;
-}
-
-/// What the page says of a run before its files.
-[[nodiscard]] inline Json index_of(const RecordedRun& run, const Window& window) {
-  Json index;
-  if (window.from_s) index["from_s"] = *window.from_s;
-  if (window.to_s) index["to_s"] = *window.to_s;
-  index["label"] = run.folder.filename().empty() ? run.folder.string() : run.folder.filename().string();
-  index["status"] = run.manifest.value("status", "unknown");
-  index["species"] = run.manifest.at("species");
-  index["tags"] = run.manifest.at("tags");
-  index["hunters"] = Json::array();
-  for (const auto& link : run.manifest.at("food_web")) index["hunters"].push_back(link.at("hunter"));
-  if (run.manifest.contains("senses")) index["inputs"] = run.manifest["senses"].at("inputs");
-  return index;
-}
+[[nodiscard]] std::string_view viewer_page();
 
 /// What stands in the viewer's page for these runs: their index, then their files.
-[[nodiscard]] inline std::string runs_part(const std::vector<RecordedRun>& runs, const Window& window) {
-  Json index{{"title", "trophic:"}, {"runs", Json::array()}};
-  std::string files;
-  for (std::size_t number = 0; number < runs.size(); ++number) {
-    const RecordedRun& run = runs[number];
-    try {
-      index["runs"].push_back(index_of(run, window));
-      for (const auto& [name, bytes] : files_of(run, window)) {
-        files.append("<script type=\"text/plain\" data-run=\"").append(std::to_string(number)).append("\" data-file=\"");
-        files.append(name).append("\">").append(base64(bytes)).append("</script>\n");
-      }
-    } catch (const Json::exception& error) {
-      throw std::invalid_argument{(run.folder / "manifest.json").string() + ": " + error.what()};
-    } catch (const std::runtime_error& error) {
-      throw std::invalid_argument{error.what()};
-    }
-    index["title"] = index["title"].get<std::string>() + " " + index["runs"].back()["label"].get<std::string>();
-  }
-  std::string json = json_text(index);
-  for (std::size_t less = json.find('<'); less != std::string::npos; less = json.find('<', less))
-    json.replace(less, 1, "\\u003c");
-  return "<script type=\"application/json\" id=\"trophic-index\">" + json + "</script>\n" + files;
-}
+[[nodiscard]] std::string runs_part(const std::vector<RecordedRun>& runs, const Window& window);
 
 /// The page. Throws std::invalid_argument for a table that cannot be read.
-[[nodiscard]] inline std::string page_of(const std::vector<RecordedRun>& runs, const Window& window) {
-  const std::string_view viewer = viewer_page();
-  constexpr std::string_view mark = "<!--RUNS-->";
-  const std::size_t at = viewer.find(mark);
-  if (at == std::string_view::npos) throw std::runtime_error{"the viewer's page has no place for runs"};
-  std::string page{viewer.substr(0, at)};
-  return page.append(runs_part(runs, window)).append(viewer.substr(at + mark.size()));
-}
+[[nodiscard]] std::string page_of(const std::vector<RecordedRun>& runs, const Window& window);
 
 }  // namespace trophic::command::replay

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+#include <trophic/observe/csv_file.hpp>
+#include <unit/observe/scene.hpp>
+
+using namespace trophic;
+
+TEST_CASE("csv: a file that exists is not overwritten, and a full disk is said") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("rows.csv", "mine\n");
+  CHECK(test::message_of<std::runtime_error>([&] {
+          observe::LineFile{path, "header\n"};
+        }) == "cannot create " + path + ": File exists");
+  CHECK(test::content(path) == "mine\n");
+  const auto other = folder.path() / "other.csv";
+  observe::LineFile file{other, "header\n"};
+  file.buffer() += "row\n";
+  CHECK(test::content(other) == "header\n");  // not before it is flushed
+  file.flush();
+  CHECK(test::content(other) == "header\nrow\n");
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Definitions of csv_reader.hpp.
+#include <tools/analysis/data/csv_reader.hpp>
+
+#include <trophic/support/checksum.hpp>
+#include <trophic/support/whole_file.hpp>
+
+namespace trophic::analysis {
+
+CsvReader::CsvReader(const std::filesystem::path& path, std::initializer_list<std::string_view> columns) : file_{path.string()} {
+  try {
+    text_ = read_whole_file(path, largest_table);
+  } catch (const std::invalid_argument& reason) {
+    throw std::runtime_error{reason.what()};
+  }
+  if (!split_line()) throw error("has no header");
+  header_.assign(cells_.begin(), cells_.end());
+  for (const std::string_view column : columns) want(column);
+}
+
+void CsvReader::want(std::string_view column) {
+  const auto found = std::ranges::find(header_, column);
+  if (found == header_.end()) throw error(1, "no column \"" + std::string{column} + "\"; another kind of file?");
+  wanted_.push_back({std::string{column}, static_cast<std::size_t>(found - header_.begin())});
+}
+
+bool CsvReader::next() {
+  if (!split_line()) return false;
+  if (cells_.size() != header_.size()) {
+    throw error(line_, std::to_string(cells_.size()) + " cells, the header has " + std::to_string(header_.size()));
+  }
+  return true;
+}
+
+observe::TableSum CsvReader::sum() const {
+  const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
+  return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = checksum(text_)};
+}
+
+std::size_t CsvReader::place_of(std::string_view column) const {
+  return static_cast<std::size_t>(std::ranges::find(wanted_, column, &Wanted::name) - wanted_.begin());
+}
+
+[[noreturn]] void CsvReader::reject(std::size_t column, std::string_view must) const {
+  throw error(line_, wanted_.at(column).name + " = \"" + std::string{text(column)} + "\": must be " + std::string{must});
+}
+
+std::runtime_error CsvReader::error(std::size_t line, const std::string& what) const {
+  return std::runtime_error{file_ + ":" + std::to_string(line) + ": " + what};
+}
+
+bool CsvReader::split_line() {
+  const std::size_t end = text_.find('\n', at_);
+  if (end == std::string::npos) {
+    truncated_ = at_ < text_.size();
+    return false;
+  }
+  ++line_;
+  std::string_view rest = std::string_view{text_}.substr(at_, end - at_);
+  if (rest.ends_with('\r')) rest.remove_suffix(1);
+  at_ = end + 1;
+  cells_.clear();
+  for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
+    cells_.push_back(rest.substr(0, comma));
+    rest.remove_prefix(comma + 1);
+  }
+  cells_.push_back(rest);
+  return true;
+}
+
+}  // namespace trophic::analysis

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Definitions of shadow.hpp.
+#include <tools/analysis/data/shadow.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <trophic/support/json.hpp>
+
+namespace trophic::analysis {
+
+std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesystem::path> paths) {
+  std::vector<std::filesystem::path> found;
+  for (const std::filesystem::path& path : paths) {
+    if (std::filesystem::is_directory(path / "shadow")) found.push_back(path / "shadow");
+  }
+  return found;
+}
+
+void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument{shadow.folder.string() + ": is no neutral shadow of " + ours.folder.string() + ": " + why};
+  };
+  const std::string slot{shadow_slot};
+  const std::string policy = shadow.policies.value(slot, "unknown");
+  if (policy != shadow_policy) {
+    refuse("its rule in slot " + slot + " is " + policy + ": must be " + std::string{shadow_policy});
+  }
+  const auto rest_of = [&](const RunManifest& manifest) {
+    Json rest{{"backend", manifest.backend}, {"params", manifest.params}, {"rules", manifest.policies}};
+    rest["rules"].erase(slot);
+    rest["params"].erase("seed");
+    if (rest["params"].contains("rules")) rest["params"]["rules"].erase(slot);
+    return rest;
+  };
+  if (const std::string why = first_difference(rest_of(ours), rest_of(shadow)); !why.empty()) refuse(why);
+  if (!lasted_alike(ours, shadow)) refuse("it has " + lasted_text(shadow) + ": must be as " + lasted_text(ours));
+}
+
+}  // namespace trophic::analysis

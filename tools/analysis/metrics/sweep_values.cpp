@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Definitions of sweep_values.hpp.
+#include <tools/analysis/metrics/sweep_values.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <tools/analysis/data/read_run.hpp>
+#include <tools/analysis/metrics/run_metrics.hpp>
+#include <trophic/replicates/parallel.hpp>
+#include <utility>
+
+namespace trophic::analysis {
+
+std::size_t SweepValues::place_of(const MetricName& name) const {
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+std::optional<double> SweepValues::value(std::optional<std::size_t> run, std::size_t metric) const {
+  return run && !of_run[*run].empty() ? of_run[*run][metric] : std::nullopt;
+}
+
+std::vector<MetricName> metric_names(std::span<const FoodWeb> webs) {
+  std::vector<MetricName> names;
+  for (const FoodWeb& web : webs) {
+    RunData nothing;
+    nothing.manifest.web = web;
+    nothing.manifest.half_side_m = 1.0;
+    for (const Measurement& measurement : measure_run(nothing).measurements) {
+      if (std::ranges::find(names, measurement.name) == names.end()) names.push_back(measurement.name);
+    }
+  }
+  return names;
+}
+
+SweepValues measure_sweep(const SweepRuns& sweep, std::size_t jobs, std::optional<double> until_s) {
+  SweepValues values{metric_names(sweep.webs), std::vector<std::vector<std::optional<double>>>(sweep.plan.size())};
+  std::atomic<bool> has_failed = false;
+  const auto measure = [&](std::size_t i) {
+    if (!sweep.is_there[i]) return;
+    try {
+      RunData run = read_run(sweep.folder_of(i));
+      if (!run.remarks.empty()) throw std::runtime_error{run.remarks.front()};
+      if (until_s) cut_to(run, *until_s);
+      const RunMetrics measured = measure_run(run);
+      std::vector<std::optional<double>> numbers(values.names.size());
+      for (const Measurement& measurement : measured.measurements) numbers[values.place_of(measurement.name)] = measurement.value;
+      values.of_run[i] = std::move(numbers);
+    } catch (...) {
+      has_failed = true;
+      throw;
+    }
+  };
+  const auto attempts = replicates::in_parallel(sweep.plan.size(), jobs, measure, [&] { return !has_failed; });
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    if (!attempts[i].error.empty()) throw std::runtime_error{"run " + std::to_string(i) + ": " + attempts[i].error};
+  }
+  return values;
+}
+
+CellValues cell_values(const GridCell& cell, const SweepValues& values, std::size_t metric) {
+  CellValues of;
+  for (const GridReplicate& replicate : cell.replicates) {
+    const auto run = values.value(replicate.run, metric);
+    const auto shadow = values.value(replicate.shadow, metric);
+    if (run) of.raw[replicate.seed] = *run;
+    if (shadow) of.shadow[replicate.seed] = *shadow;
+    if (run && shadow) of.over_shadow[replicate.seed] = *run - *shadow;
+  }
+  return of;
+}
+
+}  // namespace trophic::analysis

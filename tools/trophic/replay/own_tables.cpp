@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Definitions of own_tables.hpp.
+#include <tools/trophic/replay/own_tables.hpp>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tools/analysis/data/csv_reader.hpp>
+#include <trophic/observe/csv.hpp>
+#include <trophic/params/params.hpp>
+#include <vector>
+
+namespace trophic::command::replay {
+
+namespace {
+
+/// Holds the rows of a run's tables to its recording. Of a run that was killed the recording may lack the last moments.
+class OwnTables {
+ public:
+  OwnTables(std::filesystem::path folder, const observe::RecordingReader& recording)
+      : folder_{std::move(folder)}, recording_{recording}, last_s_{recording.time_s(recording.frames() - 1)} {}
+
+  /// Throws std::invalid_argument unless every event of events.csv happened at a tick of the recording, where it has that body,
+  /// to somebody who was born into that body and lived there until then; std::runtime_error for a file that cannot be read.
+  void check_events() {
+    analysis::CsvReader events{folder_ / "events.csv", {"time_s", "tick", "body", "x_m", "y_m", "event", "id"}};
+    std::vector<std::optional<std::uint64_t>> lives(recording_.head().robots);
+    while (events.next()) {
+      const Row row = row_of(events, "events.csv");
+      const std::string_view event = events.text(5);
+      const auto id = events.get<std::uint64_t>(6);
+      if (event == "birth") {
+        lives[row.body] = id;
+        births_[id] = row.body;
+      } else if (lives[row.body] != id && is_from_birth()) {
+        throw std::invalid_argument{row.where + ": robot " + std::to_string(id) + " was never born there; they are of two runs"};
+      }
+    }
+  }
+
+  /// The same of agents.csv, after `check_events`.
+  void check_agents() const {
+    analysis::CsvReader agents{folder_ / "agents.csv", {"time_s", "tick", "body", "x_m", "y_m", "id"}};
+    while (agents.next()) {
+      const Row row = row_of(agents, "agents.csv");
+      check_born(agents.get<std::uint64_t>(5), row.body, row.where);
+    }
+  }
+
+  /// Throws std::invalid_argument unless everybody in phylogeny.csv was born into that body, as events.csv says.
+  void check_phylogeny() const {
+    analysis::CsvReader taxa{folder_ / "phylogeny.csv", {"id", "body"}};
+    while (taxa.next()) check_born(taxa.get<std::uint64_t>(0), taxa.get<std::size_t>(1), place_of(taxa, "phylogeny.csv"));
+  }
+
+  /// Throws std::invalid_argument unless each row of senses.csv is of the robot in the same row of agents.csv, as far as both go.
+  void check_senses() const {
+    analysis::CsvReader agents{folder_ / "agents.csv", {"time_s", "tick", "body", "id"}};
+    analysis::CsvReader senses{folder_ / "senses.csv", {"time_s", "tick", "body", "id"}};
+    while (agents.next() && senses.next()) {
+      for (std::size_t cell = 0; cell < 4; ++cell) {
+        if (senses.text(cell) == agents.text(cell)) continue;
+        throw std::invalid_argument{place_of(senses, "senses.csv") +
+                                    ": is not of the robot and tick in that row of agents.csv; they are of two runs"};
+      }
+    }
+  }
+
+  /// Throws std::invalid_argument for a table that is not, byte for byte, what the run wrote by its manifest.
+  void check_sum(const std::string& table, const Json& sums) const {
+    if (!sums.contains(table)) return;
+    const observe::TableSum is = analysis::CsvReader{folder_ / table, {}}.sum();
+    const Json& was = sums.at(table).at("crc32");
+    if (was == is.crc32) return;
+    throw std::invalid_argument{(folder_ / table).string() + ": checksum " + std::to_string(is.crc32) + ": must be " +
+                                json_text(was) + ", as the manifest beside it says; it is of another run, or was changed"};
+  }
+
+ private:
+  struct Row {
+    std::size_t body = 0;
+    std::string where;
+  };
+
+  [[nodiscard]] std::string place_of(const analysis::CsvReader& csv, const char* table) const {
+    return (folder_ / table).string() + ":" + std::to_string(csv.line());
+  }
+
+  /// The row at hand, whose first columns are time_s, tick, body, x_m and y_m, held to the recording.
+  [[nodiscard]] Row row_of(const analysis::CsvReader& csv, const char* table) const {
+    const auto time_s = csv.get<double>(0);
+    const auto tick = csv.get<std::int64_t>(1);
+    const auto body = csv.get<std::size_t>(2);
+    const auto& head = recording_.head();
+    std::string where = place_of(csv, table) + ": body " + std::to_string(body) + " at " + number_text(time_s) + " s";
+    if (body >= head.robots) {
+      throw std::invalid_argument{where + ": the recording beside it has " + std::to_string(head.robots) + " bodies"};
+    }
+    if (std::abs(time_s - static_cast<double>(tick) * head.times.tick_s) > 1e-6) {
+      throw std::invalid_argument{where + ": must be at " + number_text(static_cast<double>(tick) * head.times.tick_s) +
+                                  " s, tick " + std::to_string(tick) + " of the recording beside it"};
+    }
+    if (time_s > last_s_ + 1e-9) {
+      if (!recording_.remark().empty()) return {body, std::move(where)};
+      throw std::invalid_argument{where + ": the recording beside it ends at " + number_text(last_s_) + " s"};
+    }
+    if (time_s < head.first_time_s) return {body, std::move(where)};
+    const Eigen::Vector3d at = recording_.root(recording_.frame_at(std::min(time_s + 1e-9, last_s_)), body).position_m;
+    const double x_m = csv.get<double>(3);
+    const double y_m = csv.get<double>(4);
+    if (std::hypot(at.x() - x_m, at.y() - y_m) > 0.002 + head.units.position_m) {
+      throw std::invalid_argument{where + " is at (" + number_text(x_m) + ", " + number_text(y_m) +
+                                  ") m, in the recording beside it elsewhere; they are of two runs"};
+    }
+    return {body, std::move(where)};
+  }
+
+  /// Whether the recording begins with the founders' births. A program of one's own may begin it later.
+  [[nodiscard]] bool is_from_birth() const { return recording_.head().first_time_s <= 0.0; }
+
+  void check_born(std::uint64_t id, std::size_t body, const std::string& where) const {
+    const auto birth = births_.find(id);
+    if (!is_from_birth() || (birth != births_.end() && birth->second == body)) return;
+    throw std::invalid_argument{where + ": robot " + std::to_string(id) + " was never born into body " + std::to_string(body) +
+                                " by the events.csv beside it; they are of two runs"};
+  }
+
+  std::filesystem::path folder_;
+  const observe::RecordingReader& recording_;
+  double last_s_;
+  std::map<std::uint64_t, std::size_t> births_;  ///< the body of everybody who was born
+};
+
+}  // namespace
+
+void check_own_tables(const std::filesystem::path& folder, const observe::RecordingReader& recording, const Json& manifest) {
+  OwnTables tables{folder, recording};
+  tables.check_events();
+  const Json sums = manifest.value("tables", Json::object());
+  for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv"}) tables.check_sum(table, sums);
+  const bool has_senses = std::filesystem::exists(folder / "senses.csv");
+  if (has_senses) tables.check_sum("senses.csv", sums);
+  if (!sums.contains("agents.csv")) tables.check_agents();
+  if (!sums.contains("phylogeny.csv")) tables.check_phylogeny();
+  if (has_senses && !sums.contains("senses.csv")) tables.check_senses();
+}
+
+}  // namespace trophic::command::replay

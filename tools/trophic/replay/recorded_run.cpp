@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Definitions of recorded_run.hpp.
+#include <tools/trophic/replay/recorded_run.hpp>
+
+#include <stdexcept>
+#include <tools/trophic/replay/own_tables.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/whole_file.hpp>
+#include <utility>
+
+namespace trophic::command::replay {
+
+Json read_manifest(const std::filesystem::path& folder, const observe::RecordingHead& head) {
+  const std::filesystem::path path = folder / "manifest.json";
+  auto manifest = parse_json_or_null(read_whole_file(path));
+  if (!manifest.is_object()) throw std::invalid_argument{path.string() + ": cannot be read as a run's manifest"};
+  try {
+    const auto fingerprint = manifest.at("fingerprint").get<std::string>();
+    const Json& seed = manifest.at("seed");
+    if (fingerprint != head.fingerprint || seed != head.seed) {
+      throw std::invalid_argument{path.string() + ": fingerprint " + fingerprint + ", seed " + json_text(seed) +
+                                  ", but replay.trp beside it is of fingerprint " + head.fingerprint + ", seed " +
+                                  std::to_string(head.seed) + "; they are of two runs"};
+    }
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument{path.string() + ": " + error.what()};
+  }
+  return manifest;
+}
+
+RecordedRun open_run(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) throw std::invalid_argument{folder.string() + ": is not a folder"};
+  const std::filesystem::path path = folder / "replay.trp";
+  if (!std::filesystem::exists(path)) {
+    throw std::invalid_argument{path.string() + ": is not there; a run with --replay-hz 0 leaves none"};
+  }
+  try {
+    observe::RecordingReader recording{path};
+    auto manifest = read_manifest(folder, recording.head());
+    if (manifest.value("agents_every_ticks", Json(1)) != 1) {
+      throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
+                                  json_text(manifest["agents_every_ticks"]) +
+                                  ": must have all to be shown, as with --agents-every 1"};
+    }
+    RecordedRun run{folder, std::move(manifest), std::move(recording), {}};
+    if (!run.recording.remark().empty()) run.remarks.push_back(run.recording.remark());
+    check_own_tables(folder, run.recording, run.manifest);
+    return run;
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument{(folder / "manifest.json").string() + ": " + error.what()};
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument{error.what()};
+  }
+}
+
+void Window::check(const observe::RecordingReader& recording) const {
+  if (from_s) static_cast<void>(recording.frame_at(*from_s));
+  if (to_s) static_cast<void>(recording.frame_at(*to_s));
+  if (from_s && to_s && !(*from_s <= *to_s)) {
+    throw std::invalid_argument{"--from " + number_text(*from_s) + ": must be <= --to, " + number_text(*to_s)};
+  }
+}
+
+double Window::start_s(const observe::RecordingReader& recording) const {
+  return from_s.value_or(recording.head().first_time_s);
+}
+
+double Window::end_s(const observe::RecordingReader& recording) const {
+  return to_s.value_or(recording.time_s(recording.frames() - 1));
+}
+
+bool Window::has_tick(double time_s, double tick_s) const {
+  return !(from_s && time_s <= *from_s - tick_s + 1e-9) && !(to_s && time_s > *to_s + 1e-9);
+}
+
+}  // namespace trophic::command::replay
