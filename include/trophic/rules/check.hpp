@@ -56,7 +56,14 @@ struct in_table<Whole<Ps...>, Rules> {
 };
 
 /// The first thing wrong with what a slot holds. What comes after it is not looked at, so that one mistake is one error.
-enum class Fault { none, missing, by_species, contract, name, fields, open, listed, twice, made, made_from_nothing };
+enum class Fault { none, missing, by_species, part, contract, name, fields, open, listed, twice, made, made_from_nothing };
+
+/// Whether each part of a policy fits the contract of that part.
+template <class Policy>
+[[nodiscard]] consteval bool parts_fit() {
+  if constexpr (MadeOfParts<Policy>) return Policy::parts_fit;
+  return true;
+}
 
 template <class Policy, bool fits_contract, bool may_differ_by_species>
 [[nodiscard]] consteval Fault fault_of() {
@@ -65,6 +72,8 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
     return Fault::missing;
   } else if constexpr (!may_differ_by_species && !std::same_as<AnswersForSpecies<Policy>, Policy>) {
     return Fault::by_species;
+  } else if constexpr (!parts_fit<Policy>()) {
+    return Fault::part;
   } else if constexpr (!fits_contract) {
     return Fault::contract;
   } else if constexpr (!Named<Policy>) {
@@ -132,33 +141,35 @@ struct CheckRules {
                 "the rule table must state its numbers: static TableParams<TABLE> params() { return TableParams<TABLE>{.slot = "
                 "{.number = 1.0}}; }, with its own type for TABLE");
 
-#define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract, ...)                                                         \
-  using Slot = typename slot_##member<Rules>::type;                                                                   \
-  static constexpr Fault member##_fault = policy_in<Rules, RuleSlot::member>::fault;                                  \
-  static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot         \
-                                                  " = ...;` or make it of a complete table with with_" #member);      \
-  static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                  \
-                                                     " asks about no single individual or species, so its policy's "  \
-                                                     "numbers cannot differ by_species");                             \
-  static_assert(member##_fault != Fault::contract || kind::Contract<AnswersForSpecies<Slot>>,                         \
-                "the policy in Rules::" #Slot " needs " TROPHIC_SENTENCE_##Contract);                                 \
-  static_assert(member##_fault != Fault::name,                                                                        \
-                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");        \
-  static_assert(member##_fault != Fault::fields,                                                                      \
-                "the Params of the policy in Rules::" #Slot                                                           \
-                " need static constexpr auto fields(), listing every number; see trophic/params/params.hpp");         \
-  static_assert(member##_fault != Fault::open,                                                                        \
-                "the Params of the policy in Rules::" #Slot " must be an aggregate: public numbers, no constructor"); \
-  static_assert(member##_fault != Fault::listed || AllListed<members_of<ParamsOf<Slot>>, fields_of<ParamsOf<Slot>>>,  \
-                "the Params of the policy in Rules::" #Slot                                                           \
-                " must list every number in fields(); see trophic/params/params.hpp");                                \
-  static_assert(member##_fault != Fault::twice,                                                                       \
-                "the Params of the policy in Rules::" #Slot " must list no number and no name twice in fields()");    \
-  static_assert(member##_fault != Fault::made,                                                                        \
-                "the policy in Rules::" #Slot                                                                         \
-                " has Params but cannot be made from them: it needs `Params params;` as its first "                   \
-                "member or a constructor from Params");                                                               \
-  static_assert(member##_fault != Fault::made_from_nothing,                                                           \
+#define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract, ...)                                                                \
+  using Slot = typename slot_##member<Rules>::type;                                                                          \
+  static constexpr Fault member##_fault = policy_in<Rules, RuleSlot::member>::fault;                                         \
+  static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot                \
+                                                  " = ...;` or make it of a complete table with with_" #member);             \
+  static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                         \
+                                                     " asks about no single individual or species, so its policy's "         \
+                                                     "numbers cannot differ by_species");                                    \
+  static_assert(member##_fault != Fault::part,                                                                               \
+                "a part of the policy in Rules::" #Slot " does not fit the contract of that part; see the policy's header"); \
+  static_assert(member##_fault != Fault::contract || kind::Contract<AnswersForSpecies<Slot>>,                                \
+                "the policy in Rules::" #Slot " needs " TROPHIC_SENTENCE_##Contract);                                        \
+  static_assert(member##_fault != Fault::name,                                                                               \
+                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");               \
+  static_assert(member##_fault != Fault::fields,                                                                             \
+                "the Params of the policy in Rules::" #Slot                                                                  \
+                " need static constexpr auto fields(), listing every number; see trophic/params/params.hpp");                \
+  static_assert(member##_fault != Fault::open,                                                                               \
+                "the Params of the policy in Rules::" #Slot " must be an aggregate: public numbers, no constructor");        \
+  static_assert(member##_fault != Fault::listed || AllListed<members_of<ParamsOf<Slot>>, fields_of<ParamsOf<Slot>>>,         \
+                "the Params of the policy in Rules::" #Slot                                                                  \
+                " must list every number in fields(); see trophic/params/params.hpp");                                       \
+  static_assert(member##_fault != Fault::twice,                                                                              \
+                "the Params of the policy in Rules::" #Slot " must list no number and no name twice in fields()");           \
+  static_assert(member##_fault != Fault::made,                                                                               \
+                "the policy in Rules::" #Slot                                                                                \
+                " has Params but cannot be made from them: it needs `Params params;` as its first "                          \
+                "member or a constructor from Params");                                                                      \
+  static_assert(member##_fault != Fault::made_from_nothing,                                                                  \
                 "the policy in Rules::" #Slot " has no Params, so it needs a default constructor");
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
 #undef TROPHIC_CHECK_SLOT
