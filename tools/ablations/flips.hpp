@@ -76,8 +76,9 @@ void append_sensor_flips(std::vector<Flip>& all, std::index_sequence<place...>) 
 template <class Base, class Other>
 [[nodiscard]] std::vector<Flip> flips() {
   std::vector<Flip> all{{std::string{base_name}, "the table itself"}};
-  for (const auto& [name, here, there] : rules::differences<Base, Other>()) {
-    all.push_back({name, (here.empty() ? "none" : here) + " -> " + (there.empty() ? "none" : there)});
+  const auto shown = [](const std::string& value) { return value.empty() ? "none" : value; };
+  for (const rules::RuleDifference& one : rules::differences<Base, Other>()) {
+    all.push_back({one.name, shown(one.here) + " -> " + shown(one.there)});
   }
   append_sensor_flips<Base, Other>(all, std::make_index_sequence<Base::Sensors::count>{});
   all.push_back({std::string{biases_name}, "a bias in every neuron, as in neither table"});

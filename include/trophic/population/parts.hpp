@@ -13,9 +13,10 @@
 namespace trophic {
 
 /// The parts of a policy that is made of policies, for it to derive from. Such a policy is a template of the types of its parts
-/// and of nothing else, and has `static constexpr std::array<std::string_view, N> part_names` and Params with one member for each
-/// part, both in the same order. Its parts keep their own states: the population treats each as a rule of its own, under the name
-/// SLOT.PART. One part is swapped by `with_part` (rules/with_part.hpp).
+/// and of nothing else. It has `static constexpr std::array<std::string_view, N> part_names` and Params with one member for each
+/// part, both in the same order, and `static constexpr bool parts_fit`: whether each part fits the contract of that part. Its
+/// parts keep their own states: the population treats each as a rule of its own, under the name SLOT.PART. One part is swapped by
+/// `with_part` (rules/with_part.hpp).
 template <class... Ps>
 class Parts {
  public:

@@ -25,20 +25,20 @@ class by_species;
 namespace detail {
 
 /// What a table says of each slot: `stated_<member><Rules>::type`, the neutral policy of a slot that it leaves out.
-#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, ...) \
-  template <class Rules>                                         \
-  struct stated_##member {                                       \
-    using type = Neutral;                                        \
-  };                                                             \
-  template <class Rules>                                         \
-  requires requires {                                            \
-    typename Rules::Slot;                                        \
-  }                                                              \
-  struct stated_##member<Rules> {                                \
-    using type = typename Rules::Slot;                           \
+#define TROPHIC_STATED(Slot, member, kind, Contract, Neutral, ...) \
+  template <class Rules>                                           \
+  struct stated_##member {                                         \
+    using type = Neutral;                                          \
+  };                                                               \
+  template <class Rules>                                           \
+  requires requires {                                              \
+    typename Rules::Slot;                                          \
+  }                                                                \
+  struct stated_##member<Rules> {                                  \
+    using type = typename Rules::Slot;                             \
   };
-TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
-#undef TROPHIC_SLOT
+TROPHIC_RULE_SLOTS(TROPHIC_STATED)
+#undef TROPHIC_STATED
 
 /// A policy as it is in a table: one whose numbers differ by species has those of the table's community.
 template <class Policy, class Rules>
@@ -55,22 +55,15 @@ struct in_table<Whole<Ps...>, Rules> {
   using type = Whole<typename in_table<Ps, Rules>::type...>;
 };
 
-/// `slot_<member><Rules>::type`: the policy in a slot. `policy_in<Rules, slot>`: the same by the slot's value, and whether it is
-/// the neutral one.
-template <class Rules, RuleSlot slot>
-struct policy_in;
-#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, ...)                                   \
-  template <class Rules>                                                                           \
-  struct slot_##member : in_table<typename stated_##member<Rules>::type, Rules> {};                \
-  template <class Rules>                                                                           \
-  struct policy_in<Rules, RuleSlot::member> : slot_##member<Rules> {                               \
-    static constexpr bool is_neutral = std::same_as<typename slot_##member<Rules>::type, Neutral>; \
-  };
-TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
-#undef TROPHIC_SLOT
-
 /// The first thing wrong with what a slot holds. What comes after it is not looked at, so that one mistake is one error.
-enum class Fault { none, missing, by_species, contract, name, fields, open, listed, twice, made, made_from_nothing };
+enum class Fault { none, missing, by_species, part, contract, name, fields, open, listed, twice, made, made_from_nothing };
+
+/// Whether each part of a policy fits the contract of that part.
+template <class Policy>
+[[nodiscard]] consteval bool parts_fit() {
+  if constexpr (MadeOfParts<Policy>) return Policy::parts_fit;
+  return true;
+}
 
 template <class Policy, bool fits_contract, bool may_differ_by_species>
 [[nodiscard]] consteval Fault fault_of() {
@@ -79,6 +72,8 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
     return Fault::missing;
   } else if constexpr (!may_differ_by_species && !std::same_as<AnswersForSpecies<Policy>, Policy>) {
     return Fault::by_species;
+  } else if constexpr (!parts_fit<Policy>()) {
+    return Fault::part;
   } else if constexpr (!fits_contract) {
     return Fault::contract;
   } else if constexpr (!Named<Policy>) {
@@ -98,6 +93,23 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
   }
 }
 
+/// A slot of a table: `type` is its policy, `stated` that policy as the table states it, before in_table. `slot_<member><Rules>`
+/// is the same by name.
+template <class Rules, RuleSlot slot>
+struct policy_in;
+#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                                   \
+  template <class Rules>                                                                                             \
+  struct policy_in<Rules, RuleSlot::member> : in_table<typename stated_##member<Rules>::type, Rules> {               \
+    using stated = typename stated_##member<Rules>::type;                                                            \
+    using type = typename in_table<stated, Rules>::type;                                                             \
+    static constexpr bool is_neutral = std::same_as<type, Neutral>;                                                  \
+    static constexpr Fault fault = fault_of<type, kind::Contract<AnswersForSpecies<type>>, may_differ_by_species>(); \
+  };                                                                                                                 \
+  template <class Rules>                                                                                             \
+  struct slot_##member : policy_in<Rules, RuleSlot::member> {};
+TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
+#undef TROPHIC_SLOT
+
 template <class Rules>
 concept Final = std::is_final_v<Rules>;
 
@@ -107,18 +119,13 @@ concept StatesParams = requires {
   requires std::same_as<decltype(Rules::params()), TableParams<Rules>>;
 };
 
-/// What is wrong with each slot of a table, and whether nothing is wrong with the table.
+/// Whether nothing is wrong with a table.
 template <class Rules>
-struct RuleFaults {
-#define TROPHIC_FAULT(Slot, member, kind, Contract, Neutral, may_differ_by_species) \
-  using Slot = typename slot_##member<Rules>::type;                                 \
-  static constexpr Fault member = fault_of<Slot, kind::Contract<AnswersForSpecies<Slot>>, may_differ_by_species>();
-  TROPHIC_RULE_SLOTS(TROPHIC_FAULT)
-#undef TROPHIC_FAULT
-#define TROPHIC_NO_FAULT(Slot, member, ...) &&member == Fault::none
-  static constexpr bool none = Final<Rules> && Named<Rules> && StatesParams<Rules> TROPHIC_RULE_SLOTS(TROPHIC_NO_FAULT);
-#undef TROPHIC_NO_FAULT
-};
+[[nodiscard]] consteval bool has_no_fault() {
+  bool none = Final<Rules> && Named<Rules> && StatesParams<Rules>;
+  for_each_slot([&]<RuleSlot slot>() { none = none && policy_in<Rules, slot>::fault == Fault::none; });
+  return none;
+}
 
 /// Fails to compile, with one sentence, unless Rules is final, has a name and numbers, and has a policy that fits the contract in
 /// every slot, but those with a neutral policy, which it may leave out. A misspelt name of such a slot in a table written out is
@@ -134,33 +141,35 @@ struct CheckRules {
                 "the rule table must state its numbers: static TableParams<TABLE> params() { return TableParams<TABLE>{.slot = "
                 "{.number = 1.0}}; }, with its own type for TABLE");
 
-#define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract, ...)                                                         \
-  using Slot = typename slot_##member<Rules>::type;                                                                   \
-  static constexpr Fault member##_fault = RuleFaults<Rules>::member;                                                  \
-  static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot         \
-                                                  " = ...;` or make it of a complete table with with_" #member);      \
-  static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                  \
-                                                     " asks about no single individual or species, so its policy's "  \
-                                                     "numbers cannot differ by_species");                             \
-  static_assert(member##_fault != Fault::contract || kind::Contract<AnswersForSpecies<Slot>>,                         \
-                "the policy in Rules::" #Slot " needs " TROPHIC_SENTENCE_##Contract);                                 \
-  static_assert(member##_fault != Fault::name,                                                                        \
-                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");        \
-  static_assert(member##_fault != Fault::fields,                                                                      \
-                "the Params of the policy in Rules::" #Slot                                                           \
-                " need static constexpr auto fields(), listing every number; see trophic/params/params.hpp");         \
-  static_assert(member##_fault != Fault::open,                                                                        \
-                "the Params of the policy in Rules::" #Slot " must be an aggregate: public numbers, no constructor"); \
-  static_assert(member##_fault != Fault::listed || AllListed<members_of<ParamsOf<Slot>>, fields_of<ParamsOf<Slot>>>,  \
-                "the Params of the policy in Rules::" #Slot                                                           \
-                " must list every number in fields(); see trophic/params/params.hpp");                                \
-  static_assert(member##_fault != Fault::twice,                                                                       \
-                "the Params of the policy in Rules::" #Slot " must list no number and no name twice in fields()");    \
-  static_assert(member##_fault != Fault::made,                                                                        \
-                "the policy in Rules::" #Slot                                                                         \
-                " has Params but cannot be made from them: it needs `Params params;` as its first "                   \
-                "member or a constructor from Params");                                                               \
-  static_assert(member##_fault != Fault::made_from_nothing,                                                           \
+#define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract, ...)                                                                \
+  using Slot = typename slot_##member<Rules>::type;                                                                          \
+  static constexpr Fault member##_fault = policy_in<Rules, RuleSlot::member>::fault;                                         \
+  static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot                \
+                                                  " = ...;` or make it of a complete table with with_" #member);             \
+  static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                         \
+                                                     " asks about no single individual or species, so its policy's "         \
+                                                     "numbers cannot differ by_species");                                    \
+  static_assert(member##_fault != Fault::part,                                                                               \
+                "a part of the policy in Rules::" #Slot " does not fit the contract of that part; see the policy's header"); \
+  static_assert(member##_fault != Fault::contract || kind::Contract<AnswersForSpecies<Slot>>,                                \
+                "the policy in Rules::" #Slot " needs " TROPHIC_SENTENCE_##Contract);                                        \
+  static_assert(member##_fault != Fault::name,                                                                               \
+                "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");               \
+  static_assert(member##_fault != Fault::fields,                                                                             \
+                "the Params of the policy in Rules::" #Slot                                                                  \
+                " need static constexpr auto fields(), listing every number; see trophic/params/params.hpp");                \
+  static_assert(member##_fault != Fault::open,                                                                               \
+                "the Params of the policy in Rules::" #Slot " must be an aggregate: public numbers, no constructor");        \
+  static_assert(member##_fault != Fault::listed || AllListed<members_of<ParamsOf<Slot>>, fields_of<ParamsOf<Slot>>>,         \
+                "the Params of the policy in Rules::" #Slot                                                                  \
+                " must list every number in fields(); see trophic/params/params.hpp");                                       \
+  static_assert(member##_fault != Fault::twice,                                                                              \
+                "the Params of the policy in Rules::" #Slot " must list no number and no name twice in fields()");           \
+  static_assert(member##_fault != Fault::made,                                                                               \
+                "the policy in Rules::" #Slot                                                                                \
+                " has Params but cannot be made from them: it needs `Params params;` as its first "                          \
+                "member or a constructor from Params");                                                                      \
+  static_assert(member##_fault != Fault::made_from_nothing,                                                                  \
                 "the policy in Rules::" #Slot " has no Params, so it needs a default constructor");
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
 #undef TROPHIC_CHECK_SLOT
@@ -179,6 +188,6 @@ inline constexpr bool is_neutral = detail::policy_in<Rules, slot>::is_neutral;
 /// Whether a type is a table of rules: final, with a name and its numbers, and a fitting policy in each slot that it states. One
 /// that is not is refused by RuleParams, and so by every experiment, with a sentence for what is wrong.
 template <class Rules>
-inline constexpr bool is_rule_table = detail::RuleFaults<Rules>::none;
+inline constexpr bool is_rule_table = detail::has_no_fault<Rules>();
 
 }  // namespace trophic

@@ -28,13 +28,19 @@ struct CheckPartState<Whole<Ps...>> {
   static constexpr bool ok = (CheckPartState<Ps>::ok && ...);
 };
 
+template <class P>
+[[nodiscard]] consteval bool parts_are_checked() {
+  if constexpr (MadeOfParts<P>) return CheckPartState<P>::ok;
+  return true;
+}
+
 /// Fails to compile, with one sentence, if a policy with a State is not what population/state.hpp asks for.
 template <class Rules>
 struct CheckStates {
 #define TROPHIC_CHECK_STATE(Slot, member, ...)                         \
   using Slot = AnswersForSpecies<typename slot_##member<Rules>::type>; \
   TROPHIC_CHECK_STATE_OF(Slot, "the policy in Rules::" #Slot)          \
-  static_assert(!MadeOfParts<Slot> || CheckPartState<Slot>::ok);
+  static_assert(parts_are_checked<Slot>());
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_STATE)
 #undef TROPHIC_CHECK_STATE
   static constexpr bool ok = true;

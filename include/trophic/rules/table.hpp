@@ -2,6 +2,7 @@
 // A table of rules at work: one object of each of its policies.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <trophic/params/policy.hpp>
@@ -9,6 +10,7 @@
 #include <trophic/rules/params.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/with.hpp>
+#include <utility>
 
 namespace trophic {
 
@@ -22,12 +24,11 @@ struct Policies {
 
 template <class Rules>
 [[nodiscard]] Policies<Rules> make_policies(const RuleParams<Rules>& params) {
-  return {
-#define TROPHIC_MAKE_POLICY(Slot, member, ...) \
-  .member = make_policy<typename detail::slot_##member<Rules>::type>(params.member, #member),
-      TROPHIC_RULE_SLOTS(TROPHIC_MAKE_POLICY)
-#undef TROPHIC_MAKE_POLICY
-  };
+  return [&]<std::size_t... slot>(std::index_sequence<slot...>) {
+    return Policies<Rules>{make_policy<PolicyIn<Rules, static_cast<RuleSlot>(slot)>>(of_slot<static_cast<RuleSlot>(slot)>(params),
+                                                                                     slot_name(static_cast<RuleSlot>(slot)))...};
+  }
+  (std::make_index_sequence<rules::slot_names.size()>{});
 }
 
 /// Calls `visit(slot_name, policy_name)` for each slot that holds another policy than its neutral one.

@@ -18,18 +18,31 @@ namespace trophic {
 
 namespace detail {
 
+/// An alias for each slot: `Pick<slot>::type`.
+template <template <RuleSlot> class Pick>
+struct SlotAliases {
+#define TROPHIC_ALIAS(Slot, member, ...) using Slot = typename Pick<RuleSlot::member>::type;
+  TROPHIC_RULE_SLOTS(TROPHIC_ALIAS)
+#undef TROPHIC_ALIAS
+};
+
+/// The policies that a table states, and the same with another one in a slot.
+template <class Rules>
+struct Stated {
+  template <RuleSlot slot>
+  using in = std::type_identity<typename policy_in<Rules, slot>::stated>;
+};
+template <class Rules, RuleSlot swapped, class Policy>
+struct Swapped {
+  template <RuleSlot slot>
+  using in = std::conditional_t<slot == swapped, std::type_identity<Policy>, typename Stated<Rules>::template in<slot>>;
+};
+
 /// All that a table made of another one takes over as it is.
 template <class Rules>
-struct OfTable {
-#define TROPHIC_KEEP(Slot, member, ...) using Slot = typename stated_##member<Rules>::type;
-  TROPHIC_RULE_SLOTS(TROPHIC_KEEP)
-#undef TROPHIC_KEEP
-  static auto ecology() {
-    return Rules::ecology();
-  }
-  static auto physics() {
-    return Rules::physics();
-  }
+struct OfTable : SlotAliases<Stated<Rules>::template in> {
+  static auto ecology() { return Rules::ecology(); }
+  static auto physics() { return Rules::physics(); }
 };
 
 /// The numbers of one table as those of another with the same policies.
@@ -44,12 +57,7 @@ template <class Table, class Rules>
 
 /// A table with the rule of one slot swapped, that rule at the policy's own numbers. Written with_<slot><Rules, Policy>.
 template <class Rules, RuleSlot swapped, class Policy>
-struct with_rule final {
-#define TROPHIC_SWAP(Slot, member, ...) \
-  using Slot = std::conditional_t<swapped == RuleSlot::member, Policy, typename detail::stated_##member<Rules>::type>;
-  TROPHIC_RULE_SLOTS(TROPHIC_SWAP)
-#undef TROPHIC_SWAP
-
+struct with_rule final : detail::SlotAliases<detail::Swapped<Rules, swapped, Policy>::template in> {
   /// "paper with mutation = uniform_mutation".
   struct Words {
     static constexpr std::array<std::string_view, 5> words{detail::policy_name<Rules>(), " with ", slot_name(swapped), " = ",
@@ -67,12 +75,8 @@ struct with_rule final {
     });
     return own;
   }
-  static auto ecology() {
-    return Rules::ecology();
-  }
-  static auto physics() {
-    return Rules::physics();
-  }
+  static auto ecology() { return Rules::ecology(); }
+  static auto physics() { return Rules::physics(); }
 };
 
 // with_<slot><Rules, Policy>: the table with one rule swapped. Swaps nest.

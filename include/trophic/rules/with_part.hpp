@@ -34,33 +34,27 @@ template <std::size_t place, class Params>
 }
 
 template <class Rules, RuleSlot slot, std::size_t place, class Policy>
-struct swap_part {
-  using Whole = PolicyIn<Rules, slot>;
-  static_assert(MadeOfParts<Whole>, "with_part: the table's policy in this slot is not made of parts; swap it by with_<slot>");
-  using type = typename whole_with_part<Whole, place, Policy, std::make_index_sequence<Whole::part_count>>::type;
-};
+using WithWhole = with_rule<Rules, slot,
+                            typename whole_with_part<PolicyIn<Rules, slot>, place, Policy,
+                                                     std::make_index_sequence<PolicyIn<Rules, slot>::part_count>>::type>;
 
-}  // namespace detail
-
-/// A table with one part of a policy swapped, at the new part's own numbers; the other parts keep the table's numbers.
 template <class Rules, RuleSlot slot, std::size_t place, class Policy>
-struct with_part final : detail::OfTable<with_rule<Rules, slot, typename detail::swap_part<Rules, slot, place, Policy>::type>> {
+struct with_one_part final : OfTable<WithWhole<Rules, slot, place, Policy>> {
   /// "paper with parent.starved = nearest_victim".
   struct Words {
     static constexpr std::array<std::string_view, 7> words{
-        detail::policy_name<Rules>(), " with ", slot_name(slot), ".", PolicyIn<Rules, slot>::part_names[place], " = ",
-        detail::policy_name<Policy>()};
+        policy_name<Rules>(), " with ", slot_name(slot), ".", PolicyIn<Rules, slot>::part_names[place], " = ",
+        policy_name<Policy>()};
     static constexpr std::string_view separator{};
   };
   static constexpr std::string_view name = JoinedText<Words>::view;
 
-  static TableParams<with_part> params() {
-    using Swapped = with_rule<Rules, slot, typename detail::swap_part<Rules, slot, place, Policy>::type>;
-    auto own = detail::same_params<with_part>(detail::stated_params<Swapped>());
-    const auto kept = detail::stated_params<Rules>();
+  static TableParams<with_one_part> params() {
+    auto own = same_params<with_one_part>(stated_params<WithWhole<Rules, slot, place, Policy>>());
+    const auto kept = stated_params<Rules>();
     [&]<std::size_t... other>(std::index_sequence<other...>) {
       const auto keep = [&]<std::size_t one>() {
-        if constexpr (one != place) detail::part_of<one>(of_slot<slot>(own)) = detail::part_of<one>(of_slot<slot>(kept));
+        if constexpr (one != place) part_of<one>(of_slot<slot>(own)) = part_of<one>(of_slot<slot>(kept));
       };
       (keep.template operator()<other>(), ...);
     }
@@ -68,6 +62,24 @@ struct with_part final : detail::OfTable<with_rule<Rules, slot, typename detail:
     return own;
   }
 };
+
+template <class Rules, RuleSlot slot, std::size_t place, class Policy>
+struct swap_part {
+  static_assert(MadeOfParts<PolicyIn<Rules, slot>>,
+                "with_part: the table's policy in this slot is not made of parts; swap it by with_<slot>");
+  using type = Rules;
+};
+template <class Rules, RuleSlot slot, std::size_t place, class Policy>
+requires MadeOfParts<PolicyIn<Rules, slot>>
+struct swap_part<Rules, slot, place, Policy> {
+  using type = with_one_part<Rules, slot, place, Policy>;
+};
+
+}  // namespace detail
+
+/// A table with one part of a policy swapped, at the new part's own numbers; the other parts keep the table's numbers.
+template <class Rules, RuleSlot slot, std::size_t place, class Policy>
+using with_part = typename detail::swap_part<Rules, slot, place, Policy>::type;
 
 /// The table with another parent rule after deaths of this cause: `with_parent_after<Paper, Cause::starved, NearestVictim>`. Its
 /// Parent must be a ByCause.

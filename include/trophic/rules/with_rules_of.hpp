@@ -48,14 +48,19 @@ static_assert(slot_names.size() <= 64);
   return set;
 }
 
+namespace detail {
+
+template <class Base, class Other, SlotSet set>
+struct SlotsOf {
+  template <RuleSlot slot>
+  using in = typename trophic::detail::Stated<std::conditional_t<set.contains(slot_name(slot)), Other, Base>>::template in<slot>;
+};
+
+}  // namespace detail
+
 /// Base with the policies and numbers that Other has in the slots of a set; ecology and physics are those of Base.
 template <class Base, class Other, SlotSet set>
-struct with_rules_of final {
-#define TROPHIC_SLOT_OF(Slot, member, ...) \
-  using Slot = typename trophic::detail::stated_##member<std::conditional_t<set.contains(#member), Other, Base>>::type;
-  TROPHIC_RULE_SLOTS(TROPHIC_SLOT_OF)
-#undef TROPHIC_SLOT_OF
-
+struct with_rules_of final : trophic::detail::SlotAliases<detail::SlotsOf<Base, Other, set>::template in> {
   /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; numbers are in the manifest.
   struct Words {
     static constexpr auto words = [] {
@@ -90,12 +95,8 @@ struct with_rules_of final {
     });
     return own;
   }
-  static auto ecology() {
-    return Base::ecology();
-  }
-  static auto physics() {
-    return Base::physics();
-  }
+  static auto ecology() { return Base::ecology(); }
+  static auto physics() { return Base::physics(); }
 };
 
 /// Base with one part of a policy, and its numbers, as Other has it.

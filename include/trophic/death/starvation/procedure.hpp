@@ -30,6 +30,7 @@ struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
     static constexpr std::array<std::string_view, 3> part_names{"interval", "exemption", "choice"};
   };
   static constexpr auto& part_names = Names::part_names;
+  static constexpr bool parts_fit = Interval<IntervalPart> && Exemption<AnswersForSpecies<ExemptionPart>> && Choice<ChoicePart>;
   /// "interval: never_due, exemption: no_exemption, choice: hungriest_unspared".
   static constexpr std::string_view name =
       JoinedText<trophic::detail::PartWords<void, Names, IntervalPart, ExemptionPart, ChoicePart>>::view;

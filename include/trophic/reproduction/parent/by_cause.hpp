@@ -27,6 +27,8 @@ struct ByCause : Parts<Caught, Starved, Sacrificed, Senescence> {
     static constexpr std::array part_names = enum_names(Cause{});
   };
   static constexpr auto& part_names = Names::part_names;
+  static constexpr bool parts_fit = Parent<AnswersForSpecies<Caught>> && Parent<AnswersForSpecies<Starved>> &&
+                                    Parent<AnswersForSpecies<Sacrificed>> && Parent<AnswersForSpecies<Senescence>>;
   /// "caught: killer, starved: nearest_victim".
   static constexpr std::string_view name =
       JoinedText<trophic::detail::PartWords<NoParent, Names, Caught, Starved, Sacrificed, Senescence>>::view;

@@ -10,7 +10,7 @@
 
 namespace trophic::death::starvation {
 
-/// Whether a hunter is exempt, as a choice may ask it. Observers hear of each hunter that was asked about and is.
+/// Whether a hunter is exempt, as a choice may ask it. Observers are given each hunter that was asked about and is.
 using IsExempt = std::function<bool(BodyIndex hunter)>;
 
 /// `victims(view, is_exempt)`: who starves in a procedure, in order, each once.
