@@ -3,6 +3,7 @@
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
 #include <trophic/rules/paper.hpp>

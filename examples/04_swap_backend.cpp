@@ -4,6 +4,7 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/rules/paper.hpp>
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>

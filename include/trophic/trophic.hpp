@@ -231,6 +231,7 @@
 #include <trophic/rules/with_part.hpp>
 #include <trophic/rules/with_rules_of.hpp>
 #include <trophic/rules/with_sensor.hpp>
+#include <trophic/run.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/colour.hpp>
 #include <trophic/support/faster_way.hpp>

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/experiment.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/rules/paper.hpp>
 #include <tuple>
 

@@ -13,6 +13,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulations_of.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/population/species_colour.hpp>
 #include <trophic/rules/print_table.hpp>

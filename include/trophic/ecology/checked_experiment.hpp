@@ -2,11 +2,11 @@
 // An experiment's numbers with the habitat that they name, checked before anything is simulated.
 #pragma once
 
+#include <concepts>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <utility>
@@ -33,14 +33,21 @@ template <class Rules>
   return {std::move(params), std::move(backend), std::move(habitat)};
 }
 
-/// Loads the models that `params.ecology` names. Throws as `checked` does, std::runtime_error for a missing or broken file.
+/// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws as `checked` does, std::runtime_error for a missing or broken file.
 template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> load_checked(Experiment<Rules> params, BackendChoice backend) {
   validate(params, "");
   backend.validate("backend");
-  Habitat habitat = load_habitat(params.ecology);
-  if (params.ecology.gait.empty()) params.ecology.gait = habitat.robot.gait;
-  return checked(std::move(params), std::move(backend), std::move(habitat));
+  if constexpr (requires { load_habitat(params.ecology); }) {
+    Habitat habitat = load_habitat(params.ecology);
+    if (params.ecology.gait.empty()) params.ecology.gait = habitat.robot.gait;
+    return checked(std::move(params), std::move(backend), std::move(habitat));
+  } else {
+    static_assert(std::same_as<Rules, void>,
+                  "Ecology(params, backend) reads the robot, arena and gait that params.ecology names, and this program has no "
+                  "reader of model files: include <trophic/run.hpp> or <trophic/habitat/load/habitat.hpp>, or give the ecology a "
+                  "Habitat as its third argument");
+  }
 }
 
 }  // namespace trophic

@@ -8,6 +8,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulation.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <utility>
 
 namespace trophic {

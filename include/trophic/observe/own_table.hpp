@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/observe/audience.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/observe/csv_file.hpp>
 #include <trophic/observe/growing_file.hpp>
 #include <trophic/observe/hooks.hpp>
 #include <trophic/params/archive.hpp>
