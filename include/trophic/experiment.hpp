@@ -11,7 +11,7 @@
 #include <trophic/command/selection.hpp>
 #include <trophic/command/table_experiment.hpp>
 #include <trophic/command/watching.hpp>
-#include <trophic/observe/own_table.hpp>
+#include <trophic/io/own_table.hpp>
 #include <trophic/rules/table.hpp>
 #include <utility>
 // Programs that are linked with trophic::mpi or trophic::mpi_compiled have this definition.
@@ -27,7 +27,7 @@ using command::BackendList;
 /// The command line of an experiment with rule tables to choose from, on backends of one's own choice:
 /// `experiment_on<BackendList<MyBackend>, MyRules>(argc, argv)`. `own_tables`: see `experiment`.
 template <class Backends, class... Rules>
-[[nodiscard]] int experiment_on(int argc, const char* const* argv, observe::OwnTables own_tables = {}) {
+[[nodiscard]] int experiment_on(int argc, const char* const* argv, io::OwnTables own_tables = {}) {
   static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
   return command::guarded(argv[0], [&] {
     const command::Offer offer{
@@ -51,10 +51,10 @@ template <class Backends, class... Rules>
 /// The command line of an experiment with rule tables to choose from, the first of them the default, on the kinematic backend and
 /// every engine that the program is linked with: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume,
 /// --sweep and more. `own_tables`: observers that write a table of one's own into the folder of every run, shadows and runs of
-/// sweeps included: `experiment<MyRules>(argc, argv, observe::own_tables<Distances>())`.
+/// sweeps included: `experiment<MyRules>(argc, argv, io::own_tables<Distances>())`.
 /// Returns the exit code: 0; 1 if a run failed; 2 if the arguments are wrong; 3 if a signal stopped a run.
 template <class... Rules>
-[[nodiscard]] int experiment(int argc, const char* const* argv, observe::OwnTables own_tables = {}) {
+[[nodiscard]] int experiment(int argc, const char* const* argv, io::OwnTables own_tables = {}) {
   return experiment_on<command::LinkedBackends, Rules...>(argc, argv, std::move(own_tables));
 }
 

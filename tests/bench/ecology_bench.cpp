@@ -12,9 +12,9 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/agent_log.hpp>
-#include <trophic/observe/event_log.hpp>
-#include <trophic/observe/genome_log.hpp>
+#include <trophic/io/agent_log.hpp>
+#include <trophic/io/event_log.hpp>
+#include <trophic/io/genome_log.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>
 
@@ -62,9 +62,9 @@ void tick(benchmark::State& state, const typename Backend::Params& params) {
   numbers.robots = static_cast<std::size_t>(state.range(0));
   trophic::Ecology<trophic::rules::Paper> ecology({.ecology = numbers}, params);
   const trophic::test::TemporaryFolder folder;
-  trophic::observe::EventLog events{folder.path() / "events.csv"};
-  trophic::observe::AgentLog agents{folder.path() / "agents.csv"};
-  trophic::observe::GenomeLog genomes{folder.path() / "genomes.csv"};
+  trophic::io::EventLog events{folder.path() / "events.csv"};
+  trophic::io::AgentLog agents{folder.path() / "agents.csv"};
+  trophic::io::GenomeLog genomes{folder.path() / "genomes.csv"};
   for (auto _ : state) ecology.run_until(ecology.time_s() + ticks * numbers.tick_s, events, agents, genomes);
   state.counters["tick_ms"] = benchmark::Counter(static_cast<double>(state.iterations()) * ticks * 1e-3,
                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

@@ -16,7 +16,7 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/with.hpp>
 
@@ -147,7 +147,7 @@ void tick(benchmark::State& state, std::int64_t warm_up, std::int64_t ticks) {
   const double before_bytes = test::resident_bytes();
   Ecology<TimedPaper> ecology{numbers, typename Timed<Backend>::Params{}};
   const trophic::test::TemporaryFolder folder;
-  observe::RunFolder files{folder.path() / "run", {}, {.replay_hz = 0.0, .agents_every_ticks = state.range(1)}};
+  io::RunFolder files{folder.path() / "run", {}, {.replay_hz = 0.0, .agents_every_ticks = state.range(1)}};
   BeforeLogs before;
   AfterLogs after;
   WarmUp warm{warm_up};

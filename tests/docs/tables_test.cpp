@@ -16,8 +16,8 @@
 #include <tools/gait_evolution/history.hpp>
 #include <tools/trophic/cross_check/gait_report.hpp>
 #include <tools/trophic/cross_check/report.hpp>
-#include <trophic/observe/column.hpp>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/column.hpp>
+#include <trophic/io/tables.hpp>
 #include <type_traits>
 
 namespace {
@@ -26,7 +26,7 @@ using namespace trophic;
 
 /// What stands in a column's cells.
 template <class T>
-std::string cells(const observe::Written& written) {
+std::string cells(const io::Written& written) {
   if constexpr (requires(T value) { value.has_value(); }) {
     return cells<typename T::value_type>(written) + (written.none.empty() ? ", or empty" : ", or " + std::string{written.none});
   } else if constexpr (std::same_as<T, bool>) {
@@ -44,18 +44,18 @@ std::string cells(const observe::Written& written) {
   }
 }
 
-template <observe::TableRow Row>
+template <io::TableRow Row>
 std::string section(std::string_view file, std::string_view what) {
   std::string text =
       "\n## " + std::string{file} + "\n\n" + std::string{what} + "\n\n| column | unit | cells | meaning |\n|---|---|---|---|\n";
-  observe::for_each_column<Row>([&](const auto& column) {
+  io::for_each_column<Row>([&](const auto& column) {
     using Kind = std::remove_cvref_t<decltype(column)>;
     std::string name{column.name};
     std::string_view unit;
     std::string kind;
-    if constexpr (observe::is_species_column<Kind>) {
+    if constexpr (io::is_species_column<Kind>) {
       kind = "name of a species";
-    } else if constexpr (observe::is_list_columns<Kind>) {
+    } else if constexpr (io::is_list_columns<Kind>) {
       name = name + "0, " + name + "1, ...";
       unit = column.unit;
       kind = "number, exact";
@@ -74,9 +74,9 @@ std::string document() {
          "CSV with one header row. Numbers that are exact read back as the same bits. Times are in seconds of the ecology's "
          "clock, which\n"
          "is simulated time in the paper's rules.\n" +
-         section<observe::EventRow>("events.csv", "A run's events, one a row, in the order in which they happened.") +
-         section<observe::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.") +
-         section<observe::SenseRow>("senses.csv",
+         section<io::EventRow>("events.csv", "A run's events, one a row, in the order in which they happened.") +
+         section<io::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.") +
+         section<io::SenseRow>("senses.csv",
                                     "What every robot touched, was told and answered, at the ticks of agents.csv. Written with "
                                     "--senses only.\nBodies are as they stand at that moment, contacts those of their boxes' "
                                     "shapes.") +
@@ -88,10 +88,10 @@ std::string document() {
          "its id, the "
          "numbers of "
          "a list with spaces\nbetween, nothing as an empty cell. Where no rule has a State there are no other columns.\n" +
-         section<observe::TaxonRow>(
+         section<io::TaxonRow>(
              "phylogeny.csv",
              "Every individual in the ALife data standard, written when it dies. Those alive at the end follow.") +
-         section<observe::GenomeRow>("genomes.csv",
+         section<io::GenomeRow>("genomes.csv",
                                      "A row a birth. Where genomes are shared, a later row of the same genome_id holds what "
                                      "everybody who shares it\nhas from then on.") +
          section<analysis::MetricRow>("metrics.csv",

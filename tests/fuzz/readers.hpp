@@ -15,18 +15,18 @@
 #include <support/forged_recording.hpp>
 #include <tools/analysis/data/read_run.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
-#include <trophic/observe/read_recording.hpp>
-#include <trophic/observe/recording_planes.hpp>
+#include <trophic/io/read_recording.hpp>
+#include <trophic/io/recording_planes.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/replicates/sweep/plan_file.hpp>
-#include <trophic/replicates/sweep/sweep_file.hpp>
+#include <trophic/run/sweep/plan_file.hpp>
+#include <trophic/run/sweep/sweep_file.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
 
@@ -107,7 +107,7 @@ inline void read_ecology(std::string_view bytes) {
 /// A recording whose checksums are right: what lies behind them must not do harm even where it is forged.
 inline void read_whole_recording(const std::string& bytes) {
   const FileInMemory file{bytes};
-  const observe::RecordingReader recording{file.path()};
+  const io::RecordingReader recording{file.path()};
   const std::size_t last_robot = recording.head().robots - 1;
   for (const std::size_t frame : {std::size_t{0}, recording.frames() / 2, recording.frames() - 1}) {
     static_cast<void>(recording.frame_at(recording.time_s(frame)));
@@ -123,7 +123,7 @@ inline void read_recording(std::string_view bytes) {
 }
 /// What a recording says of itself, before a frame of one robot without joints.
 inline void read_head(std::string_view bytes) {
-  using namespace observe::recording;
+  using namespace io::recording;
   std::string frames;
   append_u32(frames, 0);
   append_u32(frames, 1);

@@ -10,8 +10,8 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <trophic/checkpoint/keeper.hpp>
-#include <trophic/observe/recording.hpp>
+#include <trophic/run/checkpoint/keeper.hpp>
+#include <trophic/io/recording.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
@@ -88,7 +88,7 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   experiment.rules.community.predators = 2;
   Ecology<rules::Released> ecology{experiment, backend::Kinematic::Params{}};
   const auto place = [](std::string_view folder) { return std::filesystem::path{CORPUS} / folder / "released-200-s.bin"; };
-  observe::Recording recording{place("recording"), observe::default_replay_hz};
+  io::Recording recording{place("recording"), io::default_replay_hz};
   ecology.run_until(40.0, recording);
   ecology.run_until(200.0);
   const auto moment = checkpoint::take(ecology, ecology.describe(200.0));

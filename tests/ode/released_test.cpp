@@ -11,7 +11,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -57,7 +57,7 @@ TEST_CASE("the released rules run in ODE, with their height field and timestep")
 TEST_CASE("the run's record says which integrator it had") {
   const test::TemporaryFolder folder;
   ReleasedInOde ecology{{}, backend::Ode::Params{}};
-  observe::RunFolder files{folder.path() / "run", {}};
+  io::RunFolder files{folder.path() / "run", {}};
   observe::Progress progress{false};
   ecology.run_until(2.0, files, progress);
   const auto manifest = parse_json(read_whole_file(folder.path() / "run" / "manifest.json"));

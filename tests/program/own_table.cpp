@@ -4,7 +4,7 @@
 #include <string_view>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/experiment.hpp>
-#include <trophic/observe/csv_file.hpp>
+#include <trophic/io/csv_file.hpp>
 #include <trophic/rules/paper.hpp>
 #include <tuple>
 
@@ -14,8 +14,8 @@ struct CrowdRow {
   double time_s = 0.0;
   std::size_t close = 0;
   static constexpr auto columns() {
-    return std::tuple{trophic::observe::column("time_s", &CrowdRow::time_s, "s", "the ecology's clock"),
-                      trophic::observe::column("close", &CrowdRow::close, "", "robots within 1 m of the arena's centre")};
+    return std::tuple{trophic::io::column("time_s", &CrowdRow::time_s, "s", "the ecology's clock"),
+                      trophic::io::column("close", &CrowdRow::close, "", "robots within 1 m of the arena's centre")};
   }
 };
 
@@ -30,12 +30,12 @@ class Crowd {
     file_.flush();
   }
   void persist(trophic::Archive& archive) { archive(file_); }
-  [[nodiscard]] trophic::observe::TableSum sum() const { return file_.sum(); }
+  [[nodiscard]] trophic::io::TableSum sum() const { return file_.sum(); }
 
  private:
-  trophic::observe::CsvFile<CrowdRow> file_;
+  trophic::io::CsvFile<CrowdRow> file_;
 };
 
 int main(int argc, char** argv) {
-  return trophic::experiment<Ageing, trophic::rules::Paper>(argc, argv, trophic::observe::own_tables<Crowd>());
+  return trophic::experiment<Ageing, trophic::rules::Paper>(argc, argv, trophic::io::own_tables<Crowd>());
 }

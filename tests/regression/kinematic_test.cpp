@@ -9,7 +9,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -24,7 +24,7 @@ void compare_run(const std::string& name) {
   using Kinematics = Ecology<Rules>;
   const std::filesystem::path written = test::written_folder(name);
   Kinematics ecology{typename Kinematics::Params{.seed = 1}, backend::Kinematic::Params{}};
-  observe::RunFolder folder{written};
+  io::RunFolder folder{written};
   observe::Tally tally;
   ecology.run_until(600.0, folder, tally);
   for (const Cause cause : {Cause::caught, Cause::starved, Cause::sacrificed}) {
@@ -52,7 +52,7 @@ void compare_crowd(const std::string& name) {
   habitat.arena.half_side_m = 32.0;
   habitat.arena.extent_m = 64.0;
   Kinematics ecology{params, backend::Kinematic::Params{}, habitat};
-  observe::RunFolder folder{run, {}, {.replay_hz = 0.0}};
+  io::RunFolder folder{run, {}, {.replay_hz = 0.0}};
   observe::Tally tally;
   ecology.run_until(600.0, folder, tally);
   CHECK(tally.deaths(Cause::caught) > 50);

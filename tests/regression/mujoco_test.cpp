@@ -9,7 +9,7 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/event_log.hpp>
+#include <trophic/io/event_log.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>
 
@@ -40,7 +40,7 @@ TEST_CASE("a MuJoCo run's events are the golden ones until robots touch") {
   params.ecology.robots = 16;
   params.rules.capture.reach_m = 2.0;  // who catches from afar need not touch
   Mujoco ecology{params, backend::Mujoco::Params{}};
-  observe::EventLog events{written / "events.csv"};
+  io::EventLog events{written / "events.csv"};
   observe::Tally tally;
   Closest closest;
   ecology.run_until(260.0, events, tally, closest);

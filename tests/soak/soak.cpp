@@ -25,12 +25,12 @@
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/growing_file.hpp>
+#include <trophic/io/growing_file.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/params/params.hpp>
@@ -147,7 +147,7 @@ bool run(const Experiment<rules::Paper>& numbers, const BackendChoice& backend, 
   if (standing.complete) return true;
   if (!standing.remark.empty()) std::cerr << wanted.out.string() << " " << standing.remark << "\n";
   observe::StopOnSignal stop;
-  observe::RunFolder folder{wanted.out, {}, {.replay_hz = 0.0, .agents_every_ticks = 1000}, standing.opening()};
+  io::RunFolder folder{wanted.out, {}, {.replay_hz = 0.0, .agents_every_ticks = 1000}, standing.opening()};
   Report report{wanted.out.string() + ".csv", standing.opening()};
   test::Invariants invariants{numbers.rules.floor.floor};
   test::Resting resting;

@@ -72,7 +72,7 @@ template <class Base, class Other>
 }
 
 template <class Base, class Other>
-[[nodiscard]] int run(const Options& options, const observe::Provenance& provenance) {
+[[nodiscard]] int run(const Options& options, const io::Provenance& provenance) {
   const bool forth = options.from != table_name<Other>();
   const bool back = options.from != table_name<Base>();
   if (options.list) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/observe/run_folder.hpp>
-#include <trophic/replicates/plan.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/run/replicates/plan.hpp>
 #include <trophic/rules/with_rules_of.hpp>
 #include <utility>
 #include <vector>
@@ -100,7 +100,7 @@ struct Study {
   BackendChoice backend;
   double duration_s = 6000.0;
   bool shadow = false;
-  observe::Provenance provenance;
+  io::Provenance provenance;
 };
 
 /// Runs one flip of Base towards Other into a folder of its name. A sentence for each replicate that is not complete. Defined in

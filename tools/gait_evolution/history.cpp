@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
-#include <trophic/observe/csv.hpp>
+#include <trophic/io/csv.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::gait_evolution {
@@ -40,7 +40,7 @@ std::string generations_csv(const Lineage& lineage) {
          .worst = fitness.back(),
          .diverged = count([=](const Individual& one) { return one.born == generation && !std::isfinite(one.fitness); })});
   }
-  return observe::table_text(std::span<const GenerationRow>{rows});
+  return io::table_text(std::span<const GenerationRow>{rows});
 }
 
 std::string phylogeny_csv(const Lineage& lineage) {
@@ -58,7 +58,7 @@ std::string phylogeny_csv(const Lineage& lineage) {
                     .hidden_nodes = one.genome.nodes.size() - 1,
                     .enabled_links = static_cast<std::size_t>(std::ranges::count_if(one.genome.links, &LinkGene::enabled))});
   }
-  return observe::table_text(std::span<const TaxonRow>{rows});
+  return io::table_text(std::span<const TaxonRow>{rows});
 }
 
 }  // namespace trophic::gait_evolution

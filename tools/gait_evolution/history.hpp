@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 #include <tools/gait_evolution/lineage.hpp>
-#include <trophic/observe/column.hpp>
+#include <trophic/io/column.hpp>
 #include <tuple>
 #include <vector>
 
@@ -28,7 +28,7 @@ struct GenerationRow {
   std::size_t diverged = 0;
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{column("generation", &GenerationRow::generation, "", "0: the founders"),
                       column("evaluations", &GenerationRow::evaluations, "", "candidates tried out so far"),
                       column("best", &GenerationRow::best, "m", "fitness of the survivors: the highest"),
@@ -50,7 +50,7 @@ struct TaxonRow {
   std::size_t enabled_links = 0;
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{
         column("id", &TaxonRow::id, "", "the candidate"),
         column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], [3] or, of a crossover, [3,9]"),

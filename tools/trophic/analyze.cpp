@@ -25,7 +25,7 @@
 #include <tools/trophic/analyze_sweep.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/version.hpp>
@@ -54,7 +54,7 @@ inline constexpr std::uint64_t most_replays = 20;
 /// Where tables go: where --out says, else into "analysis", unless a page is all that is asked for.
 [[nodiscard]] std::optional<std::filesystem::path> make_out(const Options& options) {
   if (!options.out && !options.html.empty()) return std::nullopt;
-  return observe::make_new_folder(options.out.value_or("analysis"));
+  return io::make_new_folder(options.out.value_or("analysis"));
 }
 
 void tell(const analysis::ShadowedSet& set) {

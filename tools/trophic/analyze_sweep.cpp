@@ -15,7 +15,7 @@
 #include <tools/analysis/report/sweep_tables.hpp>
 #include <tools/analysis/report/sweep_text.hpp>
 #include <trophic/command/output.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/version.hpp>
@@ -87,7 +87,7 @@ void measure_sweep(const std::filesystem::path& folder, const std::filesystem::p
       std::cerr << "trophic analyze: " << lost << "\n";
   }
   const auto names = analysis::chosen(analysis::metric_names(sweep.webs), options.metrics);
-  const auto out = observe::make_new_folder(out_folder);
+  const auto out = io::make_new_folder(out_folder);
   analysis::SweepValues values;
   try {
     values = analysis::measure_sweep(sweep, options.jobs.value_or(1), until_s);

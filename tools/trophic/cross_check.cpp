@@ -24,8 +24,8 @@
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/run_folder.hpp>
-#include <trophic/replicates/parallel.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/run/replicates/parallel.hpp>
 #include <utility>
 #include <vector>
 
@@ -122,7 +122,7 @@ void compare_gaits(const Options& options, const Habitat& habitat, Csv& csv) {
                                 backend_versions<LinkedBackends>()};
   }
 #endif
-  Csv csv{observe::make_new_folder(options.out) / "cross_check.csv"};
+  Csv csv{io::make_new_folder(options.out) / "cross_check.csv"};
 #if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
   if (options.seconds != 0) compare_gaits(options, habitat, csv);
 #endif

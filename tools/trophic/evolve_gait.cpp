@@ -22,7 +22,7 @@
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/support/folder_lock.hpp>
@@ -85,7 +85,7 @@ int run(const Options& options, const Config& config) {
   gait_evolution::PreExperiment<Table, B> experiment{numbers, load_robot(numbers.robot)};
   const bool is_new = options.resume.empty();
   if (is_new && options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
-  const std::filesystem::path folder = is_new ? observe::make_new_folder(options.out) : std::filesystem::path{options.resume};
+  const std::filesystem::path folder = is_new ? io::make_new_folder(options.out) : std::filesystem::path{options.resume};
   const FolderLock alone{folder};
   if (is_new) {
     replace_file(folder / "settings.toml", settings_text(numbers));

@@ -23,8 +23,8 @@
 #include <tools/analysis/report/table_file.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
-#include <trophic/observe/run_folder.hpp>
-#include <trophic/replicates/parallel.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/run/replicates/parallel.hpp>
 #include <trophic/support/new_file.hpp>
 #include <utility>
 #include <vector>
@@ -116,7 +116,7 @@ void write(const Options& options) {
   if (directions.empty()) throw std::invalid_argument{options.runs + ": has no folder from_TABLE with a base"};
   if (directions.size() > 2) throw std::invalid_argument{options.runs + ": has more than two folders from_TABLE"};
 
-  const auto out = observe::make_new_folder(options.out);
+  const auto out = io::make_new_folder(options.out);
   analysis::TableFile<analysis::FlipRow> csv{out / "flips.csv"};
   const auto write_rows = [&csv](const std::string& direction, std::span<const analysis::FlipEffect> effects) {
     for (const analysis::FlipEffect& effect : effects) csv.write(analysis::row_of(effect, direction));

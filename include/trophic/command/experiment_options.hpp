@@ -7,12 +7,12 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <trophic/checkpoint/rewind.hpp>
-#include <trophic/checkpoint/schedule.hpp>
-#include <trophic/observe/manifest.hpp>
-#include <trophic/observe/own_table.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
+#include <trophic/io/manifest.hpp>
+#include <trophic/io/own_table.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/params/toml.hpp>
 #include <vector>
 
@@ -50,8 +50,8 @@ struct ExperimentOptions {
   std::optional<double> lease_s;
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
-  observe::Provenance provenance;
-  observe::OwnTables own_tables;  ///< that the program has each run write
+  io::Provenance provenance;
+  io::OwnTables own_tables;  ///< that the program has each run write
 };
 
 /// A run at a moment of which others begin.
@@ -59,7 +59,7 @@ struct OriginRun {
   checkpoint::Moment moment;
   std::string rule_table;
   std::string engine;
-  observe::Extent extent;  ///< how much of it is written down
+  io::Extent extent;  ///< how much of it is written down
   toml::table params;
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
   /// Makes in a folder what it was at the moment, as `replay`.

@@ -6,7 +6,7 @@
 #include <string>
 #include <trophic/command/selection.hpp>
 #include <trophic/command/watching.hpp>
-#include <trophic/observe/own_table.hpp>
+#include <trophic/io/own_table.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 
@@ -23,7 +23,7 @@ using FindTeam = std::unique_ptr<sweep::Team> (*)();
 struct LinkedParts {
   FindTeam find_team = nullptr;
   OpenWindow open_window = nullptr;
-  observe::OwnTables own_tables = {};
+  io::OwnTables own_tables = {};
 };
 
 /// Reads the command line of a program that offers these tables and backends; runs what it says and returns the exit code.

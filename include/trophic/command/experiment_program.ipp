@@ -16,8 +16,8 @@
 #include <trophic/command/run_experiment.hpp>
 #include <trophic/command/sweep.hpp>
 #include <trophic/command/words.hpp>
-#include <trophic/observe/next_free_folder.hpp>
-#include <trophic/replicates/sweep/team.hpp>
+#include <trophic/io/next_free_folder.hpp>
+#include <trophic/run/sweep/team.hpp>
 #include <utility>
 
 namespace trophic::command {
@@ -147,7 +147,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   check(options);
   check_made_for(config, table, backend);
   if (options.out.empty() && options.save_mjcf.empty()) {
-    options.out = observe::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
+    options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
   }
   if (origin) {
     const Selection its{offer.table(origin->rule_table), offer.backend(origin->engine)};

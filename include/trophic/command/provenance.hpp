@@ -4,7 +4,7 @@
 
 #include <string>
 #include <trophic/command/run_command.hpp>
-#include <trophic/observe/manifest.hpp>
+#include <trophic/io/manifest.hpp>
 #include <trophic/support/host_name.hpp>
 #include <trophic/support/version.hpp>
 
@@ -33,7 +33,7 @@ namespace trophic::command {
 }
 
 /// For manifests: the command line, the host, the revision of the sources and how they were compiled.
-[[nodiscard]] inline observe::Provenance provenance(int argc, const char* const* argv) {
+[[nodiscard]] inline io::Provenance provenance(int argc, const char* const* argv) {
   return {{"command_line", command_line(argc, argv)},
           {"host", host_name()},
           {"source_revision", source_revision()},
@@ -42,7 +42,7 @@ namespace trophic::command {
 
 /// For --version. `backends`: names and versions.
 [[nodiscard]] inline std::string version_text(const std::string& backends) {
-  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncompiler  " + observe::compiler() +
+  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncompiler  " + io::compiler() +
          "\nbuild     " + build() + "\nbackends  " + backends;
 }
 

@@ -13,7 +13,7 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/replicates/keeping.hpp>
+#include <trophic/run/replicates/keeping.hpp>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic::command {
@@ -25,7 +25,7 @@ namespace trophic::command {
 [[nodiscard]] observe::RunDescription describe(const Selection& selection, const OriginRun& origin);
 
 /// Makes in a folder what that run was at its moment, the same bytes, and tables of one's own. False if a signal came first.
-[[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const observe::OwnTables& own_tables,
+[[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const io::OwnTables& own_tables,
                           const std::filesystem::path& folder);
 
 /// Does what the options say with a selection and returns the exit code.

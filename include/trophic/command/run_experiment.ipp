@@ -14,7 +14,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
-#include <trophic/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
@@ -22,12 +22,12 @@
 #include <trophic/command/toml_of_json.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/read_recording.hpp>
-#include <trophic/observe/run_folder.hpp>
-#include <trophic/observe/state_log.hpp>
+#include <trophic/io/read_recording.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/io/state_log.hpp>
 #include <trophic/params/toml.hpp>
-#include <trophic/replicates/run_in_folder.hpp>
-#include <trophic/replicates/run_with_shadow.hpp>
+#include <trophic/run/replicates/run_in_folder.hpp>
+#include <trophic/run/replicates/run_with_shadow.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -56,16 +56,16 @@ namespace detail {
   const std::filesystem::path path = run / "replay.trp";
   if (!std::filesystem::exists(path)) return 0.0;
   try {
-    const observe::RecordingHead head = observe::RecordingReader{path}.head();
+    const io::RecordingHead head = io::RecordingReader{path}.head();
     return static_cast<double>(head.frames_per_tick) / (head.times.tick_s * head.times.clock_scale);
   } catch (const std::runtime_error&) {
-    return observe::default_replay_hz;
+    return io::default_replay_hz;
   }
 }
 
 /// What --replay-hz, --agents-every, --senses and --states say.
-[[nodiscard]] inline observe::Extent extent_of(const ExperimentOptions& options) {
-  return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : observe::default_replay_hz,
+[[nodiscard]] inline io::Extent extent_of(const ExperimentOptions& options) {
+  return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : io::default_replay_hz,
           .agents_every_ticks = static_cast<std::int64_t>(options.agents_every),
           .senses = options.senses,
           .states = options.states};
@@ -139,7 +139,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 }
 
 /// Tells how a run ended that left its files in a folder, and returns the exit code.
-[[nodiscard]] inline int report_run(observe::RunFolder& folder, const observe::Progress& progress, const View& view,
+[[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const View& view,
                                     double until_s) {
   folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
   const bool is_stopped = view.time_s < until_s;
@@ -171,7 +171,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be <= " + number_text(run.until_s) +
                                 ", the duration of the run that begins there"};
   }
-  if (!options.resume) observe::check_new_folder(options.out);
+  if (!options.resume) io::check_new_folder(options.out);
   checkpoint::Past past{origin.moment, checkpoint::past_folder(options.out, origin.moment)};
   for (const std::filesystem::path& place : {past.folder.parent_path(), past.folder}) {
     if (std::filesystem::exists(place) && std::filesystem::equivalent(place, origin.moment.run)) {
@@ -198,7 +198,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     return checkpoint::standing_in(options.out, run, past);
   }
   checkpoint::RoomOfPast room{past};
-  if (!options.resume) observe::check_new_folder(options.out);
+  if (!options.resume) io::check_new_folder(options.out);
   if (checkpoint::needs_past(options.out, run.until_s) && !make_past(past, *origin)) return std::nullopt;
   auto standing = checkpoint::standing_in(options.out, run, past);
   room.clear();
@@ -209,7 +209,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
                                          checkpoint::Standing standing, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
-  observe::RunFolder folder{options.out,        options.provenance,      extent_of(options),
+  io::RunFolder folder{options.out,        options.provenance,      extent_of(options),
                             standing.opening(), ecology.state_columns(), options.own_tables};
   observe::Progress progress;
   try {
@@ -276,7 +276,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     plan.check();
     plan.past = past_of(options, *origin, make(plan.master_seed)->describe(until_s));
     if (needs_past(plan, options.shadow, until_s) || checkpoint::RoomOfPast::exists(*plan.past)) room.emplace(*plan.past);
-    if (!options.resume) observe::check_new_folder(options.out);
+    if (!options.resume) io::check_new_folder(options.out);
     if (needs_past(plan, options.shadow, until_s) && !make_past(*plan.past, *origin)) return stopped;
   }
   const auto unfinished = replicates::run_with_shadow(make, options.shadow ? experiment.simulations(true) : nullptr, until_s,
@@ -304,7 +304,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     }
     origin.extent.replay_hz = detail::replay_hz_of(origin.moment.run);
     origin.extent.senses = json.contains("senses");
-    origin.extent.states = std::filesystem::exists(origin.moment.run / observe::StateLog::file_name);
+    origin.extent.states = std::filesystem::exists(origin.moment.run / io::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));
   } catch (const Json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
@@ -324,7 +324,7 @@ TROPHIC_INLINE observe::RunDescription describe(const Selection& selection, cons
   return detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
 }
 
-TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, const observe::OwnTables& own_tables,
+TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, const io::OwnTables& own_tables,
                            const std::filesystem::path& folder) {
   const std::unique_ptr<Simulation> ecology = detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed);
   if (checkpoint::read_all(folder).empty()) {
@@ -334,7 +334,7 @@ TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, 
   const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s));
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  observe::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns(), own_tables};
+  io::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns(), own_tables};
   observe::Progress progress;
   checkpoint::run_kept(*ecology, origin.moment.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology->time_s() >= origin.moment.at_s;

@@ -5,9 +5,9 @@
 #include <string>
 #include <trophic/command/experiment_options.hpp>
 #include <trophic/command/selection.hpp>
-#include <trophic/replicates/sweep/plan_file.hpp>
-#include <trophic/replicates/sweep/sweep_file.hpp>
-#include <trophic/replicates/sweep/team.hpp>
+#include <trophic/run/sweep/plan_file.hpp>
+#include <trophic/run/sweep/sweep_file.hpp>
+#include <trophic/run/sweep/team.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 

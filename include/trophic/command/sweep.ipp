@@ -24,14 +24,14 @@
 #include <trophic/command/toml_of_json.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/observe/joint_progress.hpp>
-#include <trophic/observe/next_free_folder.hpp>
+#include <trophic/io/next_free_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
-#include <trophic/replicates/folder.hpp>
-#include <trophic/replicates/sweep/attempt.hpp>
-#include <trophic/replicates/sweep/claim.hpp>
-#include <trophic/replicates/sweep/folder.hpp>
-#include <trophic/replicates/sweep/work_through.hpp>
+#include <trophic/run/replicates/folder.hpp>
+#include <trophic/run/sweep/attempt.hpp>
+#include <trophic/run/sweep/claim.hpp>
+#include <trophic/run/sweep/folder.hpp>
+#include <trophic/run/sweep/work_through.hpp>
 #include <utility>
 
 namespace trophic::command {
@@ -188,7 +188,7 @@ struct PassingFolder {
   std::ofstream nowhere;
   observe::JointProgress quiet{1, run.until_s, nowhere, false};
   for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
-    const PassingFolder folder{observe::next_free_folder(beside)};
+    const PassingFolder folder{io::next_free_folder(beside)};
     const observe::Stopwatch watch;
     runner.run(run, folder.path, quiet, until_s);
     const double wall_s = watch.elapsed_s();

@@ -7,10 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 // Who links trophic::watch has this definition.
 #ifdef TROPHIC_WITH_WATCH
@@ -32,7 +32,7 @@ class Window {
   /// As checkpoint::run_kept, and the window is told.
   virtual void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder,
                         const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
-                        observe::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
+                        io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
 };
 
 /// Opens a window with a title. Throws std::invalid_argument, saying what is missing, where none can be opened.
@@ -45,7 +45,7 @@ using OpenWindow = std::unique_ptr<Window> (*)(const std::string& title);
     explicit Watched(const std::string& name) : session_{name} {}
     [[nodiscard]] int show(const std::function<int()>& simulate) override { return session_.show(simulate); }
     void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder, const checkpoint::Schedule& schedule,
-                  const std::optional<checkpoint::Checkpoint>& from, observe::RunFolder& files, observe::Progress& progress,
+                  const std::optional<checkpoint::Checkpoint>& from, io::RunFolder& files, observe::Progress& progress,
                   const observe::StopOnSignal& stop) override {
       checkpoint::run_kept(ecology, until_s, folder, schedule, from, files, progress, stop, session_.spectator());
     }

@@ -25,7 +25,7 @@
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/audience.hpp>
-#include <trophic/observe/state_columns.hpp>
+#include <trophic/io/state_columns.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
@@ -97,7 +97,7 @@ class Ecology final : public Simulation {
     return trophic::describe(params_, choice_, habitat_, population_.tags(), until_s);
   }
 
-  [[nodiscard]] observe::StateColumns state_columns() const override { return observe::state_columns(states()); }
+  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
 
  private:
   using SensorValues = typename Population<Rules>::Sensors::Values;

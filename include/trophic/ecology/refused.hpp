@@ -34,7 +34,7 @@ class Ecology<Rules, false> final : public Simulation {
   [[nodiscard]] const AnyBackend& backend() const;
   [[nodiscard]] View view() const override;
   [[nodiscard]] observe::RunDescription describe(double until_s) const override;
-  [[nodiscard]] observe::StateColumns state_columns() const override;
+  [[nodiscard]] io::StateColumns state_columns() const override;
 
  private:
   void run(double until_s, observe::Audience& audience) override;

@@ -11,7 +11,7 @@
 #include <trophic/population/view.hpp>
 #include <type_traits>
 
-namespace trophic::observe {
+namespace trophic::io {
 struct StateColumns;
 }
 
@@ -44,8 +44,8 @@ class Simulation {
   [[nodiscard]] virtual View view() const = 0;
   /// What determines this run, for observers.
   [[nodiscard]] virtual observe::RunDescription describe(double until_s) const = 0;
-  /// What rules with a State keep, for states.csv (trophic/observe/state_log.hpp). Refers to the ecology.
-  [[nodiscard]] virtual observe::StateColumns state_columns() const = 0;
+  /// What rules with a State keep, for states.csv (trophic/io/state_log.hpp). Refers to the ecology.
+  [[nodiscard]] virtual io::StateColumns state_columns() const = 0;
 
  protected:
   Simulation() = default;

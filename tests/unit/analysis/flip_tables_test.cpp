@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 #include <tools/analysis/report/flip_tables.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/io/csv.hpp>
 #include <unit/analysis/flip_sets.hpp>
 #include <vector>
 
@@ -51,7 +51,7 @@ TEST_CASE("flips.csv has a row an effect, decided or not") {
   CHECK(rows[1].decided == "yes");
   effects[1].difference.adjusted.reset();
   CHECK(row_of(effects[1], "from_paper").decided.empty());
-  const std::string text = observe::table_text(std::span<const FlipRow>{rows});
+  const std::string text = io::table_text(std::span<const FlipRow>{rows});
   CHECK(
       text.starts_with("flip,direction,metric,species,group,unit,compared,runs_base,runs_flipped,base,flipped,difference,lower,"
                        "upper,p,p_holm,decided\nwide,from_paper,attribution_caught,prey,all,1,over_shadow,6,6,"));

@@ -3,7 +3,7 @@
 
 #include <string>
 #include <tools/analysis/report/sweep_rows.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/io/csv.hpp>
 #include <unit/analysis/sweep_grids.hpp>
 
 using namespace trophic;
@@ -26,7 +26,7 @@ TEST_CASE("a difference as a row, decided, undecided and untested") {
   of.detectable = 0.3125;
   SweepDifferenceRow row = row_of(of, 1);
   std::string text;
-  observe::append_row(text, row, FoodWeb{{}, {}});
+  io::append_row(text, row, FoodWeb{{}, {}});
   CHECK(
       text ==
       "3,1,velocity,prey,all,m/s,over_shadow,paired,8,8,0.5,0.25,0.25,0.125,0.375,0.0625,0.4375,0.001,0.04,yes,1.5,12,0.3125\n");

@@ -7,7 +7,7 @@
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/table_file.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/io/csv.hpp>
 #include <trophic/support/whole_file.hpp>
 
 using namespace trophic;
@@ -22,7 +22,7 @@ TEST_CASE("a table of results has its name once it is whole, and nothing is left
     analysis::TableFile<MetricRow> table{path};
     table.write(rows[0]);
     table.flush();
-    CHECK(read_whole_file(part) == observe::table_text<MetricRow>(std::array{rows[0]}));
+    CHECK(read_whole_file(part) == io::table_text<MetricRow>(std::array{rows[0]}));
     CHECK_FALSE(std::filesystem::exists(path));
   }
   CHECK(std::filesystem::is_empty(folder.path()));
@@ -30,7 +30,7 @@ TEST_CASE("a table of results has its name once it is whole, and nothing is left
   analysis::TableFile<MetricRow> table{path};
   for (const MetricRow& row : rows) table.write(row);
   table.finish();
-  CHECK(read_whole_file(path) == observe::table_text<MetricRow>(rows));
+  CHECK(read_whole_file(path) == io::table_text<MetricRow>(rows));
   CHECK_FALSE(std::filesystem::exists(part));
   CHECK_THROWS_AS(analysis::TableFile<MetricRow>{path}, std::runtime_error);
 }

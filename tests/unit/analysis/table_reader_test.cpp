@@ -9,8 +9,8 @@
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/table_reader.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
-#include <trophic/observe/csv.hpp>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/csv.hpp>
+#include <trophic/io/tables.hpp>
 #include <unit/analysis/rows.hpp>
 #include <vector>
 
@@ -25,7 +25,7 @@ const FoodWeb& web = test::prey_and_predators;
 template <class Row>
 std::string line_of(const Row& row) {
   std::string text;
-  observe::append_row(text, row, web);
+  io::append_row(text, row, web);
   return text;
 }
 
@@ -35,7 +35,7 @@ void check_round_trip(const std::vector<Row>& rows) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "t.csv";
   {
-    observe::CsvFile<Row> file{path, rows.front()};
+    io::CsvFile<Row> file{path, rows.front()};
     for (const Row& row : rows) file.write(row, web);
     file.flush();
   }
@@ -53,7 +53,7 @@ void check_round_trip(const std::vector<Row>& rows) {
 }  // namespace
 
 TEST_CASE("every table of a run reads back as it was written") {
-  check_round_trip<observe::EventRow>(
+  check_round_trip<io::EventRow>(
       {{.time_s = 4.0, .tick = 2, .kind = observe::EventKind::capture, .id = 3, .species = 1, .victim = 5, .x_m = -0.123456},
        {.kind = observe::EventKind::death,
         .active = false,
@@ -61,12 +61,12 @@ TEST_CASE("every table of a run reads back as it was written") {
         .parent = 7,
         .cause = Cause::caught,
         .killer = 3}});
-  check_round_trip<observe::AgentRow>(
+  check_round_trip<io::AgentRow>(
       {{.id = 9, .tag = -1, .adversary = 4, .adversary_distance_m = 1.5, .hunger_ticks = 3}, {.species = 1}});
-  check_round_trip<observe::TaxonRow>(
+  check_round_trip<io::TaxonRow>(
       {{.id = 1, .ancestor_list = "[none]", .destruction_time = 2.5, .tag_at_death = -1, .cause_of_death = Cause::starved},
        {.id = 2, .ancestor_list = "[1]", .ancestor = 1, .mutation_distance = 1.0 / 3.0}});
-  check_round_trip<observe::GenomeRow>({{.id = 1, .weights = {0.1, -1.0 / 3.0}}, {.id = 2, .weights = {1e-300, 2.0}}});
+  check_round_trip<io::GenomeRow>({{.id = 1, .weights = {0.1, -1.0 / 3.0}}, {.id = 2, .weights = {1e-300, 2.0}}});
   check_round_trip<analysis::MetricRow>(
       {{.set = "paper", .run = "r", .seed = 3, .metric = "stuck", .value = 0.5, .unit = "1"}, {.time_s = 200.0}});
 }
@@ -74,23 +74,23 @@ TEST_CASE("every table of a run reads back as it was written") {
 TEST_CASE("columns may stand in any order and among others, but none may be missing") {
   const TemporaryFolder folder;
   const std::string path = folder.file("t.csv", "time_s,w0,note,genome_id,w1,id\n2,0.5,x,7,1,3\n");
-  analysis::TableReader<observe::GenomeRow> table{path, web};
-  observe::GenomeRow row;
+  analysis::TableReader<io::GenomeRow> table{path, web};
+  io::GenomeRow row;
   REQUIRE(table.next(row));
   CHECK(row.id == 3);
   CHECK(row.genome == 7);
   CHECK(row.weights == std::vector{0.5, 1.0});
   const std::string lacking = folder.file("u.csv", "time_s,id\n");
   CHECK(message_of<std::runtime_error>([&] {
-          analysis::TableReader<observe::GenomeRow>{lacking, web};
+          analysis::TableReader<io::GenomeRow>{lacking, web};
         }) == lacking + ":1: no column \"genome_id\"; another kind of file?");
 }
 
 TEST_CASE("a cell that is no value of its column is refused by line and column") {
   const TemporaryFolder folder;
   const std::string path = folder.file("t.csv", "id,genome_id,time_s,w0\n1,2,3,big\n");
-  analysis::TableReader<observe::GenomeRow> table{path, web};
-  observe::GenomeRow row;
+  analysis::TableReader<io::GenomeRow> table{path, web};
+  io::GenomeRow row;
   CHECK(message_of<std::runtime_error>([&] { table.next(row); }) == path + ":2: w0 = \"big\": must be a number");
   CHECK(message_of<std::runtime_error>([&] { table.reject("time_s", "less"); }) == path + ":2: time_s = \"3\": must be less");
 }

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/observe/growing_file.hpp>
+#include <trophic/io/growing_file.hpp>
 #include <utility>
 
 namespace {

@@ -91,7 +91,7 @@ TEST_CASE("so does a run that was stopped, and one that is made longer") {
   const auto part = [&](double until_s, std::int64_t stop_tick) {
     Ecology<rules::Paper> ecology{brief<rules::Paper>(3, until_s), backend::Kinematic::Params{}};
     const auto standing = checkpoint::standing_in(folder.path() / "parts", ecology.describe(until_s));
-    observe::RunFolder files{folder.path() / "parts", {}, {}, standing.opening()};
+    io::RunFolder files{folder.path() / "parts", {}, {}, standing.opening()};
     StopAt stop{.tick = stop_tick};
     checkpoint::run_kept(ecology, until_s, folder.path() / "parts", {.every_s = 0.0}, standing.from, files, stop);
     return standing;
@@ -203,7 +203,7 @@ TEST_CASE("a folder in which nothing can go on is set aside, one that another pr
   const auto standing = [&] { return checkpoint::standing_in(run, ecology.describe(600.0)); };
   CHECK(standing().remark.empty());
   {
-    const observe::RunFolder files{run};
+    const io::RunFolder files{run};
     CHECK(message_of<std::runtime_error>([&] { static_cast<void>(standing()); }) ==
           run.string() + ": another program is running in it");
   }
@@ -229,7 +229,7 @@ TEST_CASE("files that lost what they had at the checkpoint are refused") {
   fs::resize_file(run / "agents.csv", 1000);
   Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
   const auto standing = checkpoint::standing_in(run, ecology.describe(600.0));
-  observe::RunFolder files{run, {}, {}, standing.opening()};
+  io::RunFolder files{run, {}, {}, standing.opening()};
   CHECK(message_of<std::runtime_error>([&] {
           checkpoint::restore(*standing.from, ecology, checkpoint::parts_of(files));
         }).find("agents.csv: it has 1000 bytes: must be >= ") != std::string::npos);

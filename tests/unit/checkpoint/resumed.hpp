@@ -13,10 +13,10 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>
 
@@ -57,12 +57,12 @@ inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 /// Begins or goes on with a run in a folder, with a checkpoint every so many seconds of its clock, until it ends or crashes.
 template <class Rules>
 void run_part(const Experiment<Rules>& experiment, const BackendChoice& backend, const std::filesystem::path& folder,
-              std::int64_t crash_tick, double every_s, const observe::Extent& extent = {}) {
+              std::int64_t crash_tick, double every_s, const io::Extent& extent = {}) {
   Ecology<Rules> ecology{experiment, backend};
   const double until_s = experiment.ecology.duration_s;
   const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
   Crash crash{.at_tick = crash_tick};
-  observe::RunFolder files{folder, {}, extent, standing.opening(), ecology.state_columns()};
+  io::RunFolder files{folder, {}, extent, standing.opening(), ecology.state_columns()};
   const checkpoint::Schedule schedule{.every_s = every_s, .most_share = std::numeric_limits<double>::infinity()};
   try {
     checkpoint::run_kept(ecology, until_s, folder, schedule, standing.from, files, crash);

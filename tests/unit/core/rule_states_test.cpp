@@ -150,7 +150,7 @@ TEST_CASE("rule states: a table without states keeps nothing") {
 TEST_CASE("state log: a column for each member of each state, a row for each robot and tick") {
   const test::TemporaryFolder folder;
   Ecology<rules::Released> ecology{{.seed = 6}, backend::Kinematic::Params{}};
-  observe::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
+  io::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
   ecology.run_until(200.0, log);
   const auto lines = lines_of(folder.path() / "states.csv");
   REQUIRE(lines.size() == 1 + 101 * 30);
@@ -186,7 +186,7 @@ TEST_CASE("rule states: a sensor's state is kept for each body, told to its brai
   const test::TemporaryFolder folder;
   Ecology<Rules> ecology{{.seed = 6}, backend::Kinematic::Params{}};
   Told told{ecology};
-  observe::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
+  io::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
   ecology.run_until(400.0, told, log);
   CHECK(told.decisions > 1000);
   const auto lines = lines_of(folder.path() / "states.csv");
@@ -197,7 +197,7 @@ TEST_CASE("rule states: a sensor's state is kept for each body, told to its brai
 TEST_CASE("state log: a table without states has the first four columns") {
   const test::TemporaryFolder folder;
   Ecology<rules::Paper> ecology{{}, backend::Kinematic::Params{}};
-  observe::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
+  io::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
   ecology.run_until(0.0, log);
   const auto lines = lines_of(folder.path() / "states.csv");
   REQUIRE(lines.size() == 31);

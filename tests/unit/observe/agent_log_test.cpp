@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 #include <support/temporary_folder.hpp>
-#include <trophic/observe/agent_log.hpp>
+#include <trophic/io/agent_log.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;
@@ -12,7 +12,7 @@ TEST_CASE("agents: a row a robot and tick, empty where there is nothing to say")
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "agents.csv";
   const test::HandPopulation robots = test::three_robots();
-  observe::AgentLog log{path};
+  io::AgentLog log{path};
   log.on_tick(robots.view());
   CHECK(test::content(path) ==
         "time_s,tick,body,id,species,origin,active,tag,x_m,y_m,heading_rad,target_angle_rad,adversary_id,adversary_distance_m,"
@@ -26,11 +26,11 @@ TEST_CASE("agents: thinned, the ticks that are multiples, the start among them")
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "agents.csv";
   test::HandPopulation robots{{{}}};
-  observe::AgentLog log{path, Opening::made_new, 3};
+  io::AgentLog log{path, Opening::made_new, 3};
   for (std::int64_t tick = 0; tick <= 7; ++tick) log.on_tick(robots.at_tick(tick).view());
   CHECK(log.sum().rows == 3);
   const std::string text = test::content(path);
   for (const char* row : {"\n0,0,0,", "\n6,3,0,", "\n12,6,0,"}) CHECK(text.find(row) != std::string::npos);
-  CHECK_THROWS_WITH_AS(observe::AgentLog(folder.path() / "none.csv", Opening::made_new, 0),
+  CHECK_THROWS_WITH_AS(io::AgentLog(folder.path() / "none.csv", Opening::made_new, 0),
                        "agents_every_ticks = 0: must be >= 1", std::invalid_argument);
 }

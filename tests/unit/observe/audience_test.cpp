@@ -6,7 +6,7 @@
 #include <string_view>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/observe/audience.hpp>
-#include <trophic/observe/state_log.hpp>
+#include <trophic/io/state_log.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;
@@ -37,7 +37,7 @@ class TwoMoments final : public Simulation {
   std::int64_t tick() const override { return tick_; }
   View view() const override { return robots_.view(); }
   observe::RunDescription describe(double) const override { return test::short_run(); }
-  observe::StateColumns state_columns() const override { return {}; }
+  io::StateColumns state_columns() const override { return {}; }
 
  private:
   void run(double, observe::Audience& audience) override {

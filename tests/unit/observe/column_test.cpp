@@ -4,8 +4,8 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <trophic/observe/column.hpp>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/column.hpp>
+#include <trophic/io/tables.hpp>
 #include <type_traits>
 
 using namespace trophic;
@@ -17,12 +17,12 @@ struct NoColumns {};
 template <class Row>
 void check_columns() {
   std::set<std::string_view> names;
-  observe::for_each_column<Row>([&](const auto& column) {
+  io::for_each_column<Row>([&](const auto& column) {
     CAPTURE(std::string{column.name});
     CHECK(names.insert(column.name).second);
     CHECK_FALSE(column.help.empty());
     using Kind = std::remove_cvref_t<decltype(column)>;
-    if constexpr (!observe::is_species_column<Kind>) {
+    if constexpr (!io::is_species_column<Kind>) {
       // a name that ends in a unit says it
       for (const std::string_view unit : {"s", "m", "rad"}) {
         if (column.name.ends_with("_" + std::string{unit})) CHECK(column.unit == unit);
@@ -34,9 +34,9 @@ void check_columns() {
 }  // namespace
 
 TEST_CASE("columns: each is named once and explained, and its name ends in its unit") {
-  static_assert(observe::TableRow<observe::EventRow> && !observe::TableRow<NoColumns> && !observe::TableRow<int>);
-  check_columns<observe::EventRow>();
-  check_columns<observe::AgentRow>();
-  check_columns<observe::TaxonRow>();
-  check_columns<observe::GenomeRow>();
+  static_assert(io::TableRow<io::EventRow> && !io::TableRow<NoColumns> && !io::TableRow<int>);
+  check_columns<io::EventRow>();
+  check_columns<io::AgentRow>();
+  check_columns<io::TaxonRow>();
+  check_columns<io::GenomeRow>();
 }

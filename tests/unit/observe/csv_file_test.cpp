@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 #include <string>
-#include <trophic/observe/csv_file.hpp>
+#include <trophic/io/csv_file.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;
@@ -12,11 +12,11 @@ TEST_CASE("csv: a file that exists is not overwritten, and a full disk is said")
   const test::TemporaryFolder folder;
   const std::string path = folder.file("rows.csv", "mine\n");
   CHECK(test::message_of<std::runtime_error>([&] {
-          observe::LineFile{path, "header\n"};
+          io::LineFile{path, "header\n"};
         }) == "cannot create " + path + ": File exists");
   CHECK(test::content(path) == "mine\n");
   const auto other = folder.path() / "other.csv";
-  observe::LineFile file{other, "header\n"};
+  io::LineFile file{other, "header\n"};
   file.buffer() += "row\n";
   CHECK(test::content(other) == "header\n");  // not before it is flushed
   file.flush();

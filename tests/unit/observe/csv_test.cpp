@@ -3,7 +3,7 @@
 
 #include <limits>
 #include <optional>
-#include <trophic/observe/csv.hpp>
+#include <trophic/io/csv.hpp>
 #include <tuple>
 
 using namespace trophic;
@@ -17,22 +17,22 @@ struct Row {
   bool yes = true;
   std::string text = "plain";
   static constexpr auto columns() {
-    return std::tuple{observe::column("exact", &Row::exact, "", ""),
-                      observe::column("rounded", &Row::rounded, "m", "", observe::micro),
-                      observe::column("none", &Row::none, "", ""), observe::column("yes", &Row::yes, "", ""),
-                      observe::column("text", &Row::text, "", "")};
+    return std::tuple{io::column("exact", &Row::exact, "", ""),
+                      io::column("rounded", &Row::rounded, "m", "", io::micro),
+                      io::column("none", &Row::none, "", ""), io::column("yes", &Row::yes, "", ""),
+                      io::column("text", &Row::text, "", "")};
   }
 };
 
 }  // namespace
 
 TEST_CASE("csv: cells are exact unless decimals are stated, nothing is empty, a comma is quoted") {
-  CHECK(observe::header_of<Row>() == "exact,rounded,none,yes,text\n");
+  CHECK(io::header_of<Row>() == "exact,rounded,none,yes,text\n");
   const FoodWeb web{{}, {}};
   std::string text;
-  observe::append_row(text, Row{}, web);
+  io::append_row(text, Row{}, web);
   CHECK(text == "0.1,0.666667,,1,plain\n");
   text.clear();
-  observe::append_row(text, Row{.exact = std::numeric_limits<double>::quiet_NaN(), .none = 3, .yes = false, .text = "a,b"}, web);
+  io::append_row(text, Row{.exact = std::numeric_limits<double>::quiet_NaN(), .none = 3, .yes = false, .text = "a,b"}, web);
   CHECK(text == ",0.666667,3,0,\"a,b\"\n");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/observe/event_log.hpp>
+#include <trophic/io/event_log.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;
@@ -12,7 +12,7 @@ TEST_CASE("events: a catch names the victim, a death its cause and killer") {
   const auto path = folder.path() / "events.csv";
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
-  observe::EventLog log{path};
+  io::EventLog log{path};
   log.on_event({.kind = EventKind::capture, .body = 0, .individual = view.robots[0], .cause = {}, .other = 8}, view);
   log.on_event({.kind = EventKind::death, .body = 1, .individual = view.robots[1], .cause = Cause::caught, .other = 7}, view);
   log.on_event({.kind = EventKind::birth, .body = 2, .individual = view.robots[2], .cause = {}, .other = {}}, view);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/observe/genome_log.hpp>
+#include <trophic/io/genome_log.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;
@@ -13,7 +13,7 @@ TEST_CASE("genomes: births alone, every weight exact, as many columns as weights
   test::HandPopulation robots = test::three_robots();
   robots.individuals[0].genome->weights = {0.1, -1.0 / 3.0};
   const View view = robots.view();
-  observe::GenomeLog log{path};
+  io::GenomeLog log{path};
   CHECK_FALSE(std::filesystem::exists(path));  // until a birth tells how many weights there are
   log.on_event({.kind = EventKind::activation, .body = 1, .individual = view.robots[1], .cause = {}, .other = {}}, view);
   log.on_event({.kind = EventKind::birth, .body = 0, .individual = view.robots[0], .cause = {}, .other = {}}, view);

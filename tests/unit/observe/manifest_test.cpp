@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <trophic/observe/manifest.hpp>
+#include <trophic/io/manifest.hpp>
 #include <trophic/support/json.hpp>
 #include <unit/observe/scene.hpp>
 
@@ -19,7 +19,7 @@ TEST_CASE("manifest: it says what ran, and how it ended") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "manifest.json";
   test::HandPopulation robots = test::three_robots();
-  observe::Manifest manifest{path, {{"host", "desk"}}};
+  io::Manifest manifest{path, {{"host", "desk"}}};
   manifest.on_start(test::short_run(), robots.at_tick(0).view());
   const auto at_start = read(path);
   CHECK(at_start["status"] == "running");

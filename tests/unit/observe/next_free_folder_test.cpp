@@ -3,12 +3,12 @@
 
 #include <filesystem>
 #include <support/temporary_folder.hpp>
-#include <trophic/observe/next_free_folder.hpp>
+#include <trophic/io/next_free_folder.hpp>
 
 namespace {
 
 TEST_CASE("the first number of which nothing exists, not even a link to nowhere") {
-  using trophic::observe::next_free_folder;
+  using trophic::io::next_free_folder;
   const trophic::test::TemporaryFolder folder;
   const auto runs = folder.path() / "runs" / "first";
   CHECK(next_free_folder(runs) == folder.path() / "runs" / "first-1");

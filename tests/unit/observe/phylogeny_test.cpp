@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <sstream>
-#include <trophic/observe/phylogeny.hpp>
+#include <trophic/io/phylogeny.hpp>
 #include <unit/observe/scene.hpp>
 #include <vector>
 
@@ -13,7 +13,7 @@ TEST_CASE("phylogeny: the dead when they die, the living at the end, roots witho
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "phylogeny.csv";
   test::HandPopulation robots = test::three_robots();
-  observe::Phylogeny log{path};
+  io::Phylogeny log{path};
   for (BodyIndex body = 0; body < 3; ++body) {
     log.on_event({.kind = EventKind::birth, .body = body, .individual = robots.individuals[body], .cause = {}, .other = {}},
                  robots.view());

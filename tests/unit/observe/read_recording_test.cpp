@@ -15,9 +15,9 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/read_recording.hpp>
-#include <trophic/observe/recording.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/read_recording.hpp>
+#include <trophic/io/recording.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/rng.hpp>
@@ -27,7 +27,7 @@
 
 using namespace trophic;
 using namespace trophic::test;
-using observe::RecordingReader;
+using io::RecordingReader;
 
 TEST_CASE("what is recorded reads back to its units, block by block and in any order") {
   const test::TemporaryFolder folder;
@@ -120,14 +120,14 @@ TEST_CASE("what is no recording is said to be none") {
   CHECK(refusal(folder.file("picture.trp", "\x89PNG\r\n\x1a\n and so on")).find(": is not a trophic recording") !=
         std::string::npos);
   CHECK(refusal(folder.file("empty.trp", "")).find(": is not a trophic recording") != std::string::npos);
-  CHECK(refusal(folder.file("short.trp", observe::recording::magic)).find(": ends before its first frames") != std::string::npos);
+  CHECK(refusal(folder.file("short.trp", io::recording::magic)).find(": ends before its first frames") != std::string::npos);
 }
 
 TEST_CASE("a head with numbers that no run has is refused before anything is made of them") {
   const test::TemporaryFolder folder;
   record(folder.path() / "replay.trp", Motion{130});
   const std::string whole = bytes_of(folder.path() / "replay.trp");
-  const std::size_t size = observe::recording::u32_at(whole, 8);
+  const std::size_t size = io::recording::u32_at(whole, 8);
   const std::string head = whole.substr(16, size);
   const auto refused = [&](const std::string& what, const std::string& by) {
     const std::size_t at = head.find(what);
@@ -159,9 +159,9 @@ TEST_CASE("a block that says it has more frames than its bytes can hold is refus
   const test::TemporaryFolder folder;
   record(folder.path() / "replay.trp", Motion{50}, false);
   const std::string whole = bytes_of(folder.path() / "replay.trp");
-  const std::size_t size = observe::recording::u32_at(whole, 8);
+  const std::size_t size = io::recording::u32_at(whole, 8);
   std::string blocks = whole.substr(20 + size);
-  REQUIRE(observe::recording::u32_at(blocks, 12) == 50);
+  REQUIRE(io::recording::u32_at(blocks, 12) == 50);
   blocks.replace(12, 4, "\xff\xff\xff\xff");
   const std::filesystem::path path = folder.file("forged.trp", recording_with(whole.substr(16, size), blocks));
   CHECK(refusal(path).find(": damaged, a block of more frames than it can hold at byte ") != std::string::npos);
@@ -171,7 +171,7 @@ TEST_CASE("moments too close to be told apart are found") {
   const test::TemporaryFolder folder;
   record(folder.path() / "replay.trp", Motion{50});
   const std::string whole = bytes_of(folder.path() / "replay.trp");
-  const std::size_t size = observe::recording::u32_at(whole, 8);
+  const std::size_t size = io::recording::u32_at(whole, 8);
   std::string head = whole.substr(16, size);
   const std::size_t at = head.find("\"tick_s\":");
   head.replace(at, head.find(',', at) - at, "\"tick_s\":5e-324");

@@ -14,8 +14,8 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/observe/read_recording.hpp>
-#include <trophic/observe/recording.hpp>
+#include <trophic/io/read_recording.hpp>
+#include <trophic/io/recording.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
@@ -74,7 +74,7 @@ inline void record(const std::filesystem::path& path, const Motion& motion, bool
   const FoodWeb web{{"prey", "predator"}, {{1, 0}}};
   const View view{.time_s = 0.0, .tick = 0, .tick_s = 2.0, .web = web, .arena = arena, .robots = {}, .poses = {}};
   const observe::FrameTimes times{.steps = 120, .tick_s = 2.0, .clock_scale = 1.0};
-  observe::Recording recording{path, 5.0};
+  io::Recording recording{path, 5.0};
   observe::RunDescription run;
   run.fingerprint = "0123456789abcdef";
   run.seed = 4;
@@ -94,8 +94,8 @@ inline void record(const std::filesystem::path& path, const Motion& motion, bool
   }
 }
 
-inline void check_same(const observe::RecordingReader& reader, const Motion& motion, std::size_t frames) {
-  const observe::recording::Units units;
+inline void check_same(const io::RecordingReader& reader, const Motion& motion, std::size_t frames) {
+  const io::recording::Units units;
   for (std::size_t frame = 0; frame < frames; ++frame) {
     for (std::size_t robot = 0; robot < robots; ++robot) {
       const Pose is = reader.root(frame, robot);
@@ -116,7 +116,7 @@ inline void check_same(const observe::RecordingReader& reader, const Motion& mot
 }
 
 [[nodiscard]] inline std::string refusal(const std::filesystem::path& path) {
-  return message_of<std::runtime_error>([&] { static_cast<void>(observe::RecordingReader{path}); });
+  return message_of<std::runtime_error>([&] { static_cast<void>(io::RecordingReader{path}); });
 }
 
 }  // namespace trophic::test

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <trophic/observe/recording_format.hpp>
+#include <trophic/io/recording_format.hpp>
 
 using namespace trophic;
-namespace recording = trophic::observe::recording;
+namespace recording = trophic::io::recording;
 
 TEST_CASE("recording format: a difference folds into a small number and back, for every 16 bits") {
   for (std::uint32_t number = 0; number < 65536; ++number) {

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <trophic/observe/recording_planes.hpp>
+#include <trophic/io/recording_planes.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
 using namespace trophic;
-using observe::recording::packed;
-using observe::recording::unpacked;
+using io::recording::packed;
+using io::recording::unpacked;
 
 TEST_CASE("recording planes: frames come back column by column, whatever their numbers") {
   Rng rng{3, Stream::user};

@@ -15,9 +15,9 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/read_recording.hpp>
-#include <trophic/observe/recording.hpp>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/read_recording.hpp>
+#include <trophic/io/recording.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/rules/paper.hpp>
@@ -28,8 +28,8 @@
 
 using namespace trophic;
 using namespace trophic::test;
-using observe::Recording;
-using observe::RecordingReader;
+using io::Recording;
+using io::RecordingReader;
 
 TEST_CASE("a recording is new, and its rate is a number that makes sense") {
   const test::TemporaryFolder folder;
@@ -55,11 +55,11 @@ TEST_CASE("a recording of many robots holds few frames back, and is where its ro
   ecology.run_until(8.0, recording);
   const std::string bytes = bytes_of(path);
   std::vector<std::uint32_t> frames_of_blocks;
-  for (std::size_t at = observe::recording::magic.size(); at < bytes.size();) {
-    if (bytes.substr(at + 4, 4) == observe::recording::frames_kind) {
-      frames_of_blocks.push_back(observe::recording::u32_at(bytes, at + 12));
+  for (std::size_t at = io::recording::magic.size(); at < bytes.size();) {
+    if (bytes.substr(at + 4, 4) == io::recording::frames_kind) {
+      frames_of_blocks.push_back(io::recording::u32_at(bytes, at + 12));
     }
-    at += 12 + observe::recording::u32_at(bytes, at);
+    at += 12 + io::recording::u32_at(bytes, at);
   }
   const std::uint32_t most = Recording::most_block_values / (40000 * 6);
   CHECK(frames_of_blocks == std::vector<std::uint32_t>{most, most, 41 - 2 * most});
@@ -111,7 +111,7 @@ TEST_CASE("a recorded run has the bytes of one that is not, and the recording is
   const test::TemporaryFolder folder;
   for (const double hz : {0.0, 5.0, 30.0}) {
     Kinematics ecology{{.seed = 5}, backend::Kinematic::Params{}};
-    observe::RunFolder files{folder.path() / number_text(hz), {}, {.replay_hz = hz}};
+    io::RunFolder files{folder.path() / number_text(hz), {}, {.replay_hz = hz}};
     ecology.run_until(120.0, files);
   }
   for (const char* file : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"}) {

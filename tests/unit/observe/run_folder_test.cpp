@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <trophic/observe/run_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;
@@ -15,7 +15,7 @@ TEST_CASE("run folder: everything that a run leaves, and never twice") {
   const auto path = folder.path() / "deep" / "run";
   test::HandPopulation robots = test::three_robots();
   {
-    observe::RunFolder run{path};
+    io::RunFolder run{path};
     CHECK(run.path() == path);
     run.on_start(test::short_run(), robots.view());
     for (BodyIndex body = 0; body < 3; ++body) {
@@ -31,6 +31,6 @@ TEST_CASE("run folder: everything that a run leaves, and never twice") {
   for (const auto& entry : std::filesystem::directory_iterator{path}) files.insert(entry.path().filename());
   for (const char* file : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"})
     CHECK(files.contains(file));
-  CHECK(test::message_of<std::invalid_argument>([&] { observe::RunFolder{path}; }) ==
+  CHECK(test::message_of<std::invalid_argument>([&] { io::RunFolder{path}; }) ==
         "output folder " + path.string() + ": exists already; runs are never overwritten");
 }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/observe/sense_log.hpp>
+#include <trophic/io/sense_log.hpp>
 #include <unit/observe/scene.hpp>
 #include <vector>
 
@@ -45,10 +45,10 @@ RobotModel cube() {
 
 TEST_CASE("senses: what each brain was told and answered, empty where it was not asked") {
   const test::TemporaryFolder folder;
-  const auto path = folder.path() / observe::SenseLog::file_name;
+  const auto path = folder.path() / io::SenseLog::file_name;
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
-  observe::SenseLog log{path};
+  io::SenseLog log{path};
   log.on_start(run_of_two_inputs(), view);
   const std::array<double, 2> told{0.25, -1.0};
   const std::array<double, 2> answered{0.5, -0.125};
@@ -77,9 +77,9 @@ TEST_CASE("senses: what each brain was told and answered, empty where it was not
 
 TEST_CASE("senses: who was spared and yet died was not spared, nor is who lives in its body now") {
   const test::TemporaryFolder folder;
-  const auto path = folder.path() / observe::SenseLog::file_name;
+  const auto path = folder.path() / io::SenseLog::file_name;
   test::HandPopulation robots{{{.species = test::predator, .id = 4}}};
-  observe::SenseLog log{path};
+  io::SenseLog log{path};
   log.on_start(run_of_two_inputs(), robots.view());
   log.on_reprieve(0, robots.view());
   robots.individuals[0].id = 5;
@@ -89,7 +89,7 @@ TEST_CASE("senses: who was spared and yet died was not spared, nor is who lives 
 
 TEST_CASE("senses: height, tilt and contacts by the bodies of the last frame, at the ticks that are asked for") {
   const test::TemporaryFolder folder;
-  const auto path = folder.path() / observe::SenseLog::file_name;
+  const auto path = folder.path() / io::SenseLog::file_name;
   test::HandPopulation robots = test::three_robots();
   const RobotModel robot = cube();
   const std::vector<double> angles_rad{0.0, 0.0, 0.0};
@@ -97,7 +97,7 @@ TEST_CASE("senses: height, tilt and contacts by the bodies of the last frame, at
       {{9.95, 0.0, 0.125}, Eigen::Quaterniond::Identity()},
       {{0.0, 0.0, 0.5}, Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi / 2.0, Eigen::Vector3d::UnitX()}}},
       {{0.0, 0.21, 0.5}, Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi, Eigen::Vector3d::UnitX()}}}};
-  observe::SenseLog log{path, Opening::made_new, 3};
+  io::SenseLog log{path, Opening::made_new, 3};
   log.on_start(run_of_two_inputs(), robots.view());
   const auto show = [&] {
     log.on_frame(

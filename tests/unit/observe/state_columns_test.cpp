@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <trophic/observe/state_columns.hpp>
+#include <trophic/io/state_columns.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <vector>
@@ -38,7 +38,7 @@ TEST_CASE("state columns: SLOT.MEMBER, nested members by their path, and a cell 
   states.senescence.push_back({});
   states.senescence.push_back(
       {.a = -1, .inner = {.b = 0.25}, .list = {1.0, 2.5}, .who = Ancestor{.id = 12, .species = 0, .genome = {}}});
-  const observe::StateColumns columns = observe::state_columns(states);
+  const io::StateColumns columns = io::state_columns(states);
   CHECK(columns.names == std::vector<std::string>{"senescence.a", "senescence.inner.b", "senescence.list", "senescence.who"});
   std::string row;
   columns.append(0, row);
@@ -50,9 +50,9 @@ TEST_CASE("state columns: SLOT.MEMBER, nested members by their path, and a cell 
 
 TEST_CASE("state columns: the slots of a table in their order, and none where no rule keeps anything") {
   const RuleStates<rules::Released> released;
-  CHECK(observe::state_columns(released).names == std::vector<std::string>{"parent.starved.body", "parent.starved.victim",
+  CHECK(io::state_columns(released).names == std::vector<std::string>{"parent.starved.body", "parent.starved.victim",
                                                                            "parent.sacrificed.killer",
                                                                            "starvation.exemption.adversary_distance_m"});
   const RuleStates<rules::Paper> paper;
-  CHECK(observe::state_columns(paper).names.empty());
+  CHECK(io::state_columns(paper).names.empty());
 }

@@ -15,7 +15,7 @@ TEST_CASE("states: a column for each member of each State, a row a robot and tic
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "states.csv";
   Ecology<Rules> ecology{{}, backend::Kinematic::Params{}};
-  observe::StateLog log{path, ecology.state_columns()};
+  io::StateLog log{path, ecology.state_columns()};
   ecology.run_until(4.0, log);
   const std::string text = test::content(path);
   CHECK(text.starts_with("time_s,tick,body,id,senescence.energy_J\n0,0,0,0,100\n"));

@@ -15,10 +15,10 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <trophic/replicates/sweep/attempt.hpp>
-#include <trophic/replicates/sweep/claim.hpp>
-#include <trophic/replicates/sweep/folder.hpp>
-#include <trophic/replicates/sweep/work_through.hpp>
+#include <trophic/run/sweep/attempt.hpp>
+#include <trophic/run/sweep/claim.hpp>
+#include <trophic/run/sweep/folder.hpp>
+#include <trophic/run/sweep/work_through.hpp>
 #include <vector>
 
 #include "../../support/temporary_folder.hpp"

@@ -12,11 +12,11 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/replicates/folder.hpp>
-#include <trophic/replicates/parallel.hpp>
-#include <trophic/replicates/run.hpp>
+#include <trophic/run/replicates/folder.hpp>
+#include <trophic/run/replicates/parallel.hpp>
+#include <trophic/run/replicates/run.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/json.hpp>
 

@@ -32,7 +32,7 @@ bool CsvReader::next() {
   return true;
 }
 
-observe::TableSum CsvReader::sum() const {
+io::TableSum CsvReader::sum() const {
   const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
   return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = checksum(text_)};
 }

@@ -13,14 +13,14 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/observe/csv_file.hpp>
+#include <trophic/io/csv_file.hpp>
 #include <trophic/params/params.hpp>
 #include <type_traits>
 #include <vector>
 
 namespace trophic::analysis {
 
-/// Reads the files that observe::CsvFile writes: one header row, commas, no quotes, every row as many cells as the header and
+/// Reads the files that io::CsvFile writes: one header row, commas, no quotes, every row as many cells as the header and
 /// ended by a newline. Only the columns asked for are looked at; they may stand anywhere. A last line without its newline was cut
 /// off when the writer was killed: it is not a row, and truncated() says so.
 class CsvReader {
@@ -37,7 +37,7 @@ class CsvReader {
   bool next();
 
   /// Rows and checksum of the whole file, whatever has been read.
-  [[nodiscard]] observe::TableSum sum() const;
+  [[nodiscard]] io::TableSum sum() const;
 
   [[nodiscard]] std::size_t line() const { return line_; }
   /// Whether the file ended in the middle of a line; known once next() is false.

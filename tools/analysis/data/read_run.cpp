@@ -14,11 +14,11 @@ void remark_truncated(const CsvReader& csv, const std::filesystem::path& path, s
                     ": cut off in the middle of a line (killed run?); everything before it is used");
 }
 
-void check_sum(const CsvReader& csv, const std::filesystem::path& path, const std::map<std::string, observe::TableSum>& sums) {
+void check_sum(const CsvReader& csv, const std::filesystem::path& path, const std::map<std::string, io::TableSum>& sums) {
   const auto expected = sums.find(path.filename().string());
   if (expected == sums.end()) return;
-  const observe::TableSum is = csv.sum();
-  const observe::TableSum was = expected->second;
+  const io::TableSum is = csv.sum();
+  const io::TableSum was = expected->second;
   if (is.rows == was.rows && is.crc32 == was.crc32) return;
   throw std::invalid_argument{path.string() + ": has " + std::to_string(is.rows) + " rows and checksum " +
                               std::to_string(is.crc32) + ": must be " + std::to_string(was.rows) + " and " +
@@ -30,7 +30,7 @@ void check_sum(const CsvReader& csv, const std::filesystem::path& path, const st
 namespace trophic::analysis {
 
 std::vector<EventRow> read_events(const std::filesystem::path& path, const FoodWeb& web, std::vector<std::string>& remarks,
-                                  const std::map<std::string, observe::TableSum>& sums) {
+                                  const std::map<std::string, io::TableSum>& sums) {
   TableReader<EventRow> table{path, web};
   detail::check_sum(table.csv(), path, sums);
   std::vector<EventRow> rows;
@@ -43,7 +43,7 @@ std::vector<EventRow> read_events(const std::filesystem::path& path, const FoodW
 }
 
 std::vector<AgentRow> read_agents(const std::filesystem::path& path, const FoodWeb& web, std::vector<std::string>& remarks,
-                                  const std::map<std::string, observe::TableSum>& sums, std::int64_t every_ticks) {
+                                  const std::map<std::string, io::TableSum>& sums, std::int64_t every_ticks) {
   TableReader<AgentRow> table{path, web};
   detail::check_sum(table.csv(), path, sums);
   std::vector<AgentRow> rows;

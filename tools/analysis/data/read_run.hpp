@@ -28,7 +28,7 @@ namespace detail {
 void remark_truncated(const CsvReader& csv, const std::filesystem::path& path, std::vector<std::string>& remarks);
 
 /// Throws std::invalid_argument if a table is not what the run wrote.
-void check_sum(const CsvReader& csv, const std::filesystem::path& path, const std::map<std::string, observe::TableSum>& sums);
+void check_sum(const CsvReader& csv, const std::filesystem::path& path, const std::map<std::string, io::TableSum>& sums);
 
 }  // namespace detail
 
@@ -36,13 +36,13 @@ void check_sum(const CsvReader& csv, const std::filesystem::path& path, const st
 /// tables must be, by file; throws std::invalid_argument for one that is not.
 [[nodiscard]] std::vector<EventRow> read_events(const std::filesystem::path& path, const FoodWeb& web,
                                                 std::vector<std::string>& remarks,
-                                                const std::map<std::string, observe::TableSum>& sums = {});
+                                                const std::map<std::string, io::TableSum>& sums = {});
 
 /// Reads an agents.csv. Throws std::runtime_error "FILE:LINE: ..."; of a file that was cut off the last tick is left out, and
 /// `remarks` say so. `sums`: as in read_events. `every_ticks`: what the manifest says of the ticks that it has.
 [[nodiscard]] std::vector<AgentRow> read_agents(const std::filesystem::path& path, const FoodWeb& web,
                                                 std::vector<std::string>& remarks,
-                                                const std::map<std::string, observe::TableSum>& sums = {},
+                                                const std::map<std::string, io::TableSum>& sums = {},
                                                 std::int64_t every_ticks = 1);
 
 /// Leaves of a run its first `until_s` seconds. Throws std::invalid_argument if it did not last that long.

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <trophic/observe/csv_file.hpp>
+#include <trophic/io/csv_file.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
@@ -31,7 +31,7 @@ struct RunManifest {
   Json policies;                        ///< by slot
   Json params;
   FoodWeb web{{}, {}};
-  std::map<std::string, observe::TableSum> tables;  ///< by file name; empty for a run that was killed
+  std::map<std::string, io::TableSum> tables;  ///< by file name; empty for a run that was killed
 };
 
 /// When a run ended; none of one that was killed or is still running.

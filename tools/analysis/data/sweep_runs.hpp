@@ -7,7 +7,7 @@
 #include <string>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <trophic/population/food_web.hpp>
-#include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/run/sweep/plan_file.hpp>
 #include <vector>
 
 namespace trophic::analysis {

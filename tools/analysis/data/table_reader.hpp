@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 #include <tools/analysis/data/csv_reader.hpp>
-#include <trophic/observe/column.hpp>
+#include <trophic/io/column.hpp>
 #include <trophic/population/food_web.hpp>
 #include <type_traits>
 #include <vector>
@@ -15,13 +15,13 @@
 namespace trophic::analysis {
 
 /// The rows of a file by their columns, which may stand anywhere; columns that the row does not list are passed over.
-template <observe::TableRow Row>
+template <io::TableRow Row>
 class TableReader {
  public:
   /// `web` names the species; it must outlive the reader. Throws std::runtime_error as CsvReader.
   TableReader(const std::filesystem::path& path, const FoodWeb& web) : csv_{path, {}}, web_{web} {
-    observe::for_each_column<Row>([&](const auto& column) {
-      if constexpr (observe::is_list_columns<std::remove_cvref_t<decltype(column)>>) {
+    io::for_each_column<Row>([&](const auto& column) {
+      if constexpr (io::is_list_columns<std::remove_cvref_t<decltype(column)>>) {
         for (; csv_.has(name_in_list(column.name, list_size_)); ++list_size_) csv_.want(name_in_list(column.name, list_size_));
       } else {
         csv_.want(column.name);
@@ -33,13 +33,13 @@ class TableReader {
   bool next(Row& row) {
     if (!csv_.next()) return false;
     std::size_t place = 0;
-    observe::for_each_column<Row>([&](const auto& column) {
+    io::for_each_column<Row>([&](const auto& column) {
       using Kind = std::remove_cvref_t<decltype(column)>;
       auto& value = row.*column.member;
-      if constexpr (observe::is_list_columns<Kind>) {
+      if constexpr (io::is_list_columns<Kind>) {
         value.clear();
         for (std::size_t i = 0; i < list_size_; ++i) value.push_back(csv_.get<double>(place++));
-      } else if constexpr (observe::is_species_column<Kind>) {
+      } else if constexpr (io::is_species_column<Kind>) {
         value = species(place++);
       } else if constexpr (requires { value.has_value(); }) {
         value = csv_.get_optional<typename std::remove_cvref_t<decltype(value)>::value_type>(place++, column.written.none);

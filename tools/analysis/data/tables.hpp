@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/tables.hpp>
 #include <trophic/population/individual.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::analysis {
 
-using observe::AgentRow;  ///< sorted by tick
-using observe::EventRow;  ///< in the order in which things happened
+using io::AgentRow;  ///< sorted by tick
+using io::EventRow;  ///< in the order in which things happened
 using Events = std::span<const EventRow>;
 using Agents = std::span<const AgentRow>;
 

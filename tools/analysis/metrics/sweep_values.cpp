@@ -8,7 +8,7 @@
 #include <string>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
-#include <trophic/replicates/parallel.hpp>
+#include <trophic/run/replicates/parallel.hpp>
 #include <utility>
 
 namespace trophic::analysis {

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 #include <tools/analysis/report/axis_effects.hpp>
-#include <trophic/observe/column.hpp>
+#include <trophic/io/column.hpp>
 #include <tuple>
 
 namespace trophic::analysis {
@@ -36,7 +36,7 @@ struct AxisEffectRow {
   std::string decided = {};
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{
         column("axis", &AxisEffectRow::axis, "", "what varies: a setting's path, rule_table or engine"),
         column("value", &AxisEffectRow::value, "", "its value here"),

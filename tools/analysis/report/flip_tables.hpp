@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 #include <tools/analysis/report/flips.hpp>
-#include <trophic/observe/column.hpp>
+#include <trophic/io/column.hpp>
 #include <tuple>
 
 namespace trophic::analysis {
@@ -34,7 +34,7 @@ struct FlipRow {
   std::string decided = {};
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{column("flip", &FlipRow::flip, "", "the slot or group of slots that was flipped"),
                       column("direction", &FlipRow::direction, "", "the set of flips, or from which table to which"),
                       column("metric", &FlipRow::metric, "", "what was measured"),

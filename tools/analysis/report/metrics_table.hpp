@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 #include <tools/analysis/metrics/run_set.hpp>
-#include <trophic/observe/column.hpp>
+#include <trophic/io/column.hpp>
 #include <tuple>
 
 namespace trophic::analysis {
@@ -27,7 +27,7 @@ struct MetricRow {
   std::string unit = {};
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{
         column("set", &MetricRow::set, "", "name of the rule table"),
         column("run", &MetricRow::run, "", "name of the run's folder"),

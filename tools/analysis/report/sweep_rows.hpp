@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 #include <tools/analysis/report/cell_differences.hpp>
-#include <trophic/observe/column.hpp>
+#include <trophic/io/column.hpp>
 #include <tuple>
 
 namespace trophic::analysis {
@@ -23,7 +23,7 @@ struct CellRow {
   double until_s = 0.0;
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{column("cell", &CellRow::cell, "", "its number"),
                       column("rule_table", &CellRow::rule_table, "", "of its runs"),
                       column("engine", &CellRow::engine, "", "of its runs"),
@@ -47,7 +47,7 @@ struct SweepRunRow {
   double value = 0.0;
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{column("run", &SweepRunRow::run, "", "its index in the plan"),
                       column("cell", &SweepRunRow::cell, "", "the number of its cell"),
                       column("replicate", &SweepRunRow::replicate, "", "its number in the cell"),
@@ -80,7 +80,7 @@ struct SweepMetricRow {
   std::optional<double> over_upper = {};
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{
         column("cell", &SweepMetricRow::cell, "", "the number of the cell"),
         column("metric", &SweepMetricRow::metric, "", "what was measured"),
@@ -129,7 +129,7 @@ struct SweepDifferenceRow {
   std::optional<double> smallest_detectable = {};
 
   static constexpr auto columns() {
-    using observe::column;
+    using io::column;
     return std::tuple{
         column("cell", &SweepDifferenceRow::cell, "", "the number of the cell"),
         column("reference", &SweepDifferenceRow::reference, "", "the number of the reference cell"),

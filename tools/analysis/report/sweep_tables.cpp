@@ -6,9 +6,9 @@
 #include <string>
 #include <tools/analysis/report/table_file.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/io/csv.hpp>
 #include <trophic/population/food_web.hpp>
-#include <trophic/replicates/sweep/plan_file.hpp>
+#include <trophic/run/sweep/plan_file.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::analysis::detail {
@@ -48,7 +48,7 @@ namespace trophic::analysis {
 
 void write_cells(const std::filesystem::path& path, const SweepRuns& sweep, std::optional<double> until_s) {
   std::vector<const Axis*> settings;
-  std::string text = observe::header_of<CellRow>();
+  std::string text = io::header_of<CellRow>();
   text.pop_back();
   for (const Axis& axis : sweep.grid.axes) {
     if (axis.name == "rule_table" || axis.name == "engine") continue;
@@ -68,7 +68,7 @@ void write_cells(const std::filesystem::path& path, const SweepRuns& sweep, std:
                       .runs_planned = static_cast<std::size_t>(planned),
                       .shadow_runs = detail::runs_there(sweep, cell, &GridReplicate::shadow),
                       .until_s = until_s.value_or(run.until_s)};
-    observe::append_row(text, row, FoodWeb{{}, {}});
+    io::append_row(text, row, FoodWeb{{}, {}});
     text.pop_back();
     for (const Axis* axis : settings) {
       text += ',';

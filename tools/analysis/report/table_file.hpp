@@ -4,10 +4,10 @@
 
 #include <filesystem>
 #include <string>
-#include <trophic/observe/column.hpp>
-#include <trophic/observe/csv.hpp>
-#include <trophic/observe/csv_file.hpp>
-#include <trophic/observe/growing_file.hpp>
+#include <trophic/io/column.hpp>
+#include <trophic/io/csv.hpp>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/io/growing_file.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/new_file.hpp>
 
@@ -15,14 +15,14 @@ namespace trophic::analysis {
 
 /// Rows without species, in a new file that is "PATH.part" until `finish`; without it nothing is left. Throws std::runtime_error
 /// naming the file if it exists or cannot be written.
-template <observe::TableRow Row>
+template <io::TableRow Row>
 class TableFile {
  public:
   explicit TableFile(const std::filesystem::path& path) : file_{path}, lines_{file_.part(), {}, Opening::gone_on_with} {
-    lines_.buffer() = observe::header_of<Row>();
+    lines_.buffer() = io::header_of<Row>();
   }
 
-  void write(const Row& row) { observe::append_row(lines_.buffer(), row, no_species_); }
+  void write(const Row& row) { io::append_row(lines_.buffer(), row, no_species_); }
   /// Hands the rows written so far to the system, so that they need not be kept.
   void flush() { lines_.flush(); }
   void finish() {
@@ -33,7 +33,7 @@ class TableFile {
  private:
   FoodWeb no_species_{{}, {}};
   NewFile file_;
-  observe::LineFile lines_;
+  io::LineFile lines_;
 };
 
 }  // namespace trophic::analysis

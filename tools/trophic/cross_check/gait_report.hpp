@@ -9,7 +9,7 @@
 #include <string_view>
 #include <tools/trophic/cross_check/report.hpp>
 #include <tools/trophic/cross_check/walk.hpp>
-#include <trophic/observe/csv_file.hpp>
+#include <trophic/io/csv_file.hpp>
 #include <vector>
 
 namespace trophic::command::cross_check {
@@ -41,7 +41,7 @@ struct TrajectoryRow {
   double heading_rad = 0.0;
 
   static constexpr auto columns() {
-    using trophic::observe::column;
+    using trophic::io::column;
     return std::tuple{column("engine", &TrajectoryRow::engine, "", "name of the physics engine"),
                       column("settings", &TrajectoryRow::settings, "", "which numbers of the engine"),
                       column("timestep_s", &TrajectoryRow::timestep_s, "s", "of the engine"),
@@ -69,7 +69,7 @@ class GaitReport {
   void add(const Outcome& outcome, const Outcome& reference, const Outcome& mujoco, const Outcome& own);
 
   Csv& csv_;
-  trophic::observe::CsvFile<TrajectoryRow> paths_;
+  trophic::io::CsvFile<TrajectoryRow> paths_;
   std::vector<double> scales_;  ///< one per quantity
 };
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
-#include <trophic/observe/column.hpp>
-#include <trophic/observe/csv_file.hpp>
+#include <trophic/io/column.hpp>
+#include <trophic/io/csv_file.hpp>
 #include <tuple>
 
 namespace trophic::command::cross_check {
@@ -51,7 +51,7 @@ struct CheckRow {
   std::string verdict = {};
 
   static constexpr auto columns() {
-    using trophic::observe::column;
+    using trophic::io::column;
     return std::tuple{
         column("part", &CheckRow::part, "", "gait or ecology"),
         column("engine", &CheckRow::engine, "", "name of the physics engine"),
@@ -84,7 +84,7 @@ class Csv {
            const std::optional<analysis::EquivalenceTest>& against_mujoco = {});
 
  private:
-  trophic::observe::CsvFile<CheckRow> file_;
+  trophic::io::CsvFile<CheckRow> file_;
 };
 
 [[nodiscard]] std::string text(double value, int decimals);

@@ -55,7 +55,7 @@ class RecordedFootage {
     read_deaths(run);
   }
 
-  [[nodiscard]] std::span<const observe::AgentRow> rows_at(double time_s) const { return agents_.at(time_s); }
+  [[nodiscard]] std::span<const io::AgentRow> rows_at(double time_s) const { return agents_.at(time_s); }
   [[nodiscard]] Pose root(double time_s, std::size_t body) const {
     const auto [before, after, part] = around(time_s);
     return drawing::between(recording_.root(before, body), recording_.root(after, body), part);
@@ -81,7 +81,7 @@ class RecordedFootage {
     const auto ticks = static_cast<std::size_t>(std::ceil((to_s_ - from_s_) / tick_s() - 1e-9));
     for (std::size_t tick = 0; tick <= ticks; ++tick) {
       const auto rows = agents_.at(std::min(to_s_, from_s_ + static_cast<double>(tick) * tick_s()));
-      const auto found = std::ranges::find(rows, id, &observe::AgentRow::id);
+      const auto found = std::ranges::find(rows, id, &io::AgentRow::id);
       if (found != rows.end()) return static_cast<std::size_t>(found - rows.begin());
     }
     throw std::invalid_argument{"--follow " + std::to_string(id) + ": nobody of that id lives between " + number_text(from_s_) +
@@ -106,7 +106,7 @@ class RecordedFootage {
     return {before, after, gap_s > 0.0 ? (time_s - recording_.time_s(before)) / gap_s : 0.0};
   }
 
-  const observe::RecordingReader& recording_;
+  const io::RecordingReader& recording_;
   RecordedAgents agents_;
   double from_s_;
   double to_s_;

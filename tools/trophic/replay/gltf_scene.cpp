@@ -101,7 +101,7 @@ void GltfScene::add_slopes(std::size_t parent, std::size_t material, const Heigh
 void GltfScene::add_occupants(std::size_t body, std::optional<IndividualId> only) {
   std::size_t from = first_;
   while (from <= last_) {
-    const observe::AgentRow row = row_at(from, body);
+    const io::AgentRow row = row_at(from, body);
     std::size_t next = from + 1;
     while (next <= last_ && row_at(next, body).id == row.id) ++next;
     // The frame of a death is the last one of the dead and the first one of the heir.
@@ -110,11 +110,11 @@ void GltfScene::add_occupants(std::size_t body, std::optional<IndividualId> only
   }
 }
 
-const observe::AgentRow& GltfScene::row_at(std::size_t frame, std::size_t body) const {
+const io::AgentRow& GltfScene::row_at(std::size_t frame, std::size_t body) const {
   return agents_.at(recording_.time_s(frame))[body];
 }
 
-void GltfScene::add_individual(std::size_t body, const observe::AgentRow& row, std::size_t from, std::size_t next) {
+void GltfScene::add_individual(std::size_t body, const io::AgentRow& row, std::size_t from, std::size_t next) {
   ++individuals_;
   const std::size_t to = std::min(next, last_);
   const auto& robot = recording_.head().robot;

@@ -10,7 +10,7 @@
 #include <tools/trophic/replay/recorded_agents.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/habitat/arena.hpp>
-#include <trophic/observe/read_recording.hpp>
+#include <trophic/io/read_recording.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>
@@ -42,10 +42,10 @@ class GltfScene {
 
   /// Everybody who lived in a body, one after another, or the only one asked for.
   void add_occupants(std::size_t body, std::optional<IndividualId> only);
-  [[nodiscard]] const observe::AgentRow& row_at(std::size_t frame, std::size_t body) const;
+  [[nodiscard]] const io::AgentRow& row_at(std::size_t frame, std::size_t body) const;
 
   /// `next`: the first frame of whom it is no longer, beyond the last frame for who lives on.
-  void add_individual(std::size_t body, const observe::AgentRow& row, std::size_t from, std::size_t next);
+  void add_individual(std::size_t body, const io::AgentRow& row, std::size_t from, std::size_t next);
 
   /// How a link stands to its parent.
   [[nodiscard]] Eigen::Quaterniond turned(std::size_t link, std::size_t frame, std::size_t body) const;
@@ -58,7 +58,7 @@ class GltfScene {
 
   [[nodiscard]] std::size_t times_between(std::size_t from, std::size_t to);
 
-  const observe::RecordingReader& recording_;
+  const io::RecordingReader& recording_;
   std::size_t first_;
   std::size_t last_;
   RecordedAgents agents_;

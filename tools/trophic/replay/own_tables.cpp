@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <tools/analysis/data/csv_reader.hpp>
-#include <trophic/observe/csv.hpp>
+#include <trophic/io/csv.hpp>
 #include <trophic/params/params.hpp>
 #include <vector>
 
@@ -23,7 +23,7 @@ namespace {
 /// Holds the rows of a run's tables to its recording. Of a run that was killed the recording may lack the last moments.
 class OwnTables {
  public:
-  OwnTables(std::filesystem::path folder, const observe::RecordingReader& recording)
+  OwnTables(std::filesystem::path folder, const io::RecordingReader& recording)
       : folder_{std::move(folder)}, recording_{recording}, last_s_{recording.time_s(recording.frames() - 1)} {}
 
   /// Throws std::invalid_argument unless every event of events.csv happened at a tick of the recording, where it has that body,
@@ -75,7 +75,7 @@ class OwnTables {
   /// Throws std::invalid_argument for a table that is not, byte for byte, what the run wrote by its manifest.
   void check_sum(const std::string& table, const Json& sums) const {
     if (!sums.contains(table)) return;
-    const observe::TableSum is = analysis::CsvReader{folder_ / table, {}}.sum();
+    const io::TableSum is = analysis::CsvReader{folder_ / table, {}}.sum();
     const Json& was = sums.at(table).at("crc32");
     if (was == is.crc32) return;
     throw std::invalid_argument{(folder_ / table).string() + ": checksum " + std::to_string(is.crc32) + ": must be " +
@@ -132,14 +132,14 @@ class OwnTables {
   }
 
   std::filesystem::path folder_;
-  const observe::RecordingReader& recording_;
+  const io::RecordingReader& recording_;
   double last_s_;
   std::map<std::uint64_t, std::size_t> births_;  ///< the body of everybody who was born
 };
 
 }  // namespace
 
-void check_own_tables(const std::filesystem::path& folder, const observe::RecordingReader& recording, const Json& manifest) {
+void check_own_tables(const std::filesystem::path& folder, const io::RecordingReader& recording, const Json& manifest) {
   OwnTables tables{folder, recording};
   tables.check_events();
   const Json sums = manifest.value("tables", Json::object());

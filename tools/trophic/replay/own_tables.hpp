@@ -3,13 +3,13 @@
 #pragma once
 
 #include <filesystem>
-#include <trophic/observe/read_recording.hpp>
+#include <trophic/io/read_recording.hpp>
 #include <trophic/support/json.hpp>
 
 namespace trophic::command::replay {
 
 /// Throws std::invalid_argument unless events.csv, agents.csv, phylogeny.csv and, where it is there, senses.csv are of the run
 /// that was recorded; std::runtime_error for one that cannot be read. A run that was killed has no checksums: then row by row.
-void check_own_tables(const std::filesystem::path& folder, const observe::RecordingReader& recording, const Json& manifest);
+void check_own_tables(const std::filesystem::path& folder, const io::RecordingReader& recording, const Json& manifest);
 
 }  // namespace trophic::command::replay

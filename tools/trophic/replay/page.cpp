@@ -99,7 +99,7 @@ std::string recording_bytes(const RecordedRun& run, const Window& window) {
   std::ifstream file{path, std::ios::binary};
   std::string all{std::istreambuf_iterator<char>{file}, {}};
   if (!window.from_s && !window.to_s) return all;
-  namespace format = observe::recording;
+  namespace format = io::recording;
   std::string kept = all.substr(0, format::magic.size());
   for (std::size_t at = kept.size(); at + 12 <= all.size();) {
     const std::size_t size = std::size_t{12} + format::u32_at(all, at);

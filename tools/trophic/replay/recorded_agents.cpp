@@ -16,8 +16,8 @@ RecordedAgents::RecordedAgents(const RecordedRun& run, double from_s, double to_
   const FoodWeb web{run.recording.head().species, {}};
   const std::filesystem::path path = run.folder / "agents.csv";
   try {
-    analysis::TableReader<observe::AgentRow> reader{path, web};
-    observe::AgentRow row;
+    analysis::TableReader<io::AgentRow> reader{path, web};
+    io::AgentRow row;
     while (reader.next(row)) {
       if (row.time_s < from_s - before_s - tick_s_ || row.time_s > to_s + 1e-9) continue;
       if (rows_.empty()) first_tick_ = row.tick;
@@ -35,7 +35,7 @@ RecordedAgents::RecordedAgents(const RecordedRun& run, double from_s, double to_
   if (rows_.empty()) throw std::invalid_argument{path.string() + ": has no row of the time to be shown"};
 }
 
-std::span<const observe::AgentRow> RecordedAgents::at(double time_s) const {
+std::span<const io::AgentRow> RecordedAgents::at(double time_s) const {
   const auto last = static_cast<std::int64_t>(rows_.size() / robots_) - 1;
   const auto tick = static_cast<std::int64_t>(std::floor(time_s / tick_s_ + 1e-9)) - first_tick_;
   const auto place = static_cast<std::size_t>(std::clamp<std::int64_t>(tick, 0, last));

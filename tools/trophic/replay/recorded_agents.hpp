@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <tools/trophic/replay/recorded_run.hpp>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/tables.hpp>
 #include <vector>
 
 namespace trophic::command::replay {
@@ -17,13 +17,13 @@ class RecordedAgents {
   RecordedAgents(const RecordedRun& run, double from_s, double to_s, double before_s);
 
   /// What everybody showed at a moment: body by body.
-  [[nodiscard]] std::span<const observe::AgentRow> at(double time_s) const;
+  [[nodiscard]] std::span<const io::AgentRow> at(double time_s) const;
 
  private:
   double tick_s_;
   std::size_t robots_;
   std::int64_t first_tick_ = 0;
-  std::vector<observe::AgentRow> rows_;
+  std::vector<io::AgentRow> rows_;
 };
 
 }  // namespace trophic::command::replay

@@ -10,7 +10,7 @@
 
 namespace trophic::command::replay {
 
-Json read_manifest(const std::filesystem::path& folder, const observe::RecordingHead& head) {
+Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead& head) {
   const std::filesystem::path path = folder / "manifest.json";
   auto manifest = parse_json_or_null(read_whole_file(path));
   if (!manifest.is_object()) throw std::invalid_argument{path.string() + ": cannot be read as a run's manifest"};
@@ -35,7 +35,7 @@ RecordedRun open_run(const std::filesystem::path& folder) {
     throw std::invalid_argument{path.string() + ": is not there; a run with --replay-hz 0 leaves none"};
   }
   try {
-    observe::RecordingReader recording{path};
+    io::RecordingReader recording{path};
     auto manifest = read_manifest(folder, recording.head());
     if (manifest.value("agents_every_ticks", Json(1)) != 1) {
       throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
@@ -53,7 +53,7 @@ RecordedRun open_run(const std::filesystem::path& folder) {
   }
 }
 
-void Window::check(const observe::RecordingReader& recording) const {
+void Window::check(const io::RecordingReader& recording) const {
   if (from_s) static_cast<void>(recording.frame_at(*from_s));
   if (to_s) static_cast<void>(recording.frame_at(*to_s));
   if (from_s && to_s && !(*from_s <= *to_s)) {
@@ -61,11 +61,11 @@ void Window::check(const observe::RecordingReader& recording) const {
   }
 }
 
-double Window::start_s(const observe::RecordingReader& recording) const {
+double Window::start_s(const io::RecordingReader& recording) const {
   return from_s.value_or(recording.head().first_time_s);
 }
 
-double Window::end_s(const observe::RecordingReader& recording) const {
+double Window::end_s(const io::RecordingReader& recording) const {
   return to_s.value_or(recording.time_s(recording.frames() - 1));
 }
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <trophic/observe/read_recording.hpp>
+#include <trophic/io/read_recording.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>
 
@@ -15,12 +15,12 @@ namespace trophic::command::replay {
 struct RecordedRun {
   std::filesystem::path folder;
   Json manifest;
-  observe::RecordingReader recording;
+  io::RecordingReader recording;
   std::vector<std::string> remarks;  ///< what is missing, a sentence each
 };
 
 /// Throws std::invalid_argument where no recording or manifest can be read or they are of different runs.
-[[nodiscard]] Json read_manifest(const std::filesystem::path& folder, const observe::RecordingHead& head);
+[[nodiscard]] Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead& head);
 
 /// Opens a run's folder. Throws std::invalid_argument naming the file and what is wrong with it.
 [[nodiscard]] RecordedRun open_run(const std::filesystem::path& folder);
@@ -31,9 +31,9 @@ struct Window {
   std::optional<double> to_s;
 
   /// Throws std::invalid_argument for a window outside the recording or that ends before it begins.
-  void check(const observe::RecordingReader& recording) const;
-  [[nodiscard]] double start_s(const observe::RecordingReader& recording) const;
-  [[nodiscard]] double end_s(const observe::RecordingReader& recording) const;
+  void check(const io::RecordingReader& recording) const;
+  [[nodiscard]] double start_s(const io::RecordingReader& recording) const;
+  [[nodiscard]] double end_s(const io::RecordingReader& recording) const;
   [[nodiscard]] bool has(double time_s) const { return !(from_s && time_s < *from_s - 1e-9) && !(to_s && time_s > *to_s + 1e-9); }
   /// Whether a tick tells who lives at a moment of the stretch: from the last one at or before its start on.
   [[nodiscard]] bool has_tick(double time_s, double tick_s) const;

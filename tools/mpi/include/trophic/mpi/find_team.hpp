@@ -12,7 +12,7 @@ class Team;
 namespace trophic::mpi {
 
 /// The team of a program that mpirun or srun started as a rank of a job, as Open MPI's, MPICH's and PMIx's variables of the
-/// environment say; null where it was started alone. Who uses it includes trophic/replicates/sweep/team.hpp, too.
+/// environment say; null where it was started alone. Who uses it includes trophic/run/sweep/team.hpp, too.
 [[nodiscard]] std::unique_ptr<sweep::Team> find_team();
 
 }  // namespace trophic::mpi

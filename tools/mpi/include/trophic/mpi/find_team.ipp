@@ -18,9 +18,9 @@
 #include <string>
 #include <thread>
 #include <trophic/mpi/find_team.hpp>
-#include <trophic/replicates/sweep/claim.hpp>
-#include <trophic/replicates/sweep/team.hpp>
-#include <trophic/replicates/sweep/work_through.hpp>
+#include <trophic/run/sweep/claim.hpp>
+#include <trophic/run/sweep/team.hpp>
+#include <trophic/run/sweep/work_through.hpp>
 #include <utility>
 #include <vector>
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/tables.hpp>
 #include <trophic/pictures/drawing/picture.hpp>
 #include <utility>
 #include <vector>
@@ -31,7 +31,7 @@ inline constexpr double flash_s = 6.0;
 /// go back by `trail_s` or to `first_s`, deaths by `flash_s`.
 template <class F>
 concept Footage = requires(const F& footage, double time_s, std::size_t body) {
-  { footage.rows_at(time_s) } -> std::convertible_to<std::span<const observe::AgentRow>>;
+  { footage.rows_at(time_s) } -> std::convertible_to<std::span<const io::AgentRow>>;
   { footage.root(time_s, body) } -> std::same_as<Pose>;
   { footage.joint_angles_rad(time_s, body) } -> std::same_as<std::vector<double>>;
   { footage.deaths() } -> std::convertible_to<std::span<const Death>>;
@@ -44,7 +44,7 @@ concept Footage = requires(const F& footage, double time_s, std::size_t body) {
 
 namespace detail {
 
-[[nodiscard]] inline Colour colour(const observe::AgentRow& row) {
+[[nodiscard]] inline Colour colour(const io::AgentRow& row) {
   return row.active ? species_colour(row.species) : inactive_colour;
 }
 
@@ -55,7 +55,7 @@ void add_trail(Picture& picture, const F& footage, double time_s, std::size_t bo
   double x_m = picture.robots[body].root.position_m.x();
   double y_m = picture.robots[body].root.position_m.y();
   for (double then_s = std::floor(time_s / step_s - 1e-9) * step_s; then_s >= oldest_s; then_s -= step_s) {
-    const observe::AgentRow& row = footage.rows_at(then_s)[body];
+    const io::AgentRow& row = footage.rows_at(then_s)[body];
     const auto strength = static_cast<float>(0.8 * (1.0 - (time_s - then_s) / trail_s));
     picture.lines.push_back({x_m, y_m, row.x_m, row.y_m, colour(row), strength});
     x_m = row.x_m;
@@ -64,10 +64,10 @@ void add_trail(Picture& picture, const F& footage, double time_s, std::size_t bo
 }
 
 /// A line from each robot to the one that it hunts or flees.
-inline void add_sights(Picture& picture, std::span<const observe::AgentRow> rows) {
+inline void add_sights(Picture& picture, std::span<const io::AgentRow> rows) {
   for (std::size_t body = 0; body < rows.size(); ++body) {
     if (!rows[body].adversary) continue;
-    const auto other = std::ranges::find(rows, *rows[body].adversary, &observe::AgentRow::id);
+    const auto other = std::ranges::find(rows, *rows[body].adversary, &io::AgentRow::id);
     if (other == rows.end()) continue;
     const Eigen::Vector3d from = picture.robots[body].root.position_m;
     const Eigen::Vector3d to = picture.robots[static_cast<std::size_t>(other - rows.begin())].root.position_m;
@@ -82,7 +82,7 @@ template <Footage F>
 [[nodiscard]] Picture picture_of(const F& footage, double time_s, std::optional<IndividualId> marked, std::string caption) {
   Picture picture;
   picture.caption = std::move(caption);
-  const std::span<const observe::AgentRow> rows = footage.rows_at(time_s);
+  const std::span<const io::AgentRow> rows = footage.rows_at(time_s);
   for (std::size_t body = 0; body < rows.size(); ++body) {
     picture.robots.push_back({.root = footage.root(time_s, body),
                               .joint_angles_rad = footage.joint_angles_rad(time_s, body),

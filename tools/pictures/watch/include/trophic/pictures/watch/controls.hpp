@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/tables.hpp>
 #include <trophic/pictures/drawing/camera.hpp>
 #include <trophic/pictures/drawing/picture.hpp>
 #include <trophic/pictures/watch/clock.hpp>

@@ -51,7 +51,7 @@ struct Columns {
     return columns;
   }
   const double time_s = controls.clock().time_s();
-  const observe::AgentRow& row = footage.rows_at(time_s)[*body];
+  const io::AgentRow& row = footage.rows_at(time_s)[*body];
   const Ancestry& ancestry = footage.ancestry(time_s, *body);
   const auto degrees = [](double rad) { return observe::short_text(rad * 180.0 / std::numbers::pi) + " deg"; };
   columns.add("species", footage.species(row.species));

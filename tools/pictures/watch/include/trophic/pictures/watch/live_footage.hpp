@@ -12,11 +12,11 @@
 #include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/observe/agent_log.hpp>
+#include <trophic/io/agent_log.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/observe/tables.hpp>
+#include <trophic/io/tables.hpp>
 #include <trophic/pictures/drawing/footage.hpp>
 #include <trophic/population/view.hpp>
 #include <vector>
@@ -57,7 +57,7 @@ class LiveFootage {
     Tick& tick = ticks_.emplace_back();
     tick.time_s = view.time_s;
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-      tick.rows.push_back(observe::agent_row(view, body));
+      tick.rows.push_back(io::agent_row(view, body));
       tick.ancestries.push_back({.parent = view.robots[body].parent, .age_s = view.time_s - view.robots[body].born_s});
     }
   }
@@ -76,7 +76,7 @@ class LiveFootage {
   [[nodiscard]] double until_s() const { return until_s_; }  ///< when the run will end
   [[nodiscard]] double tick_s() const { return tick_s_; }
 
-  [[nodiscard]] std::span<const observe::AgentRow> rows_at(double time_s) const { return tick_at(time_s).rows; }
+  [[nodiscard]] std::span<const io::AgentRow> rows_at(double time_s) const { return tick_at(time_s).rows; }
   [[nodiscard]] const Ancestry& ancestry(double time_s, std::size_t body) const { return tick_at(time_s).ancestries.at(body); }
   [[nodiscard]] Pose root(double time_s, std::size_t body) const {
     const auto [before, after] = frames_at(time_s);
@@ -110,7 +110,7 @@ class LiveFootage {
   };
   struct Tick {
     double time_s = 0.0;
-    std::vector<observe::AgentRow> rows;
+    std::vector<io::AgentRow> rows;
     std::vector<Ancestry> ancestries;
   };
 

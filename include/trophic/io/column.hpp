@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Columns: a table's row lists them once; its file's header and cells, its reader and docs/tables.md all follow that list.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <trophic/params/detail/member_count.hpp>
+#include <trophic/population/food_web.hpp>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace trophic::io {
+
+/// How a value becomes a cell. Numbers are written in their shortest exact form unless `decimals` >= 0 fixes their count.
+struct Written {
+  int decimals = -1;
+  std::string_view none = {};  ///< what stands for an optional that is none
+};
+
+/// A metre's cell has six decimals: a micrometre.
+inline constexpr Written micro{.decimals = 6, .none = {}};
+
+/// A member of a row with the name of its column. `unit`: "s", "m", "rad"; empty for what has none.
+template <class Row, class T>
+struct Column {
+  std::string_view name;
+  T Row::*member;
+  std::string_view unit;
+  std::string_view help;
+  Written written;
+};
+
+/// A species, which a row knows by its index and a cell by its name.
+template <class Row>
+struct SpeciesColumn {
+  std::string_view name;
+  Species Row::*member;
+  std::string_view help;
+};
+
+/// As many columns as a row has numbers: w0, w1, ... Every row of a file has the same count.
+template <class Row>
+struct ListColumns {
+  std::string_view name;
+  std::vector<double> Row::*member;
+  std::string_view unit;
+  std::string_view help;
+};
+
+template <class Row, class T>
+[[nodiscard]] constexpr Column<Row, T> column(std::string_view name, T Row::*member, std::string_view unit, std::string_view help,
+                                              Written written = {}) {
+  return {name, member, unit, help, written};
+}
+template <class Row>
+[[nodiscard]] constexpr SpeciesColumn<Row> species_column(std::string_view name, Species Row::*member, std::string_view help) {
+  return {name, member, help};
+}
+template <class Row>
+[[nodiscard]] constexpr ListColumns<Row> list_columns(std::string_view name, std::vector<double> Row::*member,
+                                                      std::string_view unit, std::string_view help) {
+  return {name, member, unit, help};
+}
+
+template <class C>
+inline constexpr bool is_species_column = false;
+template <class Row>
+inline constexpr bool is_species_column<SpeciesColumn<Row>> = true;
+template <class C>
+inline constexpr bool is_list_columns = false;
+template <class Row>
+inline constexpr bool is_list_columns<ListColumns<Row>> = true;
+
+/// A struct that lists its columns: `static constexpr auto columns() { return std::tuple{column("time_s", &Row::time_s, "s",
+/// "the ecology's clock"), ...}; }`, one for each member.
+template <class Row>
+concept TableRow = requires {
+  std::tuple_size<decltype(Row::columns())>::value;
+};
+
+/// Calls `visit(column)` for each in the order of the file.
+template <TableRow Row, class Visitor>
+constexpr void for_each_column(Visitor&& visit) {
+  static_assert(trophic::detail::member_count<Row>() == std::tuple_size_v<decltype(Row::columns())>,
+                "a row must show every member in columns(); see trophic/io/column.hpp");
+  std::apply([&](const auto&... column) { (visit(column), ...); }, Row::columns());
+}
+
+}  // namespace trophic::io

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// CSV: rows as text by their columns.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <concepts>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <trophic/io/column.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/population/food_web.hpp>
+#include <trophic/population/individual.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace trophic::io {
+
+namespace detail {
+
+template <class... Format>
+void append_number(std::string& text, Format... format) {
+  std::array<char, 400> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), format...);
+  text.append(digits.data(), end.ptr);
+}
+
+/// Numbers as `written` says, NaN as an empty cell, switches as 0 and 1, enumerators by name, texts in quotes where they have a
+/// comma.
+template <class Cell>
+void append_cell(std::string& text, const Cell& value, const Written& written = {}) {
+  if constexpr (std::same_as<Cell, bool>) {
+    text.push_back(value ? '1' : '0');
+  } else if constexpr (std::floating_point<Cell>) {
+    if (!(value == value)) return;
+    if (written.decimals < 0) return append_number(text, value);
+    append_number(text, value, std::chars_format::fixed, written.decimals);
+  } else if constexpr (std::integral<Cell>) {
+    append_number(text, value);
+  } else if constexpr (NamedEnum<Cell>) {
+    text.append(enum_name(value));
+  } else if constexpr (requires { value.has_value(); }) {
+    if (value) return append_cell(text, *value, written);
+    text.append(written.none);
+  } else {
+    const std::string_view plain{value};
+    const std::string_view quote = plain.find(',') == std::string_view::npos ? "" : "\"";
+    text.append(quote).append(plain).append(quote);
+  }
+}
+
+}  // namespace detail
+
+/// The names of a table's columns as a line; `like` is a row whose lists are as long as those of every row.
+template <TableRow Row>
+[[nodiscard]] std::string header_of(const Row& like = {}) {
+  std::string text;
+  for_each_column<Row>([&](const auto& column) {
+    if constexpr (is_list_columns<std::remove_cvref_t<decltype(column)>>) {
+      for (std::size_t i = 0; i < (like.*column.member).size(); ++i) text.append(column.name).append(number_text(i) + ",");
+    } else {
+      text.append(column.name).push_back(',');
+    }
+  });
+  text.back() = '\n';
+  return text;
+}
+
+/// A row as a line. `web` names the species of rows that have one.
+template <TableRow Row>
+void append_row(std::string& text, const Row& row, const FoodWeb& web) {
+  for_each_column<Row>([&](const auto& column) {
+    using Kind = std::remove_cvref_t<decltype(column)>;
+    const auto& value = row.*column.member;
+    if constexpr (is_list_columns<Kind>) {
+      for (const double number : value) {
+        detail::append_cell(text, number);
+        text.push_back(',');
+      }
+    } else {
+      if constexpr (is_species_column<Kind>) {
+        detail::append_cell(text, web.name(value));
+      } else {
+        detail::append_cell(text, value, column.written);
+      }
+      text.push_back(',');
+    }
+  });
+  text.back() = '\n';
+}
+
+/// A whole table of rows without species.
+template <TableRow Row>
+[[nodiscard]] std::string table_text(std::span<const Row> rows) {
+  std::string text = header_of<Row>();
+  const FoodWeb no_species{{}, {}};
+  for (const Row& row : rows) append_row(text, row, no_species);
+  return text;
+}
+
+/// What rules with a State keep, as text: state_columns.hpp makes it of a table's states.
+struct StateColumns {
+  std::vector<std::string> names = {};                                     ///< SLOT.MEMBER
+  std::function<void(BodyIndex body, std::string& row)> append = nullptr;  ///< a comma and a cell for each name
+};
+
+}  // namespace trophic::io

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A file of lines, and one of rows: never overwritten, and it never fails silently.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <trophic/io/column.hpp>
+#include <trophic/io/csv.hpp>
+#include <trophic/io/growing_file.hpp>
+#include <trophic/params/archive.hpp>
+#include <trophic/population/food_web.hpp>
+#include <utility>
+
+namespace trophic::io {
+
+/// How many rows a table has, its header aside, and the CRC-32 of its file.
+struct TableSum {
+  std::uint64_t rows = 0;
+  std::uint32_t crc32 = 0;
+};
+
+/// A file that grows by lines. Throws std::runtime_error naming the file when it exists or the system refuses to write.
+class LineFile {
+ public:
+  /// Writes the first lines at once into a new file.
+  LineFile(const std::filesystem::path& path, std::string first, Opening opening = Opening::made_new)
+      : file_{path, opening}, buffer_{std::move(first)} {
+    if (opening == Opening::gone_on_with) buffer_.clear();
+    flush();
+  }
+
+  /// What the next flush writes.
+  [[nodiscard]] std::string& buffer() { return buffer_; }
+
+  /// Hands everything written so far to the system.
+  void flush() {
+    file_.append(buffer_);
+    lines_ += static_cast<std::uint64_t>(std::ranges::count(buffer_, '\n'));
+    buffer_.clear();
+  }
+
+  /// Hands everything to the system and sees that it is on the disk.
+  void finish() {
+    flush();
+    file_.sync();
+  }
+
+  /// Takes part in checkpoints: see GrowingFile.
+  void persist(Archive& archive) {
+    if (!archive.reads()) flush();
+    archive(file_, lines_);
+  }
+
+  [[nodiscard]] TableSum sum() const { return {.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()}; }
+
+ private:
+  GrowingFile file_;
+  std::string buffer_;
+  std::uint64_t lines_ = 0;
+};
+
+/// A file of rows. Errors as those of LineFile.
+template <TableRow Row>
+class CsvFile {
+ public:
+  /// Writes the header at once into a new file; `like`: as header_of.
+  explicit CsvFile(const std::filesystem::path& path, const Row& like = {}, Opening opening = Opening::made_new)
+      : file_{path, header_of(like), opening} {}
+  CsvFile(const std::filesystem::path& path, Opening opening) : CsvFile{path, {}, opening} {}
+
+  void write(const Row& row, const FoodWeb& web) { append_row(file_.buffer(), row, web); }
+  void write(const Row& row) { write(row, FoodWeb{{}, {}}); }
+  void flush() { file_.flush(); }
+  void finish() { file_.finish(); }
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  LineFile file_;
+};
+
+}  // namespace trophic::io

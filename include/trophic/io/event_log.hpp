@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// events.csv: everything that happens to individuals.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/observe/event.hpp>
+#include <trophic/io/tables.hpp>
+#include <trophic/population/view.hpp>
+
+namespace trophic::io {
+
+/// Writes an EventRow per event.
+class EventLog {
+ public:
+  explicit EventLog(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
+
+  void on_event(const observe::Event& event, const View& view) {
+    const Individual& self = event.individual;
+    const bool is_catch = event.kind == observe::EventKind::capture;
+    file_.write({.time_s = view.time_s,
+                 .tick = view.tick,
+                 .kind = event.kind,
+                 .id = self.id,
+                 .species = self.species,
+                 .body = event.body,
+                 .tag = self.tag,
+                 .active = self.active,
+                 .origin = self.origin,
+                 .parent = self.parent,
+                 .genome = self.genome->id,
+                 .cause = event.cause,
+                 .killer = is_catch ? std::nullopt : event.other,
+                 .victim = is_catch ? event.other : std::nullopt,
+                 .x_m = view.poses[event.body].x_m,
+                 .y_m = view.poses[event.body].y_m},
+                view.web);
+  }
+  void on_tick(const View&) { file_.flush(); }
+  void on_end(const View&) { file_.flush(); }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  CsvFile<EventRow> file_;
+};
+
+}  // namespace trophic::io

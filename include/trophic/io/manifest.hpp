@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// manifest.json: what made a run, and how it ended.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/observe/tally.hpp>
+#include <trophic/params/archive.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/support/linkage.hpp>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace trophic::io {
+
+/// Facts that only the program knows: command line, host, revision of its own source. trophic's programs give them
+/// (trophic/command/provenance.hpp); a program of your own gives what it knows.
+using Provenance = std::vector<std::pair<std::string, std::string>>;
+
+/// The compiler that made trophic (where a program links it compiled: the library), with its version: "g++ 12.2.0".
+[[nodiscard]] std::string compiler();
+
+/// Writes the manifest when the run starts (status "running") and again when it ends: "complete", "stopped" (an observer ended it
+/// early) or "failed" with the error. Each time the file is replaced as a whole.
+class Manifest {
+ public:
+  Manifest(std::filesystem::path path, Provenance provenance);
+  Manifest(Manifest&&) noexcept;
+  Manifest& operator=(Manifest&&) noexcept;
+  ~Manifest();
+
+  /// Takes part in checkpoints. Read from one, the manifest keeps what it said of the program that started the run; what this
+  /// program says of itself is added under "continued".
+  void persist(Archive& archive);
+
+  /// Says that the run began from another one, as read from its checkpoint; `origin`: which, and when.
+  void begin_from(Provenance origin);
+
+  void on_start(const observe::RunDescription& run, const View& view);
+  void on_event(const observe::Event& event, const View& view) { tally_.on_event(event, view); }
+  void on_tick(const View& view) { reached_s_ = view.time_s; }
+  void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
+  void on_failure(std::string_view what);
+
+  /// Which ticks agents.csv has, where not every one; before `on_start`.
+  void set_agents_every_ticks(std::int64_t every) { agents_every_ticks_ = every; }
+
+  /// What the inputs in senses.csv are, of a run that has that table; before `on_start`.
+  void set_inputs(const std::vector<std::string>& inputs);
+
+  /// What it says of the run's tables when it is written next.
+  void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
+
+  /// Adds provenance that is known only now, such as the wall time, and writes again.
+  void add(const Provenance& provenance);
+
+ private:
+  struct Content;
+
+  /// A program that went on with the run.
+  struct Continuation {
+    double from_s = 0.0;
+    Provenance provenance;
+    static constexpr auto saved() { return std::tuple{&Continuation::from_s, &Continuation::provenance}; }
+  };
+
+  void finish(std::string_view status);
+  void write() const;
+
+  std::filesystem::path path_;
+  Provenance provenance_;
+  std::vector<Continuation> continued_;
+  Provenance origin_;
+  std::unique_ptr<Content> content_;
+  observe::Tally tally_;
+  std::int64_t agents_every_ticks_ = 1;
+  double until_s_ = 0.0;
+  double reached_s_ = 0.0;
+};
+
+}  // namespace trophic::io
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/io/manifest.ipp>
+#endif

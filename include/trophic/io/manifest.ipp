@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Definitions of manifest.hpp.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <trophic/io/manifest.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/replace_file.hpp>
+#include <trophic/support/version.hpp>
+#include <utility>
+#include <variant>
+
+namespace trophic::io {
+
+namespace detail {
+
+/// "rules.tag_switch.cool_down_s" as the place in a nested object.
+[[nodiscard]] inline Json::json_pointer json_place(std::string path) {
+  for (char& c : path) {
+    if (c == '.') c = '/';
+  }
+  return Json::json_pointer{"/" + path};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE std::string compiler() {
+#if defined(__clang__)
+  return "clang++ " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) + "." +
+         std::to_string(__clang_patchlevel__);
+#elif defined(__GNUC__)
+  return "g++ " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__) + "." + std::to_string(__GNUC_PATCHLEVEL__);
+#else
+  return "unknown";
+#endif
+}
+
+struct Manifest::Content {
+  Json json;
+
+  /// Calls `change(json)`; what it does is kept if it throws nothing. Where memory runs out within, the library's values may hold
+  /// null pointers that their destructors follow: such a copy is left behind.
+  template <class Change>
+  void change(Change&& change) {
+    auto changed = std::make_unique<Json>(json);
+    try {
+      change(*changed);
+    } catch (...) {
+      static_cast<void>(changed.release());
+      throw;
+    }
+    json = std::move(*changed);
+  }
+};
+
+TROPHIC_INLINE Manifest::Manifest(std::filesystem::path path, Provenance provenance)
+    : path_{std::move(path)}, provenance_{std::move(provenance)}, content_{std::make_unique<Content>()} {}
+TROPHIC_INLINE Manifest::Manifest(Manifest&&) noexcept = default;
+TROPHIC_INLINE Manifest& Manifest::operator=(Manifest&&) noexcept = default;
+TROPHIC_INLINE Manifest::~Manifest() = default;
+
+TROPHIC_INLINE void Manifest::persist(Archive& archive) {
+  Provenance ours = provenance_;
+  archive(provenance_, continued_, origin_, tally_, reached_s_);
+  if (archive.reads()) continued_.push_back({.from_s = reached_s_, .provenance = std::move(ours)});
+}
+
+TROPHIC_INLINE void Manifest::begin_from(Provenance origin) {
+  if (!continued_.empty()) provenance_ = continued_.back().provenance;
+  continued_.clear();
+  origin_ = std::move(origin);
+}
+
+TROPHIC_INLINE void Manifest::set_inputs(const std::vector<std::string>& inputs) {
+  content_->change([&](Json& json) { json["senses"]["inputs"] = inputs; });
+}
+
+TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string, TableSum>>& tables) {
+  content_->change([&](Json& json) {
+    for (const auto& [file, sum] : tables) json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
+  });
+}
+
+TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const View& view) {
+  until_s_ = run.until_s;
+  content_->change([&](Json& json) {
+    json["trophic"] = version;
+    json["status"] = "running";
+    json["fingerprint"] = run.fingerprint;
+    json["seed"] = run.seed;
+    json["rule_table"] = run.rules;
+    json["backend"] = run.backend;
+    json["remarks"] = run.remarks;
+    json["compiler"] = compiler();
+    for (const auto& [name, text] : provenance_) json[name] = text;
+    for (const auto& [name, text] : origin_) json["origin"][name] = text;
+    for (const Continuation& one : continued_) {
+      Json program{{"from_s", one.from_s}};
+      for (const auto& [name, text] : one.provenance) program[name] = text;
+      json["continued"].push_back(std::move(program));
+    }
+    json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
+    if (agents_every_ticks_ != 1) json["agents_every_ticks"] = agents_every_ticks_;
+    for (Species species = 0; species < view.web.size(); ++species) json["species"].push_back(view.web.name(species));
+    json["food_web"] = Json::array();
+    for (const Feeding& link : view.web.links()) {
+      json["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
+    }
+    json["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
+    json["tags"] = run.tags;
+    for (const auto& [slot, policy] : run.slots) json["rules"][slot] = policy;
+    for (const NamedParam& param : run.named_params) {
+      std::visit([&](const auto& value) { json["params"][detail::json_place(param.path)] = value; }, param.value);
+    }
+  });
+  write();
+}
+
+TROPHIC_INLINE void Manifest::on_failure(std::string_view what) {
+  content_->change([&](Json& json) { json["error"] = what; });
+  finish("failed");
+}
+
+TROPHIC_INLINE void Manifest::add(const Provenance& provenance) {
+  content_->change([&](Json& json) {
+    for (const auto& [name, text] : provenance) json[name] = text;
+  });
+  write();
+}
+
+TROPHIC_INLINE void Manifest::finish(std::string_view status) {
+  content_->change([&](Json& json) {
+    json["status"] = status;
+    auto& result = json["result"];
+    result["reached_s"] = reached_s_;
+    result["births"] = tally_.births();
+    result["deaths"] = tally_.deaths();
+    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+      result[std::string{enum_name(static_cast<Cause>(cause))}] = tally_.deaths(static_cast<Cause>(cause));
+    }
+  });
+  write();
+}
+
+TROPHIC_INLINE void Manifest::write() const {
+  replace_file(path_, json_text(content_->json, 2) + '\n');
+}
+
+}  // namespace trophic::io

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Tables of one's own: observers that a program gives to its experiments, so that every run writes their tables, too.
+#pragma once
+
+#include <concepts>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <trophic/observe/audience.hpp>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/io/growing_file.hpp>
+#include <trophic/observe/hooks.hpp>
+#include <trophic/params/archive.hpp>
+#include <vector>
+
+namespace trophic::io {
+
+/// An observer (trophic/observe/hooks.hpp) that writes one table into the folder of a run:
+///
+///   static constexpr std::string_view file_name = "distances.csv";
+///   Distances(const std::filesystem::path& path, Opening opening)   `path` ends in file_name; a resumed run continues the file
+///   void persist(Archive& archive)                                  whatever it remembers, and its CsvFile
+///   TableSum sum() const                                            its CsvFile's
+///
+/// It observes; it neither asks for frames nor ends a run: such observers are passed to run_until.
+template <class O>
+concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_from<O, const std::filesystem::path&, Opening> &&
+    requires(const O& table) {
+  { O::file_name } -> std::convertible_to<std::string_view>;
+  { table.sum() } -> std::same_as<TableSum>;
+} && !observe::detail::Names_on_frame<O> && !observe::detail::Names_between_ticks<O> && !observe::detail::Names_keep_running<O> &&
+    !observe::detail::Names_gives_up_tick<O>;
+
+/// A table of one's own whatever its type.
+class AnyOwnTable {
+ public:
+  AnyOwnTable() = default;
+  AnyOwnTable(const AnyOwnTable&) = delete;
+  AnyOwnTable& operator=(const AnyOwnTable&) = delete;
+  virtual ~AnyOwnTable() = default;
+  [[nodiscard]] virtual std::string file_name() const = 0;
+  [[nodiscard]] virtual observe::Audience& observer() = 0;
+  [[nodiscard]] virtual TableSum sum() const = 0;
+  virtual void persist(Archive& archive) = 0;
+};
+
+/// Makes one table in the folder of a run.
+using MakeOwnTable = std::function<std::unique_ptr<AnyOwnTable>(const std::filesystem::path& folder, Opening opening)>;
+using OwnTables = std::vector<MakeOwnTable>;
+
+namespace detail {
+
+template <class O>
+class OwnTableOf final : public AnyOwnTable {
+ public:
+  OwnTableOf(const std::filesystem::path& folder, Opening opening)
+      : table_(folder / std::string{O::file_name}, opening), observer_{table_} {}
+  [[nodiscard]] std::string file_name() const override { return std::string{O::file_name}; }
+  [[nodiscard]] observe::Audience& observer() override { return observer_; }
+  [[nodiscard]] TableSum sum() const override { return table_.sum(); }
+  void persist(Archive& archive) override { archive(table_); }
+
+ private:
+  O table_;
+  observe::AudienceOf<O> observer_;
+};
+
+}  // namespace detail
+
+/// The tables of these observers, for `trophic::experiment`.
+template <class... Observers>
+[[nodiscard]] OwnTables own_tables() {
+  static_assert((OwnTable<Observers> && ...),
+                "a table of one's own is an observer with file_name, a constructor from (const std::filesystem::path&, Opening), "
+                "persist(Archive&) and TableSum sum() const, and without on_frame, between_ticks, "
+                "keep_running and gives_up_tick; see trophic/io/own_table.hpp");
+  return {[](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<AnyOwnTable> {
+    return std::make_unique<detail::OwnTableOf<Observers>>(folder, opening);
+  }...};
+}
+
+}  // namespace trophic::io

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// phylogeny.csv: who descends from whom, in the ALife data standard.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/observe/event.hpp>
+#include <trophic/io/tables.hpp>
+#include <trophic/population/view.hpp>
+#include <vector>
+
+namespace trophic::io {
+
+/// Writes a TaxonRow per individual.
+class Phylogeny {
+ public:
+  explicit Phylogeny(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
+
+  void on_event(const observe::Event& event, const View& view) {
+    if (event.kind == observe::EventKind::birth) {
+      tag_at_birth_.resize(view.robots.size());
+      tag_at_birth_[event.body] = event.individual.tag;
+    } else if (event.kind == observe::EventKind::death) {
+      write(event.individual, event.body, view, view.time_s, event.individual.tag, event.cause, event.other);
+    }
+  }
+  void on_tick(const View&) { file_.flush(); }
+  void on_end(const View& view) {
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      write(view.robots[body], body, view, {}, {}, {}, {});
+    }
+    file_.finish();
+  }
+
+  void persist(Archive& archive) { archive(file_, tag_at_birth_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  void write(const Individual& self, BodyIndex body, const View& view, std::optional<double> died_s, std::optional<int> tag,
+             std::optional<Cause> cause, std::optional<IndividualId> killer) {
+    file_.write({.id = self.id,
+                 .ancestor_list = self.parent ? "[" + std::to_string(*self.parent) + "]" : "[none]",
+                 .ancestor = self.parent.value_or(self.id),
+                 .origin_time = self.born_s,
+                 .destruction_time = died_s,
+                 .species = self.species,
+                 .origin = self.origin,
+                 .body = body,
+                 .genome = self.genome->id,
+                 .mutation_distance = self.mutation_distance,
+                 .tag_at_birth = tag_at_birth_.at(body),
+                 .tag_at_death = tag,
+                 .cause_of_death = cause,
+                 .killer = killer},
+                view.web);
+  }
+
+  CsvFile<TaxonRow> file_;
+  std::vector<int> tag_at_birth_;
+};
+
+}  // namespace trophic::io

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Definitions of read_recording.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <trophic/io/read_recording.hpp>
+#include <trophic/io/recording_planes.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
+#include <trophic/support/json.hpp>
+#include <utility>
+
+namespace trophic::io {
+
+namespace recording {
+
+/// So many or fewer, and no product of a recording's numbers overflows. How many robots there are is bounded by the bytes of the
+/// first frames.
+inline constexpr std::size_t most_robots = 0xFFFF'FFFF;
+inline constexpr std::size_t most_nodes = 0xFFFF'FFFF;  ///< of a height field, along one side
+inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
+
+[[nodiscard]] TROPHIC_INLINE Eigen::Vector3d vector_of(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+[[nodiscard]] TROPHIC_INLINE Eigen::Quaterniond quaternion_of(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>(), json.at(3).get<double>()};
+}
+
+[[nodiscard]] TROPHIC_INLINE RobotModel robot_of(const Json& json) {
+  RobotModel robot;
+  robot.name = json.at("name").get<std::string>();
+  robot.forward_rad = json.at("forward_rad").get<double>();
+  robot.bounding_radius_m = json.at("bounding_radius_m").get<double>();
+  for (const auto& one : json.at("links")) {
+    Link link;
+    link.name = one.at("name").get<std::string>();
+    link.parent = whole_number<int>(one, "parent");
+    const auto index = static_cast<int>(robot.links.size());
+    if ((index == 0) != (link.parent == -1) || link.parent >= index || link.parent < -1) {
+      throw std::runtime_error{"link " + std::to_string(index) + " hangs on no link before it"};
+    }
+    link.offset_m = vector_of(one.at("offset_m"));
+    link.rotation = quaternion_of(one.at("rotation"));
+    for (const auto& box : one.at("boxes")) {
+      link.boxes.push_back({.part = box.at("part").get<std::string>(),
+                            .half_extents_m = vector_of(box.at("half_extents_m")),
+                            .centre_m = vector_of(box.at("centre_m")),
+                            .orientation = quaternion_of(box.at("orientation"))});
+    }
+    if (index > 0) {
+      Hinge hinge;
+      hinge.name = one.at("hinge").at("name").get<std::string>();
+      hinge.axis = vector_of(one.at("hinge").at("axis"));
+      robot.hinges.push_back(std::move(hinge));
+    }
+    robot.links.push_back(std::move(link));
+  }
+  if (robot.links.empty()) throw std::runtime_error{"a robot without links"};
+  return robot;
+}
+
+[[nodiscard]] TROPHIC_INLINE Arena arena_of(const Json& json) {
+  Arena arena;
+  arena.name = json.at("name").get<std::string>();
+  arena.half_side_m = json.at("half_side_m").get<double>();
+  arena.extent_m = json.at("extent_m").get<double>();
+  if (json.contains("height_field")) {
+    const auto& field = json.at("height_field");
+    arena.height_field = HeightField{.nodes = whole_number<std::size_t>(field, "nodes", 2, most_nodes),
+                                     .half_extent_m = field.at("half_extent_m").get<double>(),
+                                     .height_m = field.at("height_m").get<std::vector<double>>()};
+    const HeightField& made = *arena.height_field;
+    if (made.height_m.size() != made.nodes * made.nodes) {
+      throw std::runtime_error{"a height field of " + std::to_string(made.height_m.size()) + " heights"};
+    }
+  }
+  return arena;
+}
+
+/// Which run a head is of.
+TROPHIC_INLINE void read_run(const Json& json, RecordingHead& head) {
+  if (json.at("format") != "trophic recording") throw std::runtime_error{"its format is " + json_text(json.at("format"))};
+  if (json.at("version") != version) {
+    throw std::runtime_error{"version " + json_text(json.at("version")) + " of the format; this program reads " +
+                             std::to_string(version)};
+  }
+  head.fingerprint = json.at("fingerprint").get<std::string>();
+  head.seed = whole_number<std::uint64_t>(json, "seed");
+  head.rule_table = json.at("rule_table").get<std::string>();
+  head.backend = json.at("backend").get<std::string>();
+  head.species = json.at("species").get<std::vector<std::string>>();
+}
+
+[[nodiscard]] TROPHIC_INLINE RecordingHead head_of(const Json& json) {
+  RecordingHead head;
+  read_run(json, head);
+  head.first_time_s = json.at("first_time_s").get<double>();
+  head.times = {.steps = whole_number<std::int64_t>(json, "steps_per_tick", 1, most_steps_per_tick),
+                .tick_s = json.at("tick_s").get<double>(),
+                .clock_scale = json.at("clock_scale").get<double>()};
+  head.frames_per_tick = whole_number<std::int64_t>(json, "frames_per_tick", 1, head.times.steps);
+  head.robots = whole_number<std::size_t>(json, "robots", 1, most_robots);
+  head.joints = whole_number<std::size_t>(json, "joints");
+  const auto& units = json.at("units");
+  head.units = {.position_m = units.at("position_m").get<double>(),
+                .yaw_rad = units.at("yaw_rad").get<double>(),
+                .tilt_rad = units.at("tilt_rad").get<double>(),
+                .joint_rad = units.at("joint_rad").get<double>()};
+  head.robot = robot_of(json.at("robot"));
+  head.arena = arena_of(json.at("arena"));
+  if (!(head.times.tick_s > 0.0)) throw std::runtime_error{"tick_s = " + number_text(head.times.tick_s) + ": must be > 0"};
+  if (head.joints != 0 && head.joints != head.robot.hinges.size()) {
+    throw std::runtime_error{"joints = " + std::to_string(head.joints) + ": must be 0 or " +
+                             std::to_string(head.robot.hinges.size()) + ", as its robot has"};
+  }
+  return head;
+}
+
+}  // namespace recording
+
+TROPHIC_INLINE RecordingReader::RecordingReader(std::filesystem::path path) : path_{std::move(path)} {
+  scan();
+}
+
+TROPHIC_INLINE void RecordingReader::scan() {
+  const std::string name = path_.string();
+  std::ifstream file{path_, std::ios::binary};
+  if (!file) throw std::runtime_error{name + ": cannot be read"};
+  std::string start(recording::magic.size(), '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (!file || start != recording::magic) throw std::runtime_error{name + ": is not a trophic recording"};
+  std::streamoff at = file.tellg();
+  bool ended = false;
+  while (!ended) {
+    std::array<char, 8> front{};
+    file.read(front.data(), front.size());
+    const bool nothing = file.gcount() == 0;
+    const std::size_t size = recording::u32_at({front.data(), front.size()}, 0);
+    std::string data;
+    if (file) {
+      data.resize(std::min<std::size_t>(size, std::filesystem::file_size(path_)) + 4);
+      file.read(data.data(), static_cast<std::streamsize>(data.size()));
+    }
+    if (!file || data.size() != size + 4) {
+      const std::string where = nothing ? "after " : "in the middle of the block after ";
+      if (blocks_.empty()) throw std::runtime_error{name + ": ends before its first frames"};
+      remark_ =
+          name + ": ends early, " + where + std::to_string(frames_) + " frames (" + number_text(time_s(frames_ - 1)) + " s)";
+      return;
+    }
+    const std::string_view kind{front.data() + 4, 4};
+    const std::uint32_t sum = checksum(std::string_view{data}.substr(0, size), checksum(kind));
+    const auto damaged = [&](const std::string& what) {
+      return std::runtime_error{name + ": damaged, " + what + " at byte " + std::to_string(at)};
+    };
+    if (sum != recording::u32_at(data, size)) throw damaged("a wrong checksum of the block");
+    data.resize(size);
+    if (head_.robots == 0) {
+      if (kind != recording::head_kind) throw damaged("no head");
+      read_head(data);
+    } else if (kind == recording::head_kind) {
+      read_head(data);
+    } else if (kind == recording::frames_kind && size > 8) {
+      const Block block{
+          .first_frame = recording::u32_at(data, 0), .frames = recording::u32_at(data, 4), .at = at + 16, .bytes = size - 8};
+      if (block.first_frame != frames_ || block.frames == 0) throw damaged("a block of other frames");
+      if (block.frames > recording::most_values(block.bytes) / columns())
+        throw damaged("a block of more frames than it can hold");
+      blocks_.push_back(block);
+      frames_ += block.frames;
+    } else if (kind == recording::end_kind && size == 4) {
+      if (recording::u32_at(data, 0) != frames_ || frames_ == 0) throw damaged("an end of other frames");
+      ended = true;
+    } else {
+      throw damaged("an unknown block");
+    }
+    at = file.tellg();
+  }
+}
+
+TROPHIC_INLINE void RecordingReader::read_head(const std::string& text) {
+  try {
+    const Json json = parse_json(text);
+    if (head_.robots == 0) {
+      head_ = recording::head_of(json);
+    } else {
+      recording::read_run(json, head_);
+    }
+  } catch (const std::exception& error) {
+    throw std::runtime_error{path_.string() + ": its head cannot be read: " + error.what()};
+  }
+}
+
+TROPHIC_INLINE double RecordingReader::time_s(std::size_t frame) const {
+  const auto number = static_cast<std::int64_t>(frame);
+  const std::int64_t tick = number / head_.frames_per_tick;
+  const auto step = static_cast<double>(head_.times.step_of(number % head_.frames_per_tick, head_.frames_per_tick));
+  return head_.first_time_s + (static_cast<double>(tick) + step / static_cast<double>(head_.times.steps)) * head_.times.tick_s;
+}
+
+TROPHIC_INLINE std::size_t RecordingReader::frame_at(double time_s) const {
+  const double last_s = this->time_s(frames_ - 1);
+  if (!(time_s >= head_.first_time_s && time_s <= last_s)) {
+    throw std::invalid_argument{"time " + number_text(time_s) + " s: must be between " + number_text(head_.first_time_s) +
+                                " and " + number_text(last_s) + ", what " + path_.string() + " has"};
+  }
+  const double per_s = static_cast<double>(head_.frames_per_tick) / head_.times.tick_s;
+  const double guess = (time_s - head_.first_time_s) * per_s + 1.0;
+  std::size_t frame = guess < static_cast<double>(frames_ - 1) ? static_cast<std::size_t>(guess) : frames_ - 1;
+  while (this->time_s(frame) > time_s) --frame;
+  return frame;
+}
+
+TROPHIC_INLINE Pose RecordingReader::root(std::size_t frame, std::size_t robot) const {
+  std::array<std::int16_t, recording::pose_channels> values;
+  for (std::size_t channel = 0; channel < values.size(); ++channel) values[channel] = value(frame, robot, channel);
+  return recording::pose(values, head_.units);
+}
+
+TROPHIC_INLINE double RecordingReader::joint_angle_rad(std::size_t frame, std::size_t robot, std::size_t joint) const {
+  if (joint >= head_.joints)
+    throw std::out_of_range{"joint " + std::to_string(joint) + ": must be < " + std::to_string(head_.joints)};
+  return head_.units.joint_rad * value(frame, robot, recording::pose_channels + joint);
+}
+
+TROPHIC_INLINE std::int16_t RecordingReader::value(std::size_t frame, std::size_t robot, std::size_t channel) const {
+  if (frame >= frames_) throw std::out_of_range{"frame " + std::to_string(frame) + ": must be < " + std::to_string(frames_)};
+  if (robot >= head_.robots)
+    throw std::out_of_range{"robot " + std::to_string(robot) + ": must be < " + std::to_string(head_.robots)};
+  const auto after = std::ranges::upper_bound(blocks_, frame, {}, &Block::first_frame);
+  const auto block = static_cast<std::size_t>(after - blocks_.begin()) - 1;
+  if (unpacked_.empty() || unpacked_[block].empty()) unpack(block);
+  return unpacked_[block][(channel * head_.robots + robot) * blocks_[block].frames + frame - blocks_[block].first_frame];
+}
+
+TROPHIC_INLINE void RecordingReader::unpack(std::size_t number) const {
+  const Block& block = blocks_[number];
+  std::ifstream file{path_, std::ios::binary};
+  file.seekg(block.at);
+  std::string bytes(block.bytes, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const auto damaged = [&] {
+    return std::runtime_error{path_.string() + ": damaged, the block of frame " + std::to_string(block.first_frame)};
+  };
+  if (!file) throw damaged();
+  unpacked_.resize(blocks_.size());
+  try {
+    unpacked_[number] = recording::unpacked(bytes, columns(), block.frames);
+  } catch (const std::invalid_argument&) {
+    throw damaged();
+  }
+  kept_.push_back(number);
+  kept_values_ += unpacked_[number].size();
+  while (kept_values_ > most_kept_values && kept_.size() > 2) {
+    std::vector<std::int16_t>& oldest = unpacked_[kept_.front()];
+    kept_values_ -= oldest.size();
+    oldest = {};
+    kept_.pop_front();
+  }
+}
+
+}  // namespace trophic::io

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Definitions of recording.hpp.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <trophic/io/recording.hpp>
+#include <trophic/io/recording_planes.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/json.hpp>
+#include <utility>
+
+namespace trophic::io {
+
+namespace recording {
+
+[[nodiscard]] TROPHIC_INLINE Json json_of(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+[[nodiscard]] TROPHIC_INLINE Json json_of(const Eigen::Quaterniond& q) {
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+/// What a robot looks like and how its joints move it.
+[[nodiscard]] TROPHIC_INLINE Json json_of(const RobotModel& robot) {
+  Json json{{"name", robot.name},
+            {"forward_rad", robot.forward_rad},
+            {"bounding_radius_m", robot.bounding_radius_m},
+            {"links", Json::array()}};
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const Link& link = robot.links[i];
+    Json one{{"name", link.name},
+             {"parent", link.parent},
+             {"offset_m", json_of(link.offset_m)},
+             {"rotation", json_of(link.rotation)},
+             {"boxes", Json::array()}};
+    if (i > 0) one["hinge"] = {{"name", robot.hinges[i - 1].name}, {"axis", json_of(robot.hinges[i - 1].axis)}};
+    for (const Box& box : link.boxes) {
+      one["boxes"].push_back({{"part", box.part},
+                              {"half_extents_m", json_of(box.half_extents_m)},
+                              {"centre_m", json_of(box.centre_m)},
+                              {"orientation", json_of(box.orientation)}});
+    }
+    json["links"].push_back(std::move(one));
+  }
+  return json;
+}
+
+[[nodiscard]] TROPHIC_INLINE Json json_of(const Arena& arena) {
+  Json json{{"name", arena.name}, {"half_side_m", arena.half_side_m}, {"extent_m", arena.extent_m}};
+  if (arena.height_field) {
+    json["height_field"] = {{"nodes", arena.height_field->nodes},
+                            {"half_extent_m", arena.height_field->half_extent_m},
+                            {"height_m", arena.height_field->height_m}};
+  }
+  return json;
+}
+
+}  // namespace recording
+
+struct Recording::File {
+  GrowingFile file;
+  Json head = {};
+};
+
+TROPHIC_INLINE Recording::Recording(const std::filesystem::path& path, double hz, Opening opening) : hz_{hz} {
+  if (!(hz >= 0.0 && hz <= 1000.0)) {
+    throw std::invalid_argument{"replay_hz = " + number_text(hz) + ": must be >= 0 and <= 1000"};
+  }
+  const bool has_file = opening == Opening::made_new ? hz > 0.0 : std::filesystem::exists(path);
+  if (has_file) file_ = std::make_unique<File>(File{.file = GrowingFile{path, opening}});
+}
+TROPHIC_INLINE Recording::Recording(Recording&&) noexcept = default;
+TROPHIC_INLINE Recording& Recording::operator=(Recording&&) noexcept = default;
+TROPHIC_INLINE Recording::~Recording() = default;
+
+TROPHIC_INLINE void Recording::on_start(const observe::RunDescription& run, const View& view) {
+  if (!file_) return;
+  const bool is_same_run = fingerprint_ == run.fingerprint && seed_ == run.seed;
+  fingerprint_ = run.fingerprint;
+  seed_ = run.seed;
+  auto& head = file_->head;
+  head = {{"format", "trophic recording"}, {"version", recording::version}, {"fingerprint", run.fingerprint}, {"seed", run.seed},
+          {"rule_table", run.rules},       {"backend", run.backend},        {"species", Json::array()}};
+  for (Species species = 0; species < view.web.size(); ++species) head["species"].push_back(view.web.name(species));
+  if (channels_ > 0 && !is_same_run) write_block(recording::head_kind, json_text(head));
+}
+
+TROPHIC_INLINE void Recording::write_head(const observe::Frame& frame) {
+  units_ = recording::Units::for_extent(frame.arena.extent_m);
+  robots_ = frame.roots.size();
+  const std::size_t joints = frame.joint_angles_rad.size() / robots_;
+  channels_ = recording::pose_channels + joints;
+  const std::int64_t per_tick = frame.times.per_tick(hz_);
+  const double simulated_s = frame.times.tick_s * frame.times.clock_scale;
+  const auto wanted = static_cast<std::size_t>(std::round(20.0 / simulated_s * static_cast<double>(per_tick)));
+  block_frames_ = std::clamp<std::size_t>(most_block_values / (channels_ * robots_), 1, std::max<std::size_t>(wanted, 1));
+  auto& head = file_->head;
+  head["first_time_s"] = frame.time_s;
+  head["tick_s"] = frame.times.tick_s;
+  head["clock_scale"] = frame.times.clock_scale;
+  head["frames_per_tick"] = per_tick;
+  head["steps_per_tick"] = frame.times.steps;
+  head["robots"] = robots_;
+  head["joints"] = joints;
+  head["units"] = {{"position_m", units_.position_m},
+                   {"yaw_rad", units_.yaw_rad},
+                   {"tilt_rad", units_.tilt_rad},
+                   {"joint_rad", units_.joint_rad}};
+  head["robot"] = recording::json_of(frame.robot);
+  head["arena"] = recording::json_of(frame.arena);
+  file_->file.append(recording::magic);
+  write_block(recording::head_kind, json_text(head));
+}
+
+TROPHIC_INLINE void Recording::on_frame(const observe::Frame& frame) {
+  if (!file_) return;
+  if (channels_ == 0) write_head(frame);
+  const std::size_t joints = channels_ - recording::pose_channels;
+  if (frame.roots.size() != robots_ || frame.joint_angles_rad.size() / robots_ != joints) {
+    throw std::runtime_error{"recording: a frame of other robots or joints than its head has"};
+  }
+  for (std::size_t robot = 0; robot < robots_; ++robot) {
+    const auto pose = recording::whole(frame.roots[robot], units_);
+    values_.insert(values_.end(), pose.begin(), pose.end());
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      values_.push_back(recording::whole(frame.joint_angles_rad[robot * joints + joint], units_.joint_rad));
+    }
+  }
+  ++frames_;
+  if (frames_ % block_frames_ == 0) write_frames();
+}
+
+TROPHIC_INLINE void Recording::on_end(const View&) {
+  if (!file_) return;
+  write_frames();
+  std::string frames;
+  recording::append_u32(frames, frames_);
+  write_block(recording::end_kind, frames);
+  file_->file.sync();
+}
+
+TROPHIC_INLINE void Recording::on_failure(std::string_view) {
+  try {
+    if (file_) write_frames();
+  } catch (const std::runtime_error&) {
+    // A full disk is why the run failed, or it is told of something worse.
+  }
+}
+
+/// The frames that wait, as a block has them.
+TROPHIC_INLINE std::string Recording::waiting() const {
+  const std::size_t columns = channels_ * robots_;
+  const std::size_t frames = values_.size() / columns;
+  // Channel by channel, as `packed` takes the columns.
+  std::vector<std::int16_t> ordered(values_.size());
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    for (std::size_t robot = 0; robot < robots_; ++robot) {
+      for (std::size_t channel = 0; channel < channels_; ++channel) {
+        ordered[frame * columns + channel * robots_ + robot] = values_[frame * columns + robot * channels_ + channel];
+      }
+    }
+  }
+  return recording::packed(ordered, columns);
+}
+
+TROPHIC_INLINE void Recording::write_frames() {
+  if (values_.empty()) return;
+  const auto frames = static_cast<std::uint32_t>(values_.size() / (channels_ * robots_));
+  std::string data;
+  recording::append_u32(data, frames_ - frames);
+  recording::append_u32(data, frames);
+  data.append(waiting());
+  values_.clear();
+  write_block(recording::frames_kind, data);
+}
+
+TROPHIC_INLINE void Recording::persist(Archive& archive) {
+  archive(hz_);
+  Archive::require((hz_ > 0.0) == (file_ != nullptr), "a recording of another rate, or none where there was one");
+  if (!file_) return;
+  archive(file_->file, units_, channels_, robots_, block_frames_, fingerprint_, seed_, frames_);
+  std::string bytes = values_.empty() ? std::string{} : waiting();
+  archive(bytes);
+  if (!archive.reads()) return;
+  values_.clear();
+  if (channels_ == 0 && frames_ == 0 && bytes.empty()) return;  // it has not begun
+  Archive::require(channels_ >= recording::pose_channels && robots_ > 0 && block_frames_ > 0, "a recording without channels");
+  Archive::require(block_frames_ == 1 || block_frames_ <= most_block_values / channels_ / robots_, "a recording of large blocks");
+  if (bytes.empty()) return;
+  const std::size_t frames = frames_ % block_frames_;
+  const std::size_t most = recording::most_values(bytes.size());
+  Archive::require(frames > 0 && frames <= most / channels_ / robots_, "more frames of a recording than their bytes can hold");
+  const std::size_t columns = channels_ * robots_;
+  const std::vector<std::int16_t> ordered = recording::unpacked(bytes, columns, frames);
+  values_.resize(ordered.size());
+  for (std::size_t robot = 0; robot < robots_; ++robot) {
+    for (std::size_t channel = 0; channel < channels_; ++channel) {
+      for (std::size_t frame = 0; frame < frames; ++frame) {
+        values_[frame * columns + robot * channels_ + channel] = ordered[(channel * robots_ + robot) * frames + frame];
+      }
+    }
+  }
+}
+
+TROPHIC_INLINE void Recording::write_block(std::string_view kind, std::string_view data) {
+  file_->file.append(recording::block(kind, data));
+}
+
+}  // namespace trophic::io

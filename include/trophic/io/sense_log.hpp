@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// senses.csv: what every robot touched, was told and answered, at every tick or at every so many.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <trophic/habitat/pose.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/habitat/touch.hpp>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/observe/deliberation.hpp>
+#include <trophic/observe/frame.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/io/tables.hpp>
+#include <trophic/params/archive.hpp>
+#include <trophic/population/spatial_grid.hpp>
+#include <trophic/population/view.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::io {
+
+/// Writes a SenseRow per robot at the ticks whose number is a multiple of `every_ticks`. Height, tilt and contacts are those of
+/// the moment at which rules decide, by the shapes and poses of the bodies, and unknown where bodies have no joints; what a brain
+/// was told is unknown at a tick at which it was not asked.
+class SenseLog {
+ public:
+  static constexpr const char* file_name = "senses.csv";
+
+  /// `every_ticks` >= 1. The file begins with the run, which says how many inputs a brain has.
+  explicit SenseLog(std::filesystem::path path, Opening opening = Opening::made_new, std::int64_t every_ticks = 1)
+      : path_{std::move(path)}, every_ticks_{every_ticks} {
+    if (opening == Opening::gone_on_with) file_.emplace(path_, opening);
+  }
+
+  void on_start(const observe::RunDescription& run, const View& view) {
+    inputs_ = run.inputs.size();
+    if (!file_) file_.emplace(path_, SenseRow{.inputs = std::vector<double>(inputs_)});
+    rows_.assign(view.robots.size(), unasked());
+    spared_.assign(view.robots.size(), std::nullopt);
+  }
+
+  [[nodiscard]] bool wants_deliberations() const { return true; }
+  void on_deliberation(const observe::Deliberation& told, const View&) {
+    SenseRow& row = rows_[told.body];
+    row.wished_tag = told.tag;
+    const TagWish changed = told.might_switch ? TagWish::switched : TagWish::denied;
+    row.tag_wish = told.tag == told.tag_before ? TagWish::kept : changed;
+    if (!told.outputs.empty()) {
+      row.angle_output = told.outputs[0];
+      row.tag_output = told.outputs[1];
+    }
+    row.inputs.assign(told.inputs.begin(), told.inputs.end());
+  }
+
+  void on_reprieve(BodyIndex hunter, const View& view) { spared_[hunter] = view.robots[hunter].id; }
+
+  /// One a tick is enough: that at which rules decide is always the last.
+  [[nodiscard]] double frame_hz() const { return once_a_tick_hz; }
+  void on_frame(const observe::Frame& frame) {
+    if (frame.joint_angles_rad.empty()) return;
+    if (!robot_) robot_ = frame.robot;
+    roots_.assign(frame.roots.begin(), frame.roots.end());
+    joint_angles_rad_.assign(frame.joint_angles_rad.begin(), frame.joint_angles_rad.end());
+  }
+
+  void on_tick(const View& view) {
+    if (view.tick % every_ticks_ == 0) write(view);
+    std::ranges::fill(rows_, unasked());
+    std::ranges::fill(spared_, std::nullopt);
+  }
+
+  void persist(Archive& archive) {
+    if (!file_) throw std::runtime_error{path_.string() + ": the run did not begin, so there is nothing to go on with"};
+    archive(*file_);
+  }
+  [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
+
+ private:
+  static constexpr double once_a_tick_hz = 1e-9;
+
+  /// Of a brain that was not asked.
+  [[nodiscard]] SenseRow unasked() const {
+    SenseRow row;
+    row.inputs.assign(inputs_, std::numeric_limits<double>::quiet_NaN());
+    return row;
+  }
+
+  void write(const View& view) {
+    look_at_bodies(view);
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      const Individual& self = view.robots[body];
+      SenseRow& row = rows_[body];
+      row.time_s = view.time_s;
+      row.tick = view.tick;
+      row.body = body;
+      row.id = self.id;
+      row.species = self.species;
+      if (view.web.hunts(self.species)) row.spared = spared_[body] == self.id;
+      file_->write(row, view.web);
+    }
+    file_->flush();
+  }
+
+  void look_at_bodies(const View& view) {
+    if (!robot_ || roots_.size() != view.robots.size()) return;
+    const std::size_t joints = robot_->hinges.size();
+    std::vector<std::vector<PlacedBox>> bodies;
+    std::vector<GroundPose> centres;
+    for (BodyIndex body = 0; body < roots_.size(); ++body) {
+      const Pose& root = roots_[body];
+      bodies.push_back(placed_boxes(*robot_, root, std::span{joint_angles_rad_}.subspan(body * joints, joints)));
+      centres.push_back({.x_m = root.position_m.x(), .y_m = root.position_m.y()});
+      const double upright = (root.orientation.normalized() * Eigen::Vector3d::UnitZ()).z();
+      rows_[body].height_m = root.position_m.z();
+      rows_[body].tilt_rad = std::acos(std::clamp(upright, -1.0, 1.0));
+      rows_[body].touches_wall = touch_wall(bodies.back(), view.arena.half_side_m);
+      rows_[body].robots_touched = 0;
+    }
+    const SpatialGrid grid{centres};
+    for (BodyIndex body = 0; body < bodies.size(); ++body) {
+      grid.for_each_near(centres[body].x_m, centres[body].y_m, 2.0 * robot_->bounding_radius_m, [&](BodyIndex other) {
+        if (other <= body || !touch(bodies[body], bodies[other])) return;
+        ++*rows_[body].robots_touched;
+        ++*rows_[other].robots_touched;
+      });
+    }
+  }
+
+  std::filesystem::path path_;
+  std::int64_t every_ticks_;
+  std::optional<CsvFile<SenseRow>> file_;
+  std::size_t inputs_ = 0;
+  std::vector<SenseRow> rows_;                       ///< of the tick at hand, by body
+  std::vector<std::optional<IndividualId>> spared_;  ///< who in each body was
+  std::optional<RobotModel> robot_;                  ///< none on a backend without joints
+  std::vector<Pose> roots_;
+  std::vector<double> joint_angles_rad_;
+};
+
+}  // namespace trophic::io

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// states.csv: what rules with a State keep for every robot.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <trophic/io/csv.hpp>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/population/view.hpp>
+#include <utility>
+
+namespace trophic::io {
+
+/// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.state_columns()};`.
+/// Columns: time_s, tick, body, id, then SLOT.MEMBER for each member of each State of the table: numbers exact, an Ancestor by
+/// its id, a vector's numbers with spaces between, nothing as an empty cell. No more than four where no rule has a State.
+class StateLog {
+ public:
+  static constexpr std::string_view section = "states.csv";
+  static constexpr std::string_view file_name = "states.csv";
+
+  /// `every_ticks`: rows of the ticks whose number is a multiple of it.
+  StateLog(const std::filesystem::path& path, StateColumns columns, Opening opening = Opening::made_new,
+           std::int64_t every_ticks = 1)
+      : columns_{std::move(columns)}, every_ticks_{every_ticks}, file_{path, header(), opening} {}
+
+  void on_tick(const View& view) {
+    if (view.tick % every_ticks_ != 0) return;
+    std::string& row = file_.buffer();
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      detail::append_cell(row, view.time_s);
+      row.push_back(',');
+      detail::append_cell(row, view.tick);
+      row.push_back(',');
+      detail::append_cell(row, body);
+      row.push_back(',');
+      detail::append_cell(row, view.robots[body].id);
+      if (columns_.append) columns_.append(body, row);
+      row.push_back('\n');
+    }
+    file_.flush();
+  }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  [[nodiscard]] std::string header() const {
+    std::string text = "time_s,tick,body,id";
+    for (const std::string& name : columns_.names) text += "," + name;
+    return text + "\n";
+  }
+
+  StateColumns columns_;
+  std::int64_t every_ticks_;
+  LineFile file_;
+};
+
+}  // namespace trophic::io

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// The tables of a run: what a row of each of its CSV files holds.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <trophic/io/column.hpp>
+#include <trophic/observe/event.hpp>
+#include <trophic/population/individual.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::io {
+
+/// events.csv: one row per event, in the order in which they happened.
+struct EventRow {
+  double time_s = 0.0;
+  std::int64_t tick = 0;
+  observe::EventKind kind = observe::EventKind::birth;
+  IndividualId id = 0;
+  Species species = 0;
+  BodyIndex body = 0;
+  int tag = 1;
+  bool active = true;
+  Origin origin = Origin::random;
+  std::optional<IndividualId> parent = {};
+  std::uint64_t genome = 0;
+  std::optional<Cause> cause = {};
+  std::optional<IndividualId> killer = {};
+  std::optional<IndividualId> victim = {};
+  double x_m = 0.0;
+  double y_m = 0.0;
+
+  static constexpr auto columns() {
+    return std::tuple{
+        column("time_s", &EventRow::time_s, "s", "the ecology's clock"),
+        column("tick", &EventRow::tick, "", "number of the decision step; 0 at the start"),
+        column("event", &EventRow::kind, "", "what happened"),
+        column("id", &EventRow::id, "", "the individual it happened to; of a catch the hunter"),
+        species_column("species", &EventRow::species, "its species"),
+        column("body", &EventRow::body, "", "the robot body that it lives in"),
+        column("tag", &EventRow::tag, "", "the tag that it shows; of a switch the new one"),
+        column("active", &EventRow::active, "", "0 for one that hunters neither perceive nor catch yet; it perceives and walks"),
+        column("origin", &EventRow::origin, "", "whether its genome is labelled random or inherited"),
+        column("parent_id", &EventRow::parent, "", "whom it descends from; empty without a parent"),
+        column("genome_id", &EventRow::genome, "", "its genome, which several share where the rules share genomes"),
+        column("cause", &EventRow::cause, "", "of a death"),
+        column("killer_id", &EventRow::killer, "", "of a death by being caught: the hunter"),
+        column("victim_id", &EventRow::victim, "", "of a catch: who was caught"),
+        column("x_m", &EventRow::x_m, "m", "where its body stands", micro),
+        column("y_m", &EventRow::y_m, "m", "where its body stands", micro)};
+  }
+};
+
+/// agents.csv: one row per robot and tick, after that tick's rules.
+struct AgentRow {
+  double time_s = 0.0;
+  std::int64_t tick = 0;
+  BodyIndex body = 0;
+  IndividualId id = 0;
+  Species species = 0;
+  Origin origin = Origin::random;
+  bool active = true;
+  int tag = 1;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading_rad = 0.0;
+  double target_angle_rad = 0.0;
+  std::optional<IndividualId> adversary = {};
+  std::optional<double> adversary_distance_m = {};
+  std::optional<std::int64_t> hunger_ticks = {};
+
+  static constexpr auto columns() {
+    return std::tuple{
+        column("time_s", &AgentRow::time_s, "s", "the ecology's clock"),
+        column("tick", &AgentRow::tick, "", "number of the decision step; 0 at the start"),
+        column("body", &AgentRow::body, "", "the robot body"),
+        column("id", &AgentRow::id, "", "the individual that lives in it"),
+        species_column("species", &AgentRow::species, "its species"),
+        column("origin", &AgentRow::origin, "", "whether its genome is labelled random or inherited"),
+        column("active", &AgentRow::active, "", "0 for one that hunters neither perceive nor catch yet; it perceives and walks"),
+        column("tag", &AgentRow::tag, "", "the tag that it shows"),
+        column("x_m", &AgentRow::x_m, "m", "where the body stands", micro),
+        column("y_m", &AgentRow::y_m, "m", "where the body stands", micro),
+        column("heading_rad", &AgentRow::heading_rad, "rad", "counter-clockwise from x, in (-pi, pi]", micro),
+        column("target_angle_rad", &AgentRow::target_angle_rad, "rad", "what the brain last chose, positive to the right", micro),
+        column("adversary_id", &AgentRow::adversary, "", "the closest member of an opposing species that it perceives"),
+        column("adversary_distance_m", &AgentRow::adversary_distance_m, "m", "how far away that one is", micro),
+        column("hunger_ticks", &AgentRow::hunger_ticks, "ticks",
+               "since birth or the last catch; empty for those who hunt nobody")};
+  }
+};
+
+/// What became of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules did not let it.
+enum class TagWish { kept, switched, denied };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagWish) {
+  return {"kept", "switched", "denied"};
+}
+
+/// senses.csv: one row per robot and tick of agents.csv: what it touched, was told and answered.
+struct SenseRow {
+  double time_s = 0.0;
+  std::int64_t tick = 0;
+  BodyIndex body = 0;
+  IndividualId id = 0;
+  Species species = 0;
+  std::optional<double> height_m = {};
+  std::optional<double> tilt_rad = {};
+  std::optional<bool> touches_wall = {};
+  std::optional<std::int64_t> robots_touched = {};
+  std::optional<bool> spared = {};
+  std::optional<int> wished_tag = {};
+  std::optional<TagWish> tag_wish = {};
+  std::optional<double> angle_output = {};
+  std::optional<double> tag_output = {};
+  std::vector<double> inputs = {};
+
+  static constexpr auto columns() {
+    return std::tuple{
+        column("time_s", &SenseRow::time_s, "s", "the ecology's clock"),
+        column("tick", &SenseRow::tick, "", "number of the decision step; 0 at the start"),
+        column("body", &SenseRow::body, "", "the robot body"),
+        column("id", &SenseRow::id, "", "the individual that lives in it"),
+        species_column("species", &SenseRow::species, "its species"),
+        column("height_m", &SenseRow::height_m, "m", "of its root frame above z = 0; empty on a backend without joints", micro),
+        column("tilt_rad", &SenseRow::tilt_rad, "rad",
+               "between its root's z axis and the vertical: 0 upright, pi upside down; empty on a backend without joints", micro),
+        column("touches_wall", &SenseRow::touches_wall, "",
+               "whether it reaches a wall, or the foot of a slope; empty on a backend without joints"),
+        column("robots_touched", &SenseRow::robots_touched, "", "how many others it touches; empty on a backend without joints"),
+        column("spared", &SenseRow::spared, "",
+               "1: it was to starve at this tick and an exemption of the rule Starvation spared it; empty for those who hunt "
+               "nobody"),
+        column("wished_tag", &SenseRow::wished_tag, "", "that its brain chose; empty where the brain was not asked"),
+        column("tag_wish", &SenseRow::tag_wish, "", "what became of it: shown before, a switch, or denied by the rule TagSwitch"),
+        column("angle_output", &SenseRow::angle_output, "",
+               "of the brain: its first output neuron; empty for a brain that does not show it"),
+        column("tag_output", &SenseRow::tag_output, "", "of the brain: its second output neuron"),
+        list_columns(
+            "input", &SenseRow::inputs, "",
+            "of the brain: the values of its sensors, which senses.inputs in the manifest names; empty where it was not asked")};
+  }
+};
+
+/// phylogeny.csv: one row per individual (taxon) in the ALife data standard, written when it dies; those alive at the end follow.
+struct TaxonRow {
+  IndividualId id = 0;
+  std::string ancestor_list = {};
+  IndividualId ancestor = 0;
+  double origin_time = 0.0;
+  std::optional<double> destruction_time = {};
+  Species species = 0;
+  Origin origin = Origin::random;
+  BodyIndex body = 0;
+  std::uint64_t genome = 0;
+  double mutation_distance = 0.0;
+  int tag_at_birth = 1;
+  std::optional<int> tag_at_death = {};
+  std::optional<Cause> cause_of_death = {};
+  std::optional<IndividualId> killer = {};
+
+  static constexpr auto columns() {
+    return std::tuple{
+        column("id", &TaxonRow::id, "", "the individual"),
+        column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], or its parent: [7]"),
+        column("ancestor_id", &TaxonRow::ancestor, "", "its parent as a plain number; a root's is its own id"),
+        column("origin_time", &TaxonRow::origin_time, "s", "birth, by the ecology's clock"),
+        column("destruction_time", &TaxonRow::destruction_time, "s", "death; inf for who lives at the end", {.none = "inf"}),
+        species_column("species", &TaxonRow::species, "its species"),
+        column("origin", &TaxonRow::origin, "", "whether its genome is labelled random or inherited"),
+        column("body", &TaxonRow::body, "", "the robot body that it lived in"),
+        column("genome_id", &TaxonRow::genome, "", "its genome, which several share where the rules share genomes"),
+        column("mutation_distance", &TaxonRow::mutation_distance, "", "Euclidean, between its weights and its parent's at birth"),
+        column("tag_at_birth", &TaxonRow::tag_at_birth, "", "the tag that it showed first"),
+        column("tag_at_death", &TaxonRow::tag_at_death, "", "the tag that it showed last; empty while it lives"),
+        column("cause_of_death", &TaxonRow::cause_of_death, "", "empty while it lives"),
+        column("killer_id", &TaxonRow::killer, "", "of a death by being caught: the hunter")};
+  }
+};
+
+/// genomes.csv: one row per birth. Where genomes are shared, a later row of the same genome_id holds what everybody who shares it
+/// has from then on.
+struct GenomeRow {
+  IndividualId id = 0;
+  std::uint64_t genome = 0;
+  double time_s = 0.0;
+  std::vector<double> weights = {};
+
+  static constexpr auto columns() {
+    return std::tuple{column("id", &GenomeRow::id, "", "the newborn individual"),
+                      column("genome_id", &GenomeRow::genome, "", "its genome"),
+                      column("time_s", &GenomeRow::time_s, "s", "the ecology's clock"),
+                      list_columns("w", &GenomeRow::weights, "", "the weights that it was born with")};
+  }
+};
+
+}  // namespace trophic::io

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// checkpoint.bin: everything that a run needs to go on, with what it was made by and a checksum.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <trophic/params/archive.hpp>
+#include <trophic/support/linkage.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::checkpoint {
+
+/// Of what a checkpoint file holds and how. Another number: another format.
+inline constexpr std::uint32_t format_version = 3;
+
+inline constexpr std::string_view file_name = "checkpoint.bin";
+/// The one before it, in case that the last one cannot be read.
+inline constexpr std::string_view predecessor_name = "checkpoint.old.bin";
+
+/// A part of a checkpoint that one object wrote and only this object reads.
+struct Section {
+  std::string name;
+  std::string bytes;
+  static constexpr auto saved() { return std::tuple{&Section::name, &Section::bytes}; }
+};
+
+/// A moment of a run.
+struct Checkpoint {
+  std::string fingerprint;      ///< observe::fingerprint of the run: rules, numbers, models, backend
+  std::string program_version;  ///< trophic's; only the same version goes on to the same bytes
+  std::uint64_t seed = 0;
+  std::int64_t tick = 0;
+  double time_s = 0.0;  ///< the ecology's clock
+  std::vector<Section> sections;
+
+  static constexpr auto saved() {
+    return std::tuple{&Checkpoint::fingerprint, &Checkpoint::program_version, &Checkpoint::seed,
+                      &Checkpoint::tick,        &Checkpoint::time_s,          &Checkpoint::sections};
+  }
+
+  /// The bytes of a section. Throws std::invalid_argument if there is none of that name.
+  [[nodiscard]] const std::string& section(std::string_view name) const;
+};
+
+/// As a file: a line that says what it is, the format's version, the content, and the CRC-32 of all of it.
+[[nodiscard]] std::string to_bytes(Checkpoint checkpoint);
+
+/// The way back. `name` stands for the bytes in errors. Throws std::invalid_argument for bytes that are no checkpoint, of another
+/// format, cut short or damaged.
+[[nodiscard]] Checkpoint from_bytes(std::string_view bytes, const std::string& name);
+
+/// Writes checkpoint.bin in a folder: beside the old one, onto the disk, then under its name; the old one stays as predecessor.
+/// Whenever the program dies, one of the two is whole. Throws std::runtime_error.
+void write(const std::filesystem::path& folder, Checkpoint checkpoint);
+
+/// Whether there is a checkpoint in a folder, whole or not.
+[[nodiscard]] bool exists(const std::filesystem::path& folder);
+
+/// checkpoint.bin, or its predecessor if it is missing or damaged: then a damaged one is removed. Throws std::invalid_argument if
+/// neither can be read, with what is wrong with the last one.
+[[nodiscard]] Checkpoint read_last(const std::filesystem::path& folder);
+
+/// All that can be read, the last one first. Throws nothing for one that cannot.
+[[nodiscard]] std::vector<Checkpoint> read_all(const std::filesystem::path& folder);
+
+/// Takes the predecessor away, for a run that has come to its end.
+void remove_predecessor(const std::filesystem::path& folder);
+
+}  // namespace trophic::checkpoint
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/run/checkpoint/checkpoint_file.ipp>
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Keeps checkpoints of a run, and lets a run go on from one.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string_view>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/params/archive.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/support/linkage.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::checkpoint {
+
+/// An observer that takes part in checkpoints: what it remembers and the lengths of the files that it appends to go into a
+/// section of its own, of this name. Archives write and read: see trophic/params/archive.hpp and, for files,
+/// trophic/io/growing_file.hpp.
+template <class O>
+concept Kept = Persists<O> && requires {
+  { O::section } -> std::convertible_to<std::string_view>;
+};
+
+/// What of an observer goes into checkpoints: its section, and how that is written and read. Refers to the observer.
+struct Part {
+  std::string_view section;
+  std::function<void(Archive& archive)> persist;
+};
+using Parts = std::vector<Part>;
+
+/// The parts of those of these observers that take part, in order.
+template <class... Observers>
+[[nodiscard]] Parts parts_of(Observers&... observers) {
+  Parts parts;
+  [[maybe_unused]] const auto add = [&]<class O>(O& observer) {
+    if constexpr (Kept<O>) parts.push_back({O::section, [&observer](Archive& archive) { archive(observer); }});
+  };
+  (add(observers), ...);
+  return parts;
+}
+
+/// The section of the ecology itself.
+inline constexpr std::string_view ecology_section = "ecology";
+
+/// The moment at which an ecology and those of its observers that take part are, between two ticks.
+[[nodiscard]] Checkpoint take(Simulation& ecology, const observe::RunDescription& run, const Parts& parts = {});
+
+/// Throws std::invalid_argument naming what differs if a checkpoint is not of this run, seed aside.
+void check_same_rules(const Checkpoint& checkpoint, const observe::RunDescription& run);
+
+/// Also where the seed differs.
+void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run);
+
+/// Lets an ecology of other rules or another seed begin from a checkpoint. Throws std::invalid_argument for one of other robots
+/// or other states of rules, else as `restore`.
+void restore_any(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});
+
+/// Lets an ecology that has been made from the same numbers, and those of its observers that take part, go on from a checkpoint.
+/// Files are cut to what they were. Throws std::invalid_argument if the checkpoint is not of this run or of other observers;
+/// std::runtime_error for a file that is missing or shorter than it was.
+void restore(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});
+
+/// An observer that writes checkpoints of the run and of its other observers, those that take part, into a folder: as often as
+/// its schedule says, where the run ends and where it is stopped. They must be told of a tick before this one is.
+class Keeper {
+ public:
+  Keeper(std::filesystem::path folder, Schedule schedule, Parts parts)
+      : folder_{std::move(folder)}, schedule_{schedule}, parts_{std::move(parts)} {}
+
+  void on_start(const observe::RunDescription& run, const View& view);
+  void between_ticks(Simulation& ecology, bool last);
+
+  /// How many it has written.
+  [[nodiscard]] std::uint64_t written() const { return written_; }
+
+ private:
+  [[nodiscard]] bool due(double time_s) const;
+
+  std::filesystem::path folder_;
+  Schedule schedule_;
+  Parts parts_;
+  observe::RunDescription run_;
+  observe::Stopwatch watch_;  ///< decides when checkpoints are written, never what is in a result
+  double last_s_ = 0.0;
+  double written_s_ = 0.0;
+  double cost_s_ = 0.0;
+  std::uint64_t written_ = 0;
+};
+
+}  // namespace trophic::checkpoint
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/run/checkpoint/keeper.ipp>
+#endif

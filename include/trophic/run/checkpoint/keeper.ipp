@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Definitions of keeper.hpp.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <trophic/run/checkpoint/keeper.hpp>
+#include <trophic/support/version.hpp>
+#include <utility>
+
+namespace trophic::checkpoint {
+
+namespace detail {
+
+inline void same(const std::string& what, const std::string& there, const std::string& ours) {
+  if (there == ours) return;
+  throw std::invalid_argument{"the checkpoint's " + what + " = " + there + ": must be " + ours +
+                              ", as of the run that is to go on"};
+}
+
+[[nodiscard]] inline Section section_of(const Part& part) {
+  Archive archive;
+  part.persist(archive);
+  return {std::string{part.section}, std::move(archive).bytes()};
+}
+
+inline void read_section(const Checkpoint& from, const Part& part) {
+  const std::string& bytes = from.section(part.section);
+  try {
+    Archive archive{bytes};
+    part.persist(archive);
+    archive.finish();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument{"section \"" + std::string{part.section} + "\" of the checkpoint: " + error.what()};
+  }
+}
+
+[[nodiscard]] inline Part part_of(Simulation& ecology) {
+  return {ecology_section, [&ecology](Archive& archive) { ecology.persist(archive); }};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE Checkpoint take(Simulation& ecology, const observe::RunDescription& run, const Parts& parts) {
+  Checkpoint moment{.fingerprint = run.fingerprint,
+                    .program_version = std::string{version},
+                    .seed = run.seed,
+                    .tick = ecology.tick(),
+                    .time_s = ecology.time_s(),
+                    .sections = {detail::section_of(detail::part_of(ecology))}};
+  for (const Part& part : parts) moment.sections.push_back(detail::section_of(part));
+  return moment;
+}
+
+TROPHIC_INLINE void check_same_rules(const Checkpoint& checkpoint, const observe::RunDescription& run) {
+  detail::same("version of trophic", checkpoint.program_version, std::string{version});
+  if (checkpoint.fingerprint == run.fingerprint) return;
+  throw std::invalid_argument{"the checkpoint's fingerprint = " + checkpoint.fingerprint + ": must be " + run.fingerprint +
+                              ", as of the run that is to go on; its rules, numbers, models or engine are others"};
+}
+
+TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run) {
+  check_same_rules(checkpoint, run);
+  detail::same("seed", std::to_string(checkpoint.seed), std::to_string(run.seed));
+}
+
+TROPHIC_INLINE void restore_any(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts) {
+  const std::size_t sections = 1 + parts.size();
+  if (checkpoint.sections.size() > sections) {
+    throw std::invalid_argument{"the checkpoint holds " + std::to_string(checkpoint.sections.size()) +
+                                " sections, the last of \"" + checkpoint.sections.back().name + "\": must be " +
+                                std::to_string(sections) + "; the run was made with more than this command"};
+  }
+  detail::read_section(checkpoint, detail::part_of(ecology));
+  for (const Part& part : parts) detail::read_section(checkpoint, part);
+}
+
+TROPHIC_INLINE void restore(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts) {
+  check_same_run(checkpoint, ecology.describe(0.0));
+  restore_any(checkpoint, ecology, parts);
+}
+
+TROPHIC_INLINE void Keeper::on_start(const observe::RunDescription& run, const View& view) {
+  run_ = run;
+  last_s_ = view.time_s;
+}
+
+TROPHIC_INLINE void Keeper::between_ticks(Simulation& ecology, bool last) {
+  if (!last && !due(ecology.time_s())) return;
+  const double before_s = watch_.elapsed_s();
+  write(folder_, take(ecology, run_, parts_));
+  if (last && ecology.time_s() >= run_.until_s) remove_predecessor(folder_);
+  written_s_ = watch_.elapsed_s();
+  cost_s_ = written_s_ - before_s;
+  last_s_ = ecology.time_s();
+  ++written_;
+}
+
+TROPHIC_INLINE bool Keeper::due(double time_s) const {
+  if (!(schedule_.every_s > 0.0) || time_s - last_s_ < schedule_.every_s) return false;
+  return cost_s_ <= schedule_.most_share * (watch_.elapsed_s() - written_s_);
+}
+
+}  // namespace trophic::checkpoint

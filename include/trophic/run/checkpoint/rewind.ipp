@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Definitions of rewind.hpp.
+#pragma once
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/checkpoint/go_on.ipp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/params/named_params.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/version.hpp>
+#include <trophic/support/without_slash.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::checkpoint {
+
+namespace detail {
+
+/// Sees that a copy is on the disk before the checkpoint that tells of its length.
+inline void sync_copy(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_synced = file >= 0 && ::fsync(file) == 0;
+  const int reason = errno;
+  if (file >= 0) ::close(file);
+  if (!is_synced) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(reason)};
+}
+
+/// Copies within the room of the past first, so that a folder has all of it or is not there.
+inline void copy_past(const Past& past, const std::filesystem::path& folder) {
+  const std::filesystem::path target = without_slash(folder);
+  const std::filesystem::path part = past.folder.parent_path() / ("part-" + std::to_string(checksum(target.string())));
+  std::filesystem::remove_all(part);
+  copy_until(past.folder, std::numeric_limits<double>::infinity(), part);
+  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path());
+  std::filesystem::rename(part, target);
+}
+
+/// Whether a clock shows the tick with which those begin that begin at a moment.
+[[nodiscard]] inline bool is_tick_of(const Moment& moment, double time_s, double tick_s) {
+  return time_s >= moment.at_s && time_s < moment.at_s + tick_s;
+}
+
+/// The last checkpoint that can be read, if it is of this version.
+[[nodiscard]] inline std::optional<Checkpoint> last_that_goes_on(const std::filesystem::path& folder) {
+  std::vector<Checkpoint> all = read_all(folder);
+  if (all.empty() || all.front().program_version != version) return std::nullopt;
+  return std::move(all.front());
+}
+
+/// Whether what is in a folder is a copy of the moment with which nobody went on.
+[[nodiscard]] inline bool stands_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
+  const std::optional<Checkpoint> last = last_that_goes_on(folder);
+  return last && is_tick_of(moment, last->time_s, tick_s) && last->fingerprint == moment.fingerprint && last->seed == moment.seed;
+}
+
+/// Throws std::invalid_argument if a folder's manifest says that its run began elsewhere.
+inline void check_began_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
+  const Json manifest = manifest_in(folder);
+  if (manifest.is_null()) return;
+  const Json origin = manifest.value("origin", Json::object());
+  const auto said = [&](const char* key) {
+    const auto found = origin.find(key);
+    return found != origin.end() && found->is_string() ? found->get<std::string>() : std::string{};
+  };
+  const bool same_run = said("fingerprint") == moment.fingerprint && said("seed") == std::to_string(moment.seed);
+  if (same_run && is_tick_of(moment, std::strtod(said("at_s").c_str(), nullptr), tick_s)) return;
+  throw std::invalid_argument{folder.string() + ": its run began " +
+                              (origin.empty() ? "by itself" : "at " + said("at_s") + " s of " + said("run")) +
+                              "; it can go on, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE std::optional<double> last_moment_s(const std::filesystem::path& run) {
+  const std::vector<Checkpoint> all = read_all(run);
+  return all.empty() ? std::nullopt : std::optional{all.front().time_s};
+}
+
+TROPHIC_INLINE std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment) {
+  return without_slash(out).string() + ".past-" + moment.fingerprint + "-seed-" + std::to_string(moment.seed) + "-" +
+         number_text(moment.at_s) + "-s/run";
+}
+
+namespace detail {
+
+[[nodiscard]] inline FolderLock make_and_lock(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  return FolderLock{folder};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE RoomOfPast::RoomOfPast(const Past& past)
+    : folder_{past.folder.parent_path()}, lock_{detail::make_and_lock(folder_)} {}
+
+TROPHIC_INLINE RoomOfPast::~RoomOfPast() {
+  std::error_code not_empty;
+  std::filesystem::remove(folder_, not_empty);
+}
+
+TROPHIC_INLINE bool RoomOfPast::exists(const Past& past) {
+  return std::filesystem::exists(past.folder.parent_path());
+}
+
+TROPHIC_INLINE void RoomOfPast::clear() {
+  for (const auto& entry : std::filesystem::directory_iterator{folder_}) std::filesystem::remove_all(entry.path());
+}
+
+TROPHIC_INLINE bool needs_past(const std::filesystem::path& folder, double until_s) {
+  if (!std::filesystem::exists(folder)) return true;
+  return !detail::is_complete(detail::manifest_in(folder), until_s) && !detail::last_that_goes_on(folder);
+}
+
+TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder)) throw std::invalid_argument{folder.string() + ": exists already"};
+  const std::vector<Checkpoint> all = read_all(run);
+  const auto early =
+      std::ranges::find_if(all, [&](const Checkpoint& one) { return one.time_s <= at_s && one.program_version == version; });
+  if (early == all.end()) return;
+  std::error_code error;
+  const auto require = [&](const std::filesystem::path& path) {
+    if (error) throw std::runtime_error{"cannot copy " + path.string() + ": " + error.message()};
+  };
+  std::filesystem::create_directories(folder, error);
+  require(folder);
+  for (const auto& entry : std::filesystem::directory_iterator{run}) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_regular_file() || name.starts_with("checkpoint.") || name.starts_with("manifest.")) continue;
+    std::filesystem::copy_file(entry.path(), folder / name, error);
+    require(entry.path());
+    detail::sync_copy(folder / name);
+  }
+  // Last, so that a copy that was cut off has none.
+  write(folder, *early);
+}
+
+TROPHIC_INLINE io::Provenance provenance_of(const Moment& moment) {
+  return {{"run", moment.run.string()},
+          {"at_s", number_text(moment.at_s)},
+          {"seed", std::to_string(moment.seed)},
+          {"fingerprint", moment.fingerprint}};
+}
+
+TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                                    const std::optional<Past>& past) {
+  if (!past) return standing_in(folder, run);
+  std::string remark;
+  if (std::filesystem::exists(folder) && !detail::stands_at(past->moment, folder, run.tick_s)) {
+    detail::check_began_at(past->moment, folder, run.tick_s);
+    Standing standing = standing_in(folder, run);
+    if (standing.complete || standing.from) return standing;
+    remark = standing.remark + "; ";
+  }
+  if (!std::filesystem::exists(folder)) detail::copy_past(*past, folder);
+  Checkpoint moment = read_last(folder);
+  remark += "begins at " + number_text(moment.time_s) + " s of " + past->moment.run.string();
+  return {.complete = false, .from = std::move(moment), .remark = std::move(remark), .begins = true};
+}
+
+TROPHIC_INLINE void begin_at(Standing& standing, const Moment& moment, Simulation& ecology, io::Manifest& manifest,
+                             const Parts& parts) {
+  restore_any(*standing.from, ecology, parts);
+  Moment reached = moment;
+  reached.at_s = standing.from->time_s;
+  manifest.begin_from(provenance_of(reached));
+  standing.from.reset();
+}
+
+TROPHIC_INLINE void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run) {
+  const auto may_change = [](const std::string& path) {
+    return path == "seed" || path.starts_with("rules.") || path == "ecology.duration_s" || path == "backend.threads";
+  };
+  if (origin.backend != run.backend) {
+    throw std::invalid_argument{"engine " + run.backend + ": must be " + origin.backend + ", as of the run that it begins from"};
+  }
+  for (const NamedParam& param : run.named_params) {
+    if (may_change(param.path)) continue;
+    const auto there = std::ranges::find(origin.named_params, param.path, &NamedParam::path);
+    if (there != origin.named_params.end() && there->value == param.value) continue;
+    throw std::invalid_argument{param.path + " = " + value_text(param) + ": must be " +
+                                (there == origin.named_params.end() ? "missing" : value_text(*there)) +
+                                ", as of the run that it begins from; only rules, seed and duration can change"};
+  }
+}
+
+}  // namespace trophic::checkpoint

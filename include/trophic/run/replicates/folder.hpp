@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The folder of a set of replicates: made once, gone on with later, never overwritten.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/run/replicates/plan.hpp>
+#include <trophic/support/folder_lock.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/replace_file.hpp>
+#include <trophic/support/whole_file.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::replicates {
+
+using checkpoint::status_of;
+
+/// The name of the file that lists a set's replicates.
+inline constexpr const char* list_name = "replicates.json";
+
+/// At which moment of which run they all begin, as the file has it; empty where they begin at their beginning.
+[[nodiscard]] inline Json origin_of(const Plan& plan) {
+  auto origin = Json::object();
+  if (!plan.past) return origin;
+  for (const auto& [name, text] : checkpoint::provenance_of(plan.past->moment)) origin[name] = text;
+  return parse_json(json_text(origin));
+}
+
+/// What it says: which runs there are to be, and what they have in common.
+[[nodiscard]] inline std::string list_text(const Plan& plan, const observe::RunDescription& run,
+                                           const io::Provenance& provenance) {
+  auto replicates = Json::array();
+  for (const Replicate& replicate : plan.all()) {
+    replicates.push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
+  }
+  // Made whole: a value that becomes an object while memory runs out cannot be destroyed.
+  Json content{
+      {"rule_table", run.rules},         {"backend", run.backend}, {"fingerprint", run.fingerprint},     {"until_s", run.until_s},
+      {"master_seed", plan.master_seed}, {"count", plan.count},    {"replicates", std::move(replicates)}};
+  if (plan.past) content["origin"] = origin_of(plan);
+  for (const auto& [name, text] : provenance) content[name] = text;
+  return json_text(content, 2) + '\n';
+}
+
+/// replicates.json and what of the plan is still to be done. Holds a lock on the folder while it lives, so that two programs
+/// cannot work in it at once.
+class Folder {
+ public:
+  /// Makes the folder or, with `plan.resume`, goes on in it. Complete replicates stay; those that were cut off go on from their
+  /// checkpoint or, without one, are moved to "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan,
+  /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, or if what is there has other
+  /// rules, numbers, seeds or duration; std::runtime_error if another program works in it or the system refuses.
+  Folder(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance) {
+    plan.check();
+    if (!plan.resume || !std::filesystem::exists(plan.out)) {
+      static_cast<void>(io::make_new_folder(plan.out));
+      lock_.emplace(plan.out);
+    } else {
+      lock_.emplace(plan.out);
+      if (!is_bare(plan.out)) check_same(plan, run);
+    }
+    std::vector<Replicate> incomplete;
+    for (Replicate& replicate : plan.all()) {
+      const std::string status = status_of(replicate.folder);
+      if (status == "complete") {
+        check_complete(replicate, run);
+        ++kept_;
+        continue;
+      }
+      if (status != "missing") incomplete.push_back(replicate);
+      pending_.push_back(std::move(replicate));
+    }
+    for (const Replicate& replicate : incomplete) look_at(plan, replicate, run);
+    replace_file(plan.out / list_name, list_text(plan, run, provenance));
+  }
+  /// To be run, each into a new folder or from the checkpoint in its own.
+  [[nodiscard]] const std::vector<Replicate>& pending() const { return pending_; }
+  /// How many were complete already.
+  [[nodiscard]] std::size_t kept() const { return kept_; }
+  /// What was set aside, a sentence each.
+  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+
+ private:
+  /// Whether whoever made the folder died before it could list what is to be done there.
+  [[nodiscard]] static bool is_bare(const std::filesystem::path& folder) {
+    const std::string part = std::string{list_name} + ".part";
+    for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+      if (entry.path().filename() != part) return false;
+    }
+    return true;
+  }
+
+  static void same(const std::filesystem::path& file, const std::string& field, const Json& there, const Json& ours) {
+    if (there == ours) return;
+    throw std::invalid_argument{file.string() + ": " + field + " = " + json_text(there) + ": must be " + json_text(ours) +
+                                ", as in the experiment to be resumed"};
+  }
+
+  static Json read(const std::filesystem::path& path) {
+    std::string text;
+    try {
+      text = read_whole_file(path);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument{std::string{error.what()} + "; only a folder of replicates can be resumed"};
+    }
+    auto json = parse_json_or_null(text);
+    if (!json.is_object()) throw std::invalid_argument{path.string() + ": is not a JSON object"};
+    return json;
+  }
+
+  static void check_same(const Plan& plan, const observe::RunDescription& run) {
+    const std::filesystem::path path = plan.out / list_name;
+    const Json there = read(path);
+    try {
+      same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
+      same(path, "master_seed", there.at("master_seed"), plan.master_seed);
+      same(path, "until_s", there.at("until_s"), run.until_s);
+      same(path, "origin", there.value("origin", Json::object()), origin_of(plan));
+      const Json& count = there.at("count");
+      if (count > plan.count) {
+        throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + json_text(count) +
+                                    ", what " + path.string() + " has; a resumed set can grow but not shrink"};
+      }
+    } catch (const Json::exception& error) {
+      throw std::invalid_argument{path.string() + ": " + error.what()};
+    }
+  }
+
+  static void check_complete(const Replicate& replicate, const observe::RunDescription& run) {
+    const std::filesystem::path path = replicate.folder / "manifest.json";
+    const Json there = read(path);
+    try {
+      same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
+      same(path, "seed", there.at("seed"), replicate.seed);
+      same(path, "until_s", there.at("clock").at("until_s"), run.until_s);
+    } catch (const Json::exception& error) {
+      throw std::invalid_argument{path.string() + ": " + error.what()};
+    }
+  }
+
+  void look_at(const Plan& plan, const Replicate& replicate, observe::RunDescription run) {
+    run.seed = replicate.seed;
+    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::standing_in(replicate.folder, run, plan.past).remark);
+  }
+
+  std::optional<FolderLock> lock_;
+  std::vector<Replicate> pending_;
+  std::size_t kept_ = 0;
+  std::vector<std::string> remarks_;
+};
+
+}  // namespace trophic::replicates

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Which replicates of an experiment there are, with which seeds, in which folders.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
+#include <trophic/io/own_table.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+namespace trophic::replicates {
+
+/// One run of several that differ in their seed alone.
+struct Replicate {
+  std::size_t index = 0;
+  std::uint64_t seed = 0;
+  std::filesystem::path folder;
+};
+
+/// The seed of a replicate: the top 53 bits of the stream (master seed, replicate, index), so that every reader of JSON keeps it
+/// exact. It depends neither on how many replicates there are nor on who runs first.
+[[nodiscard]] inline std::uint64_t seed_of(std::uint64_t master_seed, std::size_t index) {
+  return Rng{master_seed, Stream::replicate, index}.bits() >> 11;
+}
+
+/// More than anybody runs in one set; a plan of them all still fits the memory.
+inline constexpr std::size_t most_replicates = 100'000;
+
+/// "replicate-00", "replicate-01", ...
+[[nodiscard]] inline std::string name_of(std::size_t index) {
+  return std::string{"replicate-"} + (index < 10 ? "0" : "") + std::to_string(index);
+}
+
+struct Plan {
+  std::filesystem::path out;  ///< holds replicates.json and a folder per replicate
+  std::uint64_t master_seed = 1;
+  std::size_t count = 10;
+  std::size_t jobs = 1;                       ///< replicates at a time; results do not depend on it
+  bool resume = false;                        ///< go on in a folder that exists: run what is missing, go on with what was cut off
+  checkpoint::Schedule checkpoints = {};      ///< of each replicate
+  io::Extent extent = {};                ///< how much of each run is written down
+  std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
+  io::OwnTables own_tables = {};         ///< that each run writes, too
+
+  /// Throws std::invalid_argument for a number out of bounds or no folder.
+  void check() const {
+    if (out.empty()) throw std::invalid_argument{"out: must name a folder"};
+    if (count == 0) throw std::invalid_argument{"replicates = 0: must be >= 1"};
+    if (jobs == 0) throw std::invalid_argument{"jobs = 0: must be >= 1"};
+    if (count > most_replicates) {
+      throw std::invalid_argument{"replicates = " + std::to_string(count) + ": must be <= " + std::to_string(most_replicates)};
+    }
+  }
+
+  [[nodiscard]] std::vector<Replicate> all() const {
+    std::vector<Replicate> replicates;
+    for (std::size_t i = 0; i < count; ++i) replicates.push_back({i, seed_of(master_seed, i), out / name_of(i)});
+    return replicates;
+  }
+};
+
+}  // namespace trophic::replicates

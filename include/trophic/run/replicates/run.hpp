@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Runs the replicates of an experiment in parallel, each into its own folder.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/ecology/simulations_of.hpp>
+#include <trophic/observe/joint_progress.hpp>
+#include <trophic/io/manifest.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/run/replicates/keeping.hpp>
+#include <trophic/run/replicates/plan.hpp>
+#include <trophic/run/replicates/run_in_folder.hpp>
+#include <trophic/support/linkage.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::replicates {
+
+/// How the set stands after a call of run.
+struct Outcome {
+  std::size_t kept = 0;                 ///< were complete before
+  std::size_t complete = 0;             ///< ran to their end now
+  std::vector<std::string> unfinished;  ///< a sentence for each that failed, was stopped or was not started
+  [[nodiscard]] bool all_complete() const { return unfinished.empty(); }
+};
+
+/// Makes one run of a set, in its folder.
+using RunOne = std::function<void(const Replicate& replicate, const Keeping& keeping, observe::JointProgress::Part progress,
+                                  const observe::StopOnSignal& stop)>;
+
+/// Makes those runs of a plan that are not complete. `run`: any of them, as it describes itself. See `run`.
+[[nodiscard]] Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance,
+                                  std::ostream& out, const RunOne& run_one);
+
+/// Runs `plan.count` replicates of an experiment to `until_s`, `plan.jobs` at a time, each with its own seed into its own folder,
+/// with checkpoints; tells `out` of each that ends. Replicates share nothing: one that fails or is killed leaves the others as
+/// they are, and results depend neither on `jobs` nor on how often the set was cut off. SIGINT and SIGTERM end those at hand and
+/// start no more. Throws as Folder does, and as `make` does for a bad number, before anything is simulated. `extra...` observe
+/// every replicate, from several threads.
+template <class... Observers>
+Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const io::Provenance& provenance,
+            std::ostream& out, Observers&... extra) {
+  plan.check();
+  return run_pending(plan, make(plan.master_seed)->describe(until_s), provenance, out,
+                     [&](const Replicate& replicate, const Keeping& keeping, observe::JointProgress::Part progress,
+                         const observe::StopOnSignal& stop) {
+                       run_in_folder(*make(replicate.seed), until_s, replicate.folder, keeping, std::move(progress), stop,
+                                     extra...);
+                     });
+}
+
+/// Replicates of an experiment on a backend, for its `ecology.duration_s`.
+template <class Rules, class... Observers>
+Outcome run(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan,
+            const io::Provenance& provenance, std::ostream& out, Observers&... extra) {
+  return run(simulations_of(experiment, backend), experiment.ecology.duration_s, plan, provenance, out, extra...);
+}
+
+}  // namespace trophic::replicates
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/run/replicates/run.ipp>
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Definitions of run.hpp.
+#pragma once
+
+#include <string>
+#include <trophic/run/replicates/folder.hpp>
+#include <trophic/run/replicates/parallel.hpp>
+#include <trophic/run/replicates/run.hpp>
+
+namespace trophic::replicates {
+
+TROPHIC_INLINE Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance,
+                                   std::ostream& out, const RunOne& run_one) {
+  const Folder folder{plan, run, provenance};
+  for (const std::string& remark : run.remarks) out << remark << "\n";
+  for (const std::string& remark : folder.remarks()) out << remark << "\n";
+  if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " were complete and are kept" << std::endl;
+
+  const auto& pending = folder.pending();
+  const observe::StopOnSignal stop;
+  observe::JointProgress progress{pending.size(), run.until_s, out};
+  const auto work = [&](std::size_t i) {
+    const Replicate& replicate = pending[i];
+    Keeping keeping{provenance, plan.checkpoints, plan.extent, plan.past, plan.own_tables};
+    keeping.provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
+    keeping.provenance.emplace_back("replicate", std::to_string(replicate.index));
+    run_one(replicate, keeping, progress.watch(name_of(replicate.index)), stop);
+  };
+  const auto attempts = in_parallel(pending.size(), plan.jobs, work, [&] { return stop.keep_running(); });
+
+  Outcome outcome{.kept = folder.kept(), .complete = 0, .unfinished = {}};
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    const std::string name = name_of(pending[i].index);
+    const std::string status = status_of(pending[i].folder);
+    if (!attempts[i].started) {
+      outcome.unfinished.push_back(name + ": not started");
+    } else if (!attempts[i].error.empty()) {
+      outcome.unfinished.push_back(name + ": " + attempts[i].error);
+    } else if (status != "complete") {
+      outcome.unfinished.push_back(name + ": " + status);
+    } else {
+      ++outcome.complete;
+    }
+  }
+  return outcome;
+}
+
+}  // namespace trophic::replicates

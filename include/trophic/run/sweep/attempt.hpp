@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// One run of a sweep, whoever else may work on it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <trophic/run/sweep/plan_file.hpp>
+#include <trophic/support/linkage.hpp>
+#include <vector>
+
+namespace trophic::sweep {
+
+/// How a run of a plan stands after an attempt at it.
+enum class Ended {
+  was_complete,  ///< before
+  complete,
+  elsewhere,  ///< another program works on it
+  stopped,    ///< by a signal; the next attempt goes on
+  failed,     ///< the next attempt goes on from the last checkpoint
+};
+
+struct Result {
+  Ended ended = Ended::elsewhere;
+  std::string text = {};  ///< of a failure: what happened; elsewhere: who works on it
+};
+
+/// The folder in a sweep's that holds claims while there is work.
+inline constexpr const char* claims_name = "claims";
+
+/// Whether a run's folder holds all of it.
+[[nodiscard]] bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run);
+
+/// Claims a run and has `work` do it in a folder of its own, "RUN.attempt-K", which becomes the run's folder when it is complete;
+/// older attempts go then. It begins at the last checkpoint of an older attempt, whose files it copies: so it does not matter
+/// whether that attempt's program still lives. `work` is given the folder and runs or goes on in it; what it throws is a failure,
+/// and no exception of this function.
+[[nodiscard]] Result attempt(const std::filesystem::path& sweep, const PlannedRun& run, double lease_s,
+                             const std::function<void(const std::filesystem::path& folder)>& work);
+
+/// Takes the claims away where all runs of a plan are complete, those too of programs that were killed; else their folder if it
+/// is empty, as nobody works there.
+void remove_claims(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan);
+
+}  // namespace trophic::sweep
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/run/sweep/attempt.ipp>
+#endif

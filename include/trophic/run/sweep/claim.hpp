@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Who works on a run, among programs that share nothing but a folder.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <trophic/support/linkage.hpp>
+
+namespace trophic::sweep {
+
+/// A claim that has not been renewed for this long is nobody's.
+inline constexpr double default_lease_s = 120.0;
+
+/// A run that this program works on. As long as the claim lives a thread renews it, four times in its lease, so that others leave
+/// the run alone; it is given back when the claim is destroyed. A program that dies cannot: its claim goes stale.
+///
+/// A claim on run 17 is the folder "17.0": of all that give this name to a folder of theirs, which says who they are, one can
+/// (rename, which is atomic on network file systems where locks are not). Its age is the time since its file was last touched, by
+/// the clock of the file system, as clocks of machines differ. Who finds it stale makes "17.1", and so on. The program that had
+/// it before may only have been slow: a claim saves work that would be done twice, and nothing relies on it.
+class Claim {
+ public:
+  /// Claims a run in the folder `claims`, or says that another program has it. A claim of a program that ran on this machine and
+  /// is dead is stale at once. Throws std::runtime_error if the system refuses.
+  [[nodiscard]] static std::optional<Claim> take(const std::filesystem::path& claims, std::size_t run, double lease_s);
+
+  Claim(Claim&&) noexcept;
+  Claim& operator=(Claim&&) noexcept;
+  ~Claim();
+
+ private:
+  struct Renewal;
+  Claim(std::filesystem::path claims, std::size_t run, std::size_t generation, double lease_s);
+
+  std::unique_ptr<Renewal> renewal_;
+};
+
+/// Who has claimed a run, "HOST (process 123)"; empty where nobody has, or the claim is stale.
+[[nodiscard]] std::string claimant_of(const std::filesystem::path& claims, std::size_t run, double lease_s);
+
+}  // namespace trophic::sweep
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/run/sweep/claim.ipp>
+#endif

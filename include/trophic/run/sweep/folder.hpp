@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The folder of a sweep: made at once by whoever comes first, joined by whoever has the same plan.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <trophic/run/sweep/plan_file.hpp>
+#include <trophic/support/linkage.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::sweep {
+
+/// A file of a sweep's folder: its path there, and its text.
+using NamedText = std::pair<std::filesystem::path, std::string>;
+
+/// Makes the folder with the plan and these files or, where there is one with the same plan, does nothing: programs on several
+/// machines may call it at once. Throws std::invalid_argument for a folder with another plan, naming the first run that differs,
+/// and for one that is no sweep's; std::runtime_error if the system refuses.
+void make_or_join(const std::filesystem::path& folder, const std::vector<PlannedRun>& plan, const std::vector<NamedText>& files);
+
+}  // namespace trophic::sweep
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/run/sweep/folder.ipp>
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Definitions of folder.hpp.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <trophic/run/sweep/folder.hpp>
+#include <trophic/support/host_name.hpp>
+#include <trophic/support/replace_file.hpp>
+#include <trophic/support/whole_file.hpp>
+#include <trophic/support/without_slash.hpp>
+
+namespace trophic::sweep {
+
+namespace detail {
+
+/// Throws std::invalid_argument unless a folder holds this plan.
+inline void check_same_plan(const std::filesystem::path& folder, const std::string& plan) {
+  const std::filesystem::path path = folder / plan_name;
+  if (!std::filesystem::exists(path)) {
+    throw std::invalid_argument{folder.string() + ": exists already and is no sweep's folder; runs are never overwritten"};
+  }
+  const std::string there = read_whole_file(path);
+  if (there == plan) return;
+  const auto differs = std::ranges::mismatch(there, plan).in1;
+  const auto line = 1 + std::count(there.begin(), differs, '\n');
+  throw std::invalid_argument{path.string() + ":" + std::to_string(line) +
+                              ": the folder holds another plan from this run on; rules, numbers, models or the sweep changed: "
+                              "take another --out"};
+}
+
+}  // namespace detail
+
+TROPHIC_INLINE void make_or_join(const std::filesystem::path& folder, const std::vector<PlannedRun>& plan,
+                                 const std::vector<NamedText>& files) {
+  const std::string text = plan_text(plan);
+  if (std::filesystem::exists(folder)) return detail::check_same_plan(folder, text);
+  const std::filesystem::path name = without_slash(folder);
+  const std::filesystem::path making = name.string() + ".making-" + host_name() + "-" + std::to_string(::getpid());
+  std::filesystem::create_directories(making);
+  for (const auto& [file, content] : files) {
+    std::filesystem::create_directories((making / file).parent_path());
+    replace_file(making / file, content);
+  }
+  replace_file(making / plan_name, text);
+  std::error_code error;
+  std::filesystem::rename(making, name, error);
+  if (!error) return;
+  std::filesystem::remove_all(making);
+  if (!std::filesystem::exists(folder)) throw std::runtime_error{"cannot make " + folder.string() + ": " + error.message()};
+  detail::check_same_plan(folder, text);
+}
+
+}  // namespace trophic::sweep
