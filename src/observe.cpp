@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // trophic::compiled: what runs leave behind.
+#include <trophic/io/growing_file.ipp>
+#include <trophic/io/manifest.ipp>
+#include <trophic/io/read_recording.ipp>
+#include <trophic/io/recording.ipp>
+#include <trophic/io/recording_planes.ipp>
+#include <trophic/io/run_folder.ipp>
+#include <trophic/observe/progress.ipp>
+#include <trophic/observe/run_description.ipp>
+#include <trophic/observe/terminal.ipp>
 #include <trophic/run/checkpoint/checkpoint_file.ipp>
 #include <trophic/run/checkpoint/go_on.ipp>
 #include <trophic/run/checkpoint/keeper.ipp>
 #include <trophic/run/checkpoint/rewind.ipp>
-#include <trophic/io/growing_file.ipp>
-#include <trophic/io/manifest.ipp>
-#include <trophic/observe/progress.ipp>
-#include <trophic/io/read_recording.ipp>
-#include <trophic/io/recording.ipp>
-#include <trophic/io/recording_planes.ipp>
-#include <trophic/observe/run_description.ipp>
-#include <trophic/io/run_folder.ipp>
-#include <trophic/observe/terminal.ipp>
 #include <trophic/run/replicates/run.ipp>
 #include <trophic/run/replicates/run_with_shadow.ipp>
 #include <trophic/run/sweep/attempt.ipp>

@@ -8,14 +8,14 @@
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/next_free_folder.hpp>
-#include <trophic/observe/progress.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/observe/progress.hpp>
 
 namespace trophic {
 
-/// Runs an ecology until its clock reaches `until_s`, s, and writes its tables, recording and manifest into a new folder: the first of
-/// PATH-1, PATH-2, ... that does not exist. Shows progress on a terminal and prints a summary. `observers` observe the run, too.
-/// Returns the folder. Throws as `Simulation::run_until` and `io::RunFolder` do.
+/// Runs an ecology until its clock reaches `until_s`, s, and writes its tables, recording and manifest into a new folder: the
+/// first of PATH-1, PATH-2, ... that does not exist. Shows progress on a terminal and prints a summary. `observers` observe the
+/// run, too. Returns the folder. Throws as `Simulation::run_until` and `io::RunFolder` do.
 template <class... Observers>
 std::filesystem::path run_in_new_folder(Simulation& ecology, double until_s, const std::filesystem::path& path,
                                         Observers&... observers) {

@@ -77,9 +77,9 @@ std::string document() {
          section<io::EventRow>("events.csv", "A run's events, one a row, in the order in which they happened.") +
          section<io::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.") +
          section<io::SenseRow>("senses.csv",
-                                    "What every robot touched, was told and answered, at the ticks of agents.csv. Written with "
-                                    "--senses only.\nBodies are as they stand at that moment, contacts those of their boxes' "
-                                    "shapes.") +
+                               "What every robot touched, was told and answered, at the ticks of agents.csv. Written with "
+                               "--senses only.\nBodies are as they stand at that moment, contacts those of their boxes' "
+                               "shapes.") +
          "\n## states.csv\n\nWhat rules with a State keep for every robot, at the ticks of agents.csv, after that tick's rules. "
          "Written "
          "with --states only.\nThe columns time_s, tick, body and id are those of agents.csv. Then stands a column SLOT.MEMBER "
@@ -92,8 +92,8 @@ std::string document() {
              "phylogeny.csv",
              "Every individual in the ALife data standard, written when it dies. Those alive at the end follow.") +
          section<io::GenomeRow>("genomes.csv",
-                                     "A row a birth. Where genomes are shared, a later row of the same genome_id holds what "
-                                     "everybody who shares it\nhas from then on.") +
+                                "A row a birth. Where genomes are shared, a later row of the same genome_id holds what "
+                                "everybody who shares it\nhas from then on.") +
          section<analysis::MetricRow>("metrics.csv",
                                       "What the analysis measured: every value and every curve of every run, one value a row.") +
          section<analysis::FlipRow>("flips.csv", "What each flip of a rule changes, one effect a row.") +

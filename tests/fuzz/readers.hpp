@@ -15,7 +15,6 @@
 #include <support/forged_recording.hpp>
 #include <tools/analysis/data/read_run.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/arena.hpp>
@@ -25,9 +24,10 @@
 #include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/rules/released.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/sweep/plan_file.hpp>
 #include <trophic/run/sweep/sweep_file.hpp>
-#include <trophic/rules/released.hpp>
 #include <vector>
 
 namespace trophic::test {

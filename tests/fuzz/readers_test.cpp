@@ -10,8 +10,8 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <trophic/run/checkpoint/keeper.hpp>
 #include <trophic/io/recording.hpp>
+#include <trophic/run/checkpoint/keeper.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

@@ -10,8 +10,8 @@
 #include <trophic/backend/ode.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/progress.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/observe/progress.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>

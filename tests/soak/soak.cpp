@@ -25,16 +25,16 @@
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/growing_file.hpp>
-#include <trophic/observe/progress.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/paper.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <vector>
 
 namespace {

@@ -18,8 +18,8 @@ inline std::string with_right_checksums(const std::string& recording) {
   while (at + 12 <= recording.size()) {
     const std::size_t size = io::recording::u32_at(recording, at);
     if (size > recording.size() - at - 12) break;
-    right += io::recording::block(std::string_view{recording}.substr(at + 4, 4),
-                                       std::string_view{recording}.substr(at + 8, size));
+    right +=
+        io::recording::block(std::string_view{recording}.substr(at + 4, 4), std::string_view{recording}.substr(at + 8, size));
     at += size + 12;
   }
   return right += recording.substr(std::min(at, recording.size()));

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/run/replicates/plan.hpp>
 #include <trophic/rules/with_rules_of.hpp>
+#include <trophic/run/replicates/plan.hpp>
 #include <utility>
 #include <vector>
 

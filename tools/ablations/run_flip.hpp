@@ -11,8 +11,8 @@
 #include <tools/ablations/flips.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/toml.hpp>
-#include <trophic/run/replicates/run_with_shadow.hpp>
 #include <trophic/rules/with_sensor.hpp>
+#include <trophic/run/replicates/run_with_shadow.hpp>
 #include <utility>
 #include <vector>
 

@@ -21,8 +21,8 @@
 #include <trophic/command/words.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
-#include <trophic/observe/progress.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/support/folder_lock.hpp>

@@ -7,13 +7,13 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/own_table.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
 #include <vector>
 
 namespace trophic::command {

@@ -14,18 +14,18 @@
 #include <string>
 #include <system_error>
 #include <thread>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/run_experiment.hpp>
 #include <trophic/command/toml_of_json.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
-#include <trophic/observe/progress.hpp>
 #include <trophic/io/read_recording.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/io/state_log.hpp>
+#include <trophic/observe/progress.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/run_in_folder.hpp>
 #include <trophic/run/replicates/run_with_shadow.hpp>
 #include <trophic/support/json.hpp>
@@ -139,8 +139,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 }
 
 /// Tells how a run ended that left its files in a folder, and returns the exit code.
-[[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const View& view,
-                                    double until_s) {
+[[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const View& view, double until_s) {
   folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
   const bool is_stopped = view.time_s < until_s;
   if (is_stopped) {
@@ -210,7 +209,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
                                          checkpoint::Standing standing, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
   io::RunFolder folder{options.out,        options.provenance,      extent_of(options),
-                            standing.opening(), ecology.state_columns(), options.own_tables};
+                       standing.opening(), ecology.state_columns(), options.own_tables};
   observe::Progress progress;
   try {
     if (standing.begins) {

@@ -23,8 +23,8 @@
 #include <trophic/command/sweep.hpp>
 #include <trophic/command/toml_of_json.hpp>
 #include <trophic/command/words.hpp>
-#include <trophic/observe/joint_progress.hpp>
 #include <trophic/io/next_free_folder.hpp>
+#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/run/replicates/folder.hpp>

@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/ecology/simulation.hpp>
-#include <trophic/observe/progress.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 // Who links trophic::watch has this definition.
 #ifdef TROPHIC_WITH_WATCH
 #include <trophic/pictures/watch/session.hpp>

@@ -33,7 +33,8 @@ template <class Rules>
   return {std::move(params), std::move(backend), std::move(habitat)};
 }
 
-/// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws as `checked` does, std::runtime_error for a missing or broken file.
+/// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws as `checked` does,
+/// std::runtime_error for a missing or broken file.
 template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> load_checked(Experiment<Rules> params, BackendChoice backend) {
   validate(params, "");

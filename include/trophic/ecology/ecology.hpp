@@ -24,8 +24,8 @@
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/observe/audience.hpp>
 #include <trophic/io/state_columns.hpp>
+#include <trophic/observe/audience.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>

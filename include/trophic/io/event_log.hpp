@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <optional>
 #include <trophic/io/csv_file.hpp>
-#include <trophic/observe/event.hpp>
 #include <trophic/io/tables.hpp>
+#include <trophic/observe/event.hpp>
 #include <trophic/population/view.hpp>
 
 namespace trophic::io {

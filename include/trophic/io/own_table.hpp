@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <trophic/observe/audience.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/growing_file.hpp>
+#include <trophic/observe/audience.hpp>
 #include <trophic/observe/hooks.hpp>
 #include <trophic/params/archive.hpp>
 #include <vector>

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 #include <trophic/io/csv_file.hpp>
-#include <trophic/observe/event.hpp>
 #include <trophic/io/tables.hpp>
+#include <trophic/observe/event.hpp>
 #include <trophic/population/view.hpp>
 #include <vector>
 

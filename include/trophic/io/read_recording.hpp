@@ -10,8 +10,8 @@
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/observe/frame.hpp>
 #include <trophic/io/recording_format.hpp>
+#include <trophic/observe/frame.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 

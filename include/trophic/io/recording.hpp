@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <trophic/observe/frame.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/recording_format.hpp>
+#include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/linkage.hpp>

@@ -16,10 +16,10 @@
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/touch.hpp>
 #include <trophic/io/csv_file.hpp>
+#include <trophic/io/tables.hpp>
 #include <trophic/observe/deliberation.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/io/tables.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/spatial_grid.hpp>
 #include <trophic/population/view.hpp>

@@ -13,6 +13,7 @@ using Policy = trophic::rules::Paper::Floor;
 #endif
 
 int main() {
-  trophic::Ecology<trophic::with_capture<trophic::rules::Paper, Policy>> ecology({.seed = 2}, trophic::backend::Kinematic::Params{});
+  trophic::Ecology<trophic::with_capture<trophic::rules::Paper, Policy>> ecology({.seed = 2},
+                                                                                 trophic::backend::Kinematic::Params{});
   ecology.run_until(10.0);
 }

@@ -13,10 +13,10 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>
 

@@ -353,8 +353,9 @@ TEST_CASE("ecology: a parent without a genome is named") {
   params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}};
-  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(0.0); }) ==
-        "the policy in rules.parent returned individual 0 as a parent: must have a genome of 15 weights");
+  CHECK(rule_error([&] {
+          Kinematics<Rules>{params, still}.run_until(0.0);
+        }) == "the policy in rules.parent returned individual 0 as a parent: must have a genome of 15 weights");
 }
 
 TEST_CASE("ecology: only the brain's tags are shown") {
@@ -557,7 +558,9 @@ TEST_CASE("ecology: a parent of another species than the heir is refused") {
   params.rules.senescence.max_age_s = 20.0;
   params.rules.starvation.interval.base_ticks = 1000;
   params.rules.genome_source.random_share = 0.0;
-  CHECK(rule_error([&] { Kinematics<Rules>{params, still}.run_until(20.0); }) ==
+  CHECK(rule_error([&] {
+          Kinematics<Rules>{params, still}.run_until(20.0);
+        }) ==
         "the policy in rules.parent returned individual 2, a prey, as the parent of a predator: must be of its "
         "offspring's species");
 }

@@ -31,6 +31,6 @@ TEST_CASE("agents: thinned, the ticks that are multiples, the start among them")
   CHECK(log.sum().rows == 3);
   const std::string text = test::content(path);
   for (const char* row : {"\n0,0,0,", "\n6,3,0,", "\n12,6,0,"}) CHECK(text.find(row) != std::string::npos);
-  CHECK_THROWS_WITH_AS(io::AgentLog(folder.path() / "none.csv", Opening::made_new, 0),
-                       "agents_every_ticks = 0: must be >= 1", std::invalid_argument);
+  CHECK_THROWS_WITH_AS(io::AgentLog(folder.path() / "none.csv", Opening::made_new, 0), "agents_every_ticks = 0: must be >= 1",
+                       std::invalid_argument);
 }

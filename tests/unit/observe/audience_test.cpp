@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 #include <trophic/ecology/simulation.hpp>
-#include <trophic/observe/audience.hpp>
 #include <trophic/io/state_log.hpp>
+#include <trophic/observe/audience.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;

@@ -17,8 +17,7 @@ struct Row {
   bool yes = true;
   std::string text = "plain";
   static constexpr auto columns() {
-    return std::tuple{io::column("exact", &Row::exact, "", ""),
-                      io::column("rounded", &Row::rounded, "m", "", io::micro),
+    return std::tuple{io::column("exact", &Row::exact, "", ""), io::column("rounded", &Row::rounded, "m", "", io::micro),
                       io::column("none", &Row::none, "", ""), io::column("yes", &Row::yes, "", ""),
                       io::column("text", &Row::text, "", "")};
   }

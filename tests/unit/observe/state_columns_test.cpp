@@ -51,8 +51,8 @@ TEST_CASE("state columns: SLOT.MEMBER, nested members by their path, and a cell 
 TEST_CASE("state columns: the slots of a table in their order, and none where no rule keeps anything") {
   const RuleStates<rules::Released> released;
   CHECK(io::state_columns(released).names == std::vector<std::string>{"parent.starved.body", "parent.starved.victim",
-                                                                           "parent.sacrificed.killer",
-                                                                           "starvation.exemption.adversary_distance_m"});
+                                                                      "parent.sacrificed.killer",
+                                                                      "starvation.exemption.adversary_distance_m"});
   const RuleStates<rules::Paper> paper;
   CHECK(io::state_columns(paper).names.empty());
 }

@@ -12,12 +12,12 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/run/replicates/folder.hpp>
 #include <trophic/run/replicates/parallel.hpp>
 #include <trophic/run/replicates/run.hpp>
-#include <trophic/rules/paper.hpp>
 #include <trophic/support/json.hpp>
 
 namespace {

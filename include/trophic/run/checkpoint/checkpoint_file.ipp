@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <trophic/run/checkpoint/keeper.hpp>
-#include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/checkpoint/keeper.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic::checkpoint {

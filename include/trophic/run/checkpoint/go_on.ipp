@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>

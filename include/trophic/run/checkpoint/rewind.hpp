@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
-#include <trophic/run/checkpoint/keeper.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/keeper.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
 

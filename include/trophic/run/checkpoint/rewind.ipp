@@ -15,11 +15,11 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <trophic/params/named_params.hpp>
+#include <trophic/params/params.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/go_on.ipp>
 #include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>

@@ -8,10 +8,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/go_on.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/observe/run_description.hpp>
-#include <trophic/io/run_folder.hpp>
 #include <trophic/run/replicates/plan.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
 
 namespace trophic::replicates {
 
@@ -16,9 +16,9 @@ namespace trophic::replicates {
 struct Keeping {
   io::Provenance provenance = {};
   checkpoint::Schedule checkpoints = {};
-  io::Extent extent = {};                ///< how much of each run is written down
+  io::Extent extent = {};                     ///< how much of each run is written down
   std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};         ///< that each run writes, too
+  io::OwnTables own_tables = {};              ///< that each run writes, too
 };
 
 }  // namespace trophic::replicates

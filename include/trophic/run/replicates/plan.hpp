@@ -8,10 +8,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
@@ -45,9 +45,9 @@ struct Plan {
   std::size_t jobs = 1;                       ///< replicates at a time; results do not depend on it
   bool resume = false;                        ///< go on in a folder that exists: run what is missing, go on with what was cut off
   checkpoint::Schedule checkpoints = {};      ///< of each replicate
-  io::Extent extent = {};                ///< how much of each run is written down
+  io::Extent extent = {};                     ///< how much of each run is written down
   std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};         ///< that each run writes, too
+  io::OwnTables own_tables = {};              ///< that each run writes, too
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

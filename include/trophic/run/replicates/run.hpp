@@ -8,8 +8,8 @@
 #include <string>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
-#include <trophic/observe/joint_progress.hpp>
 #include <trophic/io/manifest.hpp>
+#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/run/replicates/keeping.hpp>
@@ -43,8 +43,8 @@ using RunOne = std::function<void(const Replicate& replicate, const Keeping& kee
 /// start no more. Throws as Folder does, and as `make` does for a bad number, before anything is simulated. `extra...` observe
 /// every replicate, from several threads.
 template <class... Observers>
-Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const io::Provenance& provenance,
-            std::ostream& out, Observers&... extra) {
+Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const io::Provenance& provenance, std::ostream& out,
+            Observers&... extra) {
   plan.check();
   return run_pending(plan, make(plan.master_seed)->describe(until_s), provenance, out,
                      [&](const Replicate& replicate, const Keeping& keeping, observe::JointProgress::Part progress,
@@ -56,8 +56,8 @@ Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const 
 
 /// Replicates of an experiment on a backend, for its `ecology.duration_s`.
 template <class Rules, class... Observers>
-Outcome run(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan,
-            const io::Provenance& provenance, std::ostream& out, Observers&... extra) {
+Outcome run(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan, const io::Provenance& provenance,
+            std::ostream& out, Observers&... extra) {
   return run(simulations_of(experiment, backend), experiment.ecology.duration_s, plan, provenance, out, extra...);
 }
 

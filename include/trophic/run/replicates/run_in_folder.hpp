@@ -3,13 +3,13 @@
 #pragma once
 
 #include <filesystem>
-#include <trophic/run/checkpoint/go_on.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/ecology/simulation.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/io/run_folder.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/keeping.hpp>
 
 namespace trophic::replicates {

@@ -19,8 +19,7 @@ namespace detail {
 }  // namespace detail
 
 TROPHIC_INLINE std::vector<std::string> run_with_shadow(const MakeSimulation& make, const MakeSimulation& shadow, double until_s,
-                                                        const Plan& plan, const io::Provenance& provenance,
-                                                        std::ostream& out) {
+                                                        const Plan& plan, const io::Provenance& provenance, std::ostream& out) {
   auto unfinished = detail::run_and_tell(make, until_s, plan, provenance, out);
   if (!shadow || !unfinished.empty()) return unfinished;
   Plan beside = plan;

@@ -13,10 +13,10 @@
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/io/agent_log.hpp>
+#include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/io/tables.hpp>
 #include <trophic/pictures/drawing/footage.hpp>
 #include <trophic/population/view.hpp>
 #include <vector>
