@@ -5,6 +5,7 @@
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/io/state_log.hpp>
 #include <trophic/rules/paper.hpp>
 #include <unit/observe/scene.hpp>
 

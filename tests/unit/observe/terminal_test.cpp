@@ -9,7 +9,6 @@
 namespace {
 
 using namespace trophic::observe;
-using namespace trophic::io;
 const std::array<std::string, 3> parts{"10 of 20 s", "50 %", "1 left"};
 
 TEST_CASE("as many whole parts as leave the last column free") {

@@ -54,7 +54,7 @@ void write_cells(const std::filesystem::path& path, const SweepRuns& sweep, std:
     if (axis.name == "rule_table" || axis.name == "engine") continue;
     settings.push_back(&axis);
     text += ',';
-    observe::detail::append_cell(text, axis.name);
+    io::detail::append_cell(text, axis.name);
   }
   text += '\n';
   for (std::size_t i = 0; i < sweep.grid.cells.size(); ++i) {
@@ -72,7 +72,7 @@ void write_cells(const std::filesystem::path& path, const SweepRuns& sweep, std:
     text.pop_back();
     for (const Axis* axis : settings) {
       text += ',';
-      observe::detail::append_cell(text, axis->values[i]);
+      io::detail::append_cell(text, axis->values[i]);
     }
     text += '\n';
   }
