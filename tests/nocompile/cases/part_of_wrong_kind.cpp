@@ -14,6 +14,6 @@ using Rules = trophic::with_starvation_interval<trophic::rules::Paper, trophic::
 #endif
 
 int main() {
-  trophic::Ecology<Rules, trophic::backend::Kinematic> ecology;
+  trophic::Ecology<Rules> ecology{{}, trophic::backend::Kinematic::Params{}};
   ecology.run_until(10.0);
 }
