@@ -121,7 +121,7 @@ def check_ctest(tree, words: list[str]) -> list[str]:
     preset, label, expression = (value_after(words, flag) for flag in ("--preset", "-L", "-R"))
     if preset and preset not in presets(tree, "testPresets"):
         offences.append(f"no test preset '{preset}'")
-    if label and not any((tree.root / folder).is_dir() for folder in (f"tests/{label}", f"{label}/tests")):
+    if label and not any((tree.root / folder).is_dir() for folder in (f"tests/{label}", f"tools/{label}/tests")):
         offences.append(f"no tests are labelled '{label}'")
     if expression:
         tests = re.findall(r'(?:TEST_CASE(?:_TEMPLATE_DEFINE)?\(|NAME\s+)"([^"]+)"', tree.text) + re.findall(r"trophic_add_test\(\s*(\w+)", tree.text)

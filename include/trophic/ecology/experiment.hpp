@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/habitat/ecology_params.hpp>
+#include <trophic/habitat/physics.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 

@@ -5,12 +5,13 @@
 #include <trophic/rules/paper.hpp>
 
 using Killers = trophic::with_parent<trophic::rules::Paper, trophic::reproduction::parent::Killer>;
-#ifdef VALID
-using Rules = trophic::with_parent<Killers, trophic::reproduction::parent::NearestVictim>;
-#else
-using Rules = trophic::with_parent_after<Killers, trophic::Cause::starved, trophic::reproduction::parent::NearestVictim>;
-#endif
 
 int main() {
-  return trophic::RuleParams<Rules>{}.capture.reach_m == 1.0 ? 0 : 1;
+#ifdef VALID
+  return sizeof(trophic::RuleParams<trophic::with_parent<Killers, trophic::reproduction::parent::NearestVictim>>) > 0 ? 0 : 1;
+#else
+  return sizeof(trophic::with_parent_after<Killers, trophic::Cause::starved, trophic::reproduction::parent::NearestVictim>) > 0
+             ? 0
+             : 1;
+#endif
 }
