@@ -7,7 +7,7 @@
 ANALYSIS is the folder with metrics.csv and summary.json. Each figure goes to FOLDER (ANALYSIS/figures) as PNG and PDF, in the
 width of an article's column, and what its caption says to FOLDER/captions.json; of a comparison, each set gets its own. A figure
 whose data are missing is left out, with a line that says so. The film strip of a catch is drawn by `trophic film`. Needs
-matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
+matplotlib, pandas and scipy (Debian: python3-matplotlib, python3-pandas, python3-scipy).
 """
 import argparse
 import functools
@@ -18,6 +18,7 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from scipy import stats
 from pictures import catches, film_strip, phylogeny, trajectories
 from style import COLOURS, COLUMN_IN, NULL_COLOUR, Missing, caption, colour, line, save_all
 
@@ -25,12 +26,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/pyth
 from trophic.runs import RunError, read_analysis  # noqa: E402
 
 HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": "...."}
-# Mean over the paper's ten runs; the range is that of its runs.
-PAPER = {"attribution_caught": 0.65, "attribution_credited": 0.725, "wall_sticking": {"predator": 0.39, "prey": 0.60},
-         "velocity": {"predator": 1.95, "prey": -0.67}, "tag_symmetry": (0.43, 0.33, 0.53)}
-
-# Student's t at 97.5 %, by degrees of freedom; in between the next smaller is taken.
-STUDENT = {5: 2.571, 6: 2.447, 7: 2.365, 8: 2.306, 9: 2.262, 11: 2.201, 14: 2.145, 19: 2.093, 29: 2.045, 59: 2.001, 119: 1.980}
 
 
 def interval(runs):
@@ -40,7 +35,7 @@ def interval(runs):
     with np.errstate(all="ignore"):
         mean = np.nansum(runs, axis=0) / np.where(count == 0, np.nan, count)
         error = np.sqrt(np.nansum((runs - mean) ** 2, axis=0) / (count - 1) / count)
-    half = np.array([STUDENT[max(f for f in STUDENT if f < n)] * e if n >= 6 else np.nan for n, e in zip(count, error)])
+    half = np.where(count >= 6, stats.t.ppf(0.975, np.maximum(count - 1, 1)) * error, np.nan)
     return mean, mean - half, mean + half
 
 
@@ -52,6 +47,11 @@ class Data:
         self.folders = [pathlib.Path(r["folder"]) for r in summary["runs"]]
         self.run = run
         self.species = list(dict.fromkeys(metrics.loc[metrics.metric == "population", "species"]))
+
+    def published(self, metric, species, group="all"):
+        """The paper's mean of a metric as `trophic analyze` has it; None where it has none."""
+        rows = [row for row in self.summary["metrics"] if (row["metric"], row["species"], row["group"]) == (metric, species, group)]
+        return rows[0].get("published") if rows else None
 
     def rows(self, metric, species=None, group=None, baseline="", curve=False):
         m = self.metrics
@@ -144,8 +144,8 @@ def attribution(data):
                 ax.fill_between([place - 0.31, place + 0.31], lower, upper, color="black", alpha=0.25, linewidth=0)
                 ax.plot([place - 0.31, place + 0.31], [mean] * 2, color="black", linewidth=1.6,
                         label="null: nothing inherited" if place == 0 else None)
-            if metric in PAPER and species in COLOURS:
-                ax.plot(place + 0.22, PAPER[metric], "D", ms=4.5, mfc="white", mec="black",
+            if (published := data.published(metric, species)) is not None:
+                ax.plot(place + 0.22, published, "D", ms=4.5, mfc="white", mec="black",
                         label="published" if "published" not in ax.get_legend_handles_labels()[1] else None)
             names.append(f"{species}:\n{word}")
             place += 1
@@ -167,8 +167,8 @@ def velocity(data):
             draw_curve(ax, time_s, runs, group, shade, style, scale=100)
         draw_shadow(ax, data, "velocity", species, "inherited", "inherited, shadow", scale=100)
         ax.axhline(0, color="black", linewidth=0.4)
-        if species in PAPER["velocity"]:
-            ax.plot([1.0], [PAPER["velocity"][species]], "D", ms=4.5, mfc="white", mec="black", clip_on=False,
+        if (published := data.published("velocity", species)) is not None:
+            ax.plot([1.0], [100 * published], "D", ms=4.5, mfc="white", mec="black", clip_on=False,
                     transform=ax.get_yaxis_transform(), label="published mean")
         ax.set_ylabel(f"{species}: velocity to\nadversary [cm/s]")
         low, high = ax.get_ylim()
@@ -189,8 +189,8 @@ def wall_sticking(data):
         if data.has_shadow:
             mean = data.values("wall_sticking", species, "all", "shadow").mean()
             ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, shadow's mean")
-        if species in PAPER["wall_sticking"]:
-            ax.plot([1.0], [PAPER["wall_sticking"][species]], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
+        if (published := data.published("wall_sticking", species)) is not None:
+            ax.plot([1.0], [published], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
                     transform=ax.get_yaxis_transform(), label=f"{species}, published mean")
     spread = data.values("wall_sticking", data.species[0], "all", "even_spread")[0]
     ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="evenly spread (no null)")
@@ -213,12 +213,13 @@ def tag_symmetry(data):
         bars = [[mean - lower], [upper - mean]] if np.isfinite(lower) else None
         ax.errorbar([mean], [place + 0.1], xerr=bars, fmt="s", ms=4, color=shade, capsize=2.5, linewidth=1.4)
     top = len(rows)
-    mean, low, high = PAPER["tag_symmetry"]
-    ax.errorbar([mean], [top], xerr=[[mean - low], [high - mean]], fmt="D", ms=4.5, mfc="white", mec="black", color="black", capsize=2)
+    published = data.published("tag_symmetry", "prey+predator", "inherited")
+    if published is not None:
+        ax.plot([published], [top], "D", ms=4.5, mfc="white", mec="black")
     ax.axvline(uniform, color="#CC0000", linestyle="--", linewidth=1)
     ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
     ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
-    ax.set_yticklabels([name for name, _, _ in rows] + ["published\n(mean, range)"])
+    ax.set_yticklabels([name for name, _, _ in rows] + ["published\nmean"])
     return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Dealt tags: the tags of the same tick, dealt anew.")
 
 
