@@ -7,7 +7,7 @@ import sys
 
 def can_draw(python: str) -> bool:
     try:
-        return subprocess.run([python, "-c", "import matplotlib, pandas"], capture_output=True).returncode == 0
+        return subprocess.run([python, "-c", "import matplotlib, pandas, scipy"], capture_output=True).returncode == 0
     except OSError:
         return False
 
