@@ -53,12 +53,11 @@ struct World {
   [[nodiscard]] B make() const { return B{robot, arena, starts, physics, params}; }
 };
 
-/// Walks every robot: its gait where there are joints, changing target angles where there are none. A copy drives on
-/// exactly as the original would.
+/// Walks every robot, by its gait or by target angles of +-`turn_rad`. A copy drives on exactly as the original would.
 class Driver {
  public:
-  explicit Driver(std::size_t robots, const Walker& walker = walkers[0])
-      : Driver{robots, load_gait(walker.gait), load_gait(walker.gait).hinges.size()} {}
+  explicit Driver(std::size_t robots, const Walker& walker = walkers[0], double turn_rad = 0.7)
+      : Driver{robots, load_gait(walker.gait), load_gait(walker.gait).hinges.size(), turn_rad} {}
 
   template <Backend B>
   void drive(B& backend, double until_s) {
@@ -69,7 +68,7 @@ class Driver {
           backend.set_joint_targets(robot, targets_rad_);
         }
         if constexpr (SteeringDriven<B>) {
-          backend.set_target_angle(robot, ((tick_ / 120 + robot) % 3 == 0 ? 0.7 : -0.7));
+          backend.set_target_angle(robot, ((tick_ / 120 + robot) % 3 == 0 ? turn_rad_ : -turn_rad_));
         }
       }
       cpg_.step(states_);
@@ -78,12 +77,13 @@ class Driver {
   }
 
  private:
-  Driver(std::size_t robots, const Gait& gait, std::size_t hinges)
-      : cpg_{gait}, states_{cpg_.initial_states(robots)}, targets_rad_(hinges) {}
+  Driver(std::size_t robots, const Gait& gait, std::size_t hinges, double turn_rad)
+      : cpg_{gait}, states_{cpg_.initial_states(robots)}, targets_rad_(hinges), turn_rad_{turn_rad} {}
 
   locomotion::Cpg cpg_;
   Eigen::MatrixXd states_;
   std::vector<double> targets_rad_;
+  double turn_rad_;
   std::size_t tick_ = 0;
 };
 
@@ -240,14 +240,9 @@ void check_walls() {
     world.starts[i].orientation = Eigen::AngleAxisd{outward_rad - world.robot.forward_rad, Eigen::Vector3d::UnitZ()};
   }
   B backend = world.make();
-  Driver driver{4};
+  Driver driver{4, walkers[0], 0.0};
   for (double time_s = 1.0; time_s <= 15.0; time_s += 1.0) {
-    if constexpr (JointDriven<B>) {
-      driver.drive(backend, time_s);
-    } else {
-      for (std::size_t i = 0; i < 4; ++i) backend.set_target_angle(i, 0.0);  // straight on
-      backend.advance_to(time_s);
-    }
+    driver.drive(backend, time_s);
     for (std::size_t i = 0; i < 4; ++i) {
       const Eigen::Vector3d at = backend.pose(i).position_m;
       CHECK(std::max(std::abs(at.x()), std::abs(at.y())) <= world.arena.half_side_m);
