@@ -23,6 +23,8 @@
 #include <tools/analysis/report/text_table.hpp>
 #include <tools/trophic/analysis_page.hpp>
 #include <tools/trophic/analyze_sweep.hpp>
+#include <tools/trophic/replay/page.hpp>
+#include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/io/run_folder.hpp>
