@@ -122,11 +122,14 @@ template <class Backends>
 }
 
 /// "kinematic 1, mujoco 2.2.2".
+[[nodiscard]] inline std::string backend_versions(const std::vector<LinkedBackend>& backends) {
+  std::string text;
+  for (const LinkedBackend& one : backends) text += (text.empty() ? "" : ", ") + one.name + " " + one.version;
+  return text;
+}
 template <class Backends>
 [[nodiscard]] std::string backend_versions() {
-  std::string text;
-  Backends::for_each([&]<class B>() { text += (text.empty() ? "" : ", ") + std::string{B::name} + " " + B::version(); });
-  return text;
+  return backend_versions(linked_backends<Backends>());
 }
 
 /// The sentence about a backend that is none of `names`: an engine that this program was built without, or no engine at all.

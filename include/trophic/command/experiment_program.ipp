@@ -191,8 +191,6 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
   options.program = program_name(argv[0]);
   options.provenance = provenance(argc, argv);
   options.own_tables = linked.own_tables;
-  std::string versions;
-  for (const LinkedBackend& one : offer.backends) versions += (versions.empty() ? "" : ", ") + one.name + " " + one.version;
   const std::unique_ptr<sweep::Team> team = linked.find_team == nullptr ? nullptr : linked.find_team();
   return run_command(argc, argv,
                      {.name = {},
@@ -201,7 +199,7 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
                       .options = detail::options_of(options, offer),
                       .work = [&] { return detail::run_options(options, offer, team.get(), linked.open_window); },
                       .subcommands = {},
-                      .version = version_text(versions)});
+                      .version = version_text(backend_versions(offer.backends))});
 }
 
 }  // namespace trophic::command
