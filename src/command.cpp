@@ -4,3 +4,6 @@
 #include <trophic/command/run_command.ipp>
 #include <trophic/command/run_experiment.ipp>
 #include <trophic/command/sweep.ipp>
+
+template class trophic::command::TableExperiment<trophic::rules::Paper>;
+template class trophic::command::TableExperiment<trophic::rules::Released>;

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 #include <iostream>
-#include <trophic/ecology/ecology.hpp>
+#include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/next_free_folder.hpp>

@@ -64,6 +64,7 @@
 #include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
+#include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/standing_poses.hpp>

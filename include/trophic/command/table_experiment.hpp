@@ -10,8 +10,8 @@
 #include <trophic/command/any_experiment.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/ecology/describe.hpp>
-#include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/toml.hpp>
@@ -77,5 +77,10 @@ class TableExperiment final : public AnyExperiment {
   Experiment<Rules> numbers_;
   BackendChoice choice_;
 };
+
+#if !TROPHIC_HEADER_ONLY
+extern template class TableExperiment<rules::Paper>;
+extern template class TableExperiment<rules::Released>;
+#endif
 
 }  // namespace trophic::command

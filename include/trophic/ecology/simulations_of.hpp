@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <utility>
