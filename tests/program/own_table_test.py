@@ -76,8 +76,8 @@ class OwnTable(InFolder):
             self.assertEqual(result.returncode, 2, result.stdout)
             self.assertEqual(
                 result.stderr,
-                f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it; apt-get install {needed[engine]} "
-                "and build again, or take --backend kinematic\n",
+                f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it: apt-get install {needed[engine]}, "
+                f"find_package(trophic COMPONENTS {engine}_compiled) and build again, or use --backend kinematic\n",
             )
         self.assertEqual(list(self.folder.iterdir()), [])
 

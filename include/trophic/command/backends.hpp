@@ -137,9 +137,9 @@ template <class Backends>
   const std::string option = "--backend " + name;
   for (const Engine& engine : known_engines) {
     if (engine.name != name) continue;
-    const std::string instead = names.empty() ? "" : ", or take --backend " + names.front();
-    return option + ": this program was built without it; apt-get install " + std::string{engine.packages} + " and build again" +
-           instead;
+    const std::string instead = names.empty() ? "" : ", or use --backend " + names.front();
+    return option + ": this program was built without it: apt-get install " + std::string{engine.packages} +
+           ", find_package(trophic COMPONENTS " + std::string{engine.name} + "_compiled) and build again" + instead;
   }
   return must_be_one_of(option, names) + did_you_mean(nearest_word(name, names));
 }
