@@ -1,20 +1,37 @@
-# trophic_find(PACKAGE APT [arguments of find_package]): looks for a package and remembers it when it is not there.
+# trophic_find(PACKAGE APT [FROM MINIMUM BELOW VERSION] [arguments of find_package]): looks for a package and remembers it if it is
+# missing or its version is refused.
 macro(trophic_find package apt)
-  find_package(${package} ${ARGN} QUIET)
-  if(NOT ${package}_FOUND)
+  cmake_parse_arguments(trophic_find "" "FROM;BELOW" "" ${ARGN})
+  if(trophic_find_FROM)
+    trophic_find_version(${package} ${trophic_find_FROM} ${trophic_find_BELOW} ${trophic_find_UNPARSED_ARGUMENTS})
+  else()
+    find_package(${package} ${trophic_find_UNPARSED_ARGUMENTS} QUIET)
+  endif()
+  if(${package}_REFUSED)
+    set_property(GLOBAL APPEND PROPERTY trophic_refused "${${package}_REFUSED}")
+  elseif(NOT ${package}_FOUND)
     set_property(GLOBAL APPEND PROPERTY trophic_missing_packages ${package})
     set_property(GLOBAL APPEND PROPERTY trophic_missing_apt ${apt})
   endif()
 endmacro()
 
-# Ends the configuration with one message that names everything missing and the command that installs it on Debian.
+# Ends the configuration with one message that names everything that is missing, with the command that installs it on Debian, or refused.
 function(trophic_stop_if_missing)
   get_property(packages GLOBAL PROPERTY trophic_missing_packages)
   get_property(apt GLOBAL PROPERTY trophic_missing_apt)
+  get_property(refused GLOBAL PROPERTY trophic_refused)
+  set(text "")
   if(packages)
     list(JOIN packages ", " packages)
     list(JOIN apt " " apt)
-    message(FATAL_ERROR "trophic: not found: ${packages}. On Debian or Ubuntu: apt-get install ${apt}")
+    string(APPEND text " not found: ${packages}. On Debian or Ubuntu: apt-get install ${apt}.")
+  endif()
+  if(refused)
+    list(JOIN refused "; " refused)
+    string(APPEND text " found but refused: ${refused}.")
+  endif()
+  if(text)
+    message(FATAL_ERROR "trophic:${text}")
   endif()
 endfunction()
 

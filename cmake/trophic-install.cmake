@@ -34,13 +34,14 @@ endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+get_property(trophic_mujoco_version GLOBAL PROPERTY TROPHIC_MUJOCO_VERSION)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.in ${PROJECT_BINARY_DIR}/trophic-config.cmake
                               INSTALL_DESTINATION ${trophic_cmake_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/trophic-config-version.cmake
               ${PROJECT_SOURCE_DIR}/cmake/trophic-experiment.cmake ${PROJECT_SOURCE_DIR}/cmake/source-revision.cmake
               ${PROJECT_SOURCE_DIR}/cmake/FindODE.cmake ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
-              ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-existing-includes.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-mujoco.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-versions.cmake
         DESTINATION ${trophic_cmake_dir})
 
 # For builds without CMake: pkg-config --cflags --libs trophic (or trophic-compiled). The files find their prefix from where they lie.
