@@ -14,8 +14,8 @@ using Bodies = std::vector<BodyIndex>;
 
 namespace {
 
-const auto none_exempt = [](BodyIndex) { return false; };
-const auto everyone_exempt = [](BodyIndex) { return true; };
+const auto no_exemption = [](BodyIndex) { return false; };
+const auto all_exempt = [](BodyIndex) { return true; };
 
 }  // namespace
 
@@ -24,30 +24,30 @@ TEST_CASE("hungriest unspared: the predator with most ticks since birth or last 
                                {.species = predator, .fed_tick = 30},
                                {.species = predator, .fed_tick = 10},
                                {.species = predator, .fed_tick = 20}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), none_exempt) == Bodies{2});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{2});
   CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Bodies{3});
   CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
 }
 
 TEST_CASE("hungriest unspared: at equal hunger the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), none_exempt) == Bodies{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
 }
 
 TEST_CASE("hungriest unspared: nobody if all are exempt") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 30}, {.species = predator, .fed_tick = 10}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), everyone_exempt).empty());
+  CHECK(HungriestNonexempt{}.victims(robots.view(), all_exempt).empty());
 }
 
 TEST_CASE("hungriest unspared: nobody without predators") {
-  CHECK(HungriestNonexempt{}.victims(HandPopulation{{{.species = prey}}}.view(), none_exempt).empty());
-  CHECK(HungriestNonexempt{}.victims(HandPopulation{{}}.view(), none_exempt).empty());
+  CHECK(HungriestNonexempt{}.victims(HandPopulation{{{.species = prey}}}.view(), no_exemption).empty());
+  CHECK(HungriestNonexempt{}.victims(HandPopulation{{}}.view(), no_exemption).empty());
 }
 
 TEST_CASE("hungriest unspared: in a food chain every species that eats somebody can starve") {
   const HandPopulation robots{
       {{.species = plant, .fed_tick = 0}, {.species = grazer, .fed_tick = 3}, {.species = hunter, .fed_tick = 5}}, chain_web()};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), none_exempt) == Bodies{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
   CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{2});
 }
 

@@ -15,13 +15,13 @@ namespace {
 
 struct Everything {
   std::string& told;
-  bool keep_running = true;
+  bool is_running = true;
   void on_start(const observe::RunDescription& run, const View&) { told += "start " + run.rules + "\n"; }
   void on_event(const observe::Event& event, const View&) { told += "event " + std::to_string(event.body) + "\n"; }
   void on_tick(const View& view) { told += "tick " + std::to_string(view.tick) + "\n"; }
   void on_end(const View&) { told += "end\n"; }
   void on_failure(std::string_view what) { told += "failure " + std::string{what} + "\n"; }
-  bool keep_running() { return keep_running; }
+  bool keep_running() { return is_running; }
 };
 
 struct TicksOnly {
@@ -70,7 +70,7 @@ TEST_CASE("audience: each observer is told by the hooks that it has, in order") 
   audience.event({.kind = observe::EventKind::birth, .body = 1, .individual = view.robots[1], .cause = {}, .other = {}}, view);
   audience.tick(view);
   CHECK(audience.keep_running());
-  third.keep_running = false;
+  third.is_running = false;
   CHECK_FALSE(audience.keep_running());  // any of them may say stop
   audience.failure("broken");
   audience.end(view);

@@ -11,8 +11,8 @@ using namespace trophic;
 
 namespace {
 
-struct CheckpointWriter {
-  static constexpr std::string_view name = "writer";
+struct Keeper {
+  static constexpr std::string_view name = "keeper";
   struct Inner {
     double b = 0.5;
     static constexpr auto fields() { return std::tuple{field("b", &Inner::b)}; }
@@ -34,7 +34,7 @@ struct CheckpointWriter {
 }  // namespace
 
 TEST_CASE("state columns: SLOT.MEMBER, nested members by their path, and a cell for each") {
-  RuleStates<with_senescence<rules::Paper, CheckpointWriter>> states;
+  RuleStates<with_senescence<rules::Paper, Keeper>> states;
   states.senescence.push_back({});
   states.senescence.push_back(
       {.a = -1, .inner = {.b = 0.25}, .list = {1.0, 2.5}, .who = Ancestor{.id = 12, .species = 0, .genome = {}}});
