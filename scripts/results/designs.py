@@ -63,6 +63,16 @@ def interval(values):
     return middle, middle - reach, middle + reach, p
 
 
+def welch(ours, theirs):
+    """Difference of two means, each given as mean, deviation and number of runs, with Welch's 95 % interval."""
+    from scipy import stats
+
+    variances = [deviation**2 / count for _, deviation, count in (ours, theirs)]
+    freedom = sum(variances) ** 2 / sum(variance**2 / (count - 1) for variance, (_, _, count) in zip(variances, (ours, theirs)))
+    middle, reach = ours[0] - theirs[0], stats.t.ppf(0.975, freedom) * math.sqrt(sum(variances))
+    return middle, middle - reach, middle + reach
+
+
 def holm(p_values):
     """p-values corrected for their number."""
     order = sorted(range(len(p_values)), key=p_values.__getitem__)

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Tables of the documents, from docs/results/data: whatever stands between <!-- table: NAME --> and <!-- /table -->."""
 import csv
+import pathlib
 import re
 import sys
 
-PAGES = ["docs/RESULTS.md", "docs/open-choices.md"]
+import answers
+import designs
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PAGES = ["README.md", "docs/open-choices.md", *sorted(str(page.relative_to(ROOT)) for page in (ROOT / "docs/results").glob("*.md"))]
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
     "attribution_caught": "inherited among the caught prey", "attribution_credited": "prey deaths credited to inherited predators",
@@ -147,6 +152,17 @@ def bodies(rows, base="paper"):
     return table([f"swapped in `{base}`", "runs", *SHORT], lines)
 
 
+def at_walls(rows, base="released"):
+    """The share of predators at walls with one thing changed, and Welch's interval of the difference to the set without a change."""
+    of_set = {row["set"]: row for row in rows if (row["metric"], row["species"], row["group"]) == ("wall_sticking", "predator", "all")}
+    lines = []
+    for name, row in of_set.items():
+        if name != base:
+            middle, lower, upper = designs.welch(*([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, of_set[base])))
+            lines.append([name, row["runs"], digits(row, row["mean"]), digits(row, of_set[base]["mean"]), f"{middle:+.3f} [{lower:+.3f}, {upper:+.3f}]"])
+    return table([f"swapped in `{base}`", "runs", "predators at walls", f"in `{base}`", "difference"], lines)
+
+
 EFFECTS = [("velocity", "prey", "inherited", "1"), ("velocity", "predator", "inherited", "1"), ("velocity", "prey", "all", "0"),
            ("velocity", "predator", "all", "0"), ("attribution_caught", "prey", "all", "0"), ("attribution_credited", "predator", "all", "0"),
            ("wall_sticking", "prey", "all", "0"), ("wall_sticking", "predator", "all", "0"), ("tag_symmetry", "prey+predator", "inherited", "0")]
@@ -239,11 +255,17 @@ def open_choices(choices):
     return table(["choice", "question", "the text", "in `paper`", "other reading"], lines)
 
 
+ANSWER_HEADS = ["question", "answer", "effect [95 % interval]", "runs", "study"]
+
+
 def tables(data, choices):
     """The function that makes each table."""
     made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
             "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")), "ranges": lambda: ranges(data("ranges")),
             "bodies": lambda: bodies(data("bodies")), "walls": lambda: bodies(data("walls"), "released"),
+            "walls differences": lambda: at_walls(data("walls")), "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
+            "answers": lambda: table(ANSWER_HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
+            "answers in brief": lambda: table(ANSWER_HEADS, answers.in_brief(data)),
             "ablations paper": lambda: flips(data("ablations"), "paper"),
             "ablations released": lambda: flips(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance"))}
