@@ -7,6 +7,7 @@ links     each link and anchor leads somewhere
 commands  each command's program, flags, keys, presets and targets are accepted (--programs: where the built programs are)
 excerpts  each block taken from a file stands in it
 figures   each table of figures says in its section which command made them
+slots     docs/how-to/which-slot.md links every policy's header
 readme    README has its two commands, continuous integration calls the second, no sentence has more than 30 words,
           and each word of the glossary is linked where it is first used
 
@@ -179,6 +180,17 @@ def sentences(text: str) -> list[str]:
     return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?]\))\s+", text)
 
 
+def slots(tree: Tree, document: Document) -> list[str]:
+    if document.path != tree.root / "docs/how-to/which-slot.md":
+        return []
+    linked = {(document.path.parent / target).resolve() for _, target in document.links}
+    folders = [tree.root / "include/trophic" / kind for kind in ("perception", "control", "reproduction", "death", "initialization")]
+    headers = [path for folder in folders for path in folder.glob("*/**/*.hpp") if "detail" not in path.parts]
+    policies = [path for path in headers if re.search(r"^  static constexpr std::string_view name\b|^using \w+ = .*\nstatic_assert", path.read_text(), re.M)]
+    missing = [path.relative_to(tree.root) for path in policies if path.resolve() not in linked]
+    return [f"1: no link to the policy {path}" for path in sorted(missing)] + ([] if policies else ["1: no policies were found"])
+
+
 def readme(tree: Tree, document: Document) -> list[str]:
     if document.path != tree.root / "README.md":
         return []
@@ -218,7 +230,7 @@ def unexplained(tree: Tree, document: Document) -> list[str]:
     return offences
 
 
-CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "readme": readme}
+CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "slots": slots, "readme": readme}
 
 
 def main() -> int:
