@@ -125,6 +125,7 @@ def check_ctest(tree, words: list[str]) -> list[str]:
         offences.append(f"no tests are labelled '{label}'")
     if expression:
         tests = re.findall(r'(?:TEST_CASE(?:_TEMPLATE_DEFINE)?\(|NAME\s+)"([^"]+)"', tree.text) + re.findall(r"trophic_add_test\(\s*(\w+)", tree.text)
+        tests += [f"program: {quoted or bare}" for quoted, bare in re.findall(r'trophic_add_program_test\(\s*(?:"([^"]+)"|(\w+))', tree.text)]
         if not any(re.search(expression, test) for test in tests):
             offences.append(f"no test's name matches '{expression}'")
     return offences
