@@ -8,8 +8,9 @@ commands  each command's program, flags, keys, presets and targets are accepted 
 excerpts  each block taken from a file stands in it
 figures   each table of figures says in its section which command made them
 slots     docs/how-to/which-slot.md links every policy's header
-readme    README has its two commands, continuous integration calls the second, no sentence has more than 30 words,
-          and each word of the glossary is linked where it is first used
+sentences no sentence of any document, in its prose or in a cell of a table, has more than 30 words
+readme    README has its two commands, continuous integration calls the second, and each word of the glossary is linked
+          where it is first used
 
 What a document tells its test stands in comments: <!-- former: NAMES -->, <!-- example: NAMES --> (names that a reader chooses),
 <!-- given: why --> (figures of the next table that nobody measured), <!-- from FILE --> (above a block). Those that a test follows (follow.py): <!-- file NAME -->,
@@ -180,6 +181,17 @@ def sentences(text: str) -> list[str]:
     return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?]\))\s+", text)
 
 
+def long_sentences(_: Tree, document: Document) -> list[str]:
+    offences = []
+    cells = [(table.line + 2 + row, cell) for table in document.tables for row, cells in enumerate(table.rows[2:]) for cell in cells]
+    for line, text in [*document.paragraphs, *cells]:
+        for sentence in sentences(text):
+            words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
+            if words > LONGEST_SENTENCE:
+                offences.append(f"{line}: a sentence of {words} words (at most {LONGEST_SENTENCE}): {sentence}")
+    return offences
+
+
 def slots(tree: Tree, document: Document) -> list[str]:
     if document.path != tree.root / "docs/how-to/which-slot.md":
         return []
@@ -204,11 +216,6 @@ def readme(tree: Tree, document: Document) -> list[str]:
     ci = [line for line in (tree.root / ".ci/run").read_text().splitlines() if line and not line.startswith(("#", "set ", "cd "))]
     if ci != [f"exec {README_COMMANDS[1]}"]:
         offences.append(f"1: .ci/run must only call {README_COMMANDS[1]}, it has: {ci}")
-    for line, text in document.paragraphs:
-        for sentence in sentences(text):
-            words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
-            if words > LONGEST_SENTENCE:
-                offences.append(f"{line}: a sentence of {words} words (at most {LONGEST_SENTENCE}): {sentence}")
     return offences + unexplained(tree, document)
 
 
@@ -230,7 +237,7 @@ def unexplained(tree: Tree, document: Document) -> list[str]:
     return offences
 
 
-CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "slots": slots, "readme": readme}
+CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "slots": slots, "sentences": long_sentences, "readme": readme}
 
 
 def main() -> int:

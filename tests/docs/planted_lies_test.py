@@ -46,7 +46,8 @@ LIES = [
     ("sources_cited", "include/trophic/death/floor/no_floor.hpp", 'static std::string_view source = "hearsay";', 'source "hearsay" names neither'),
     ("sources_cited", "include/trophic/death/floor/no_floor.hpp", "// Eq. 9", "no equation 9"),
     ("readme", "README.md", "A vacancy.", "'vacancy' is a word of the glossary"),
-    ("readme", "README.md", "One " + "and one " * 20 + ".", "a sentence of"),
+    ("sentences", "README.md", "One " + "and one " * 20 + ".", "a sentence of"),
+    ("sentences", "docs/tables.md", "| one " + "and one " * 20 + "|", "a sentence of"),
 ]  # fmt: skip
 
 
