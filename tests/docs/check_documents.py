@@ -178,12 +178,13 @@ def figures(tree: Tree, document: Document) -> list[str]:
 def sentences(text: str) -> list[str]:
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"`[^`]*`", "code", text)
-    return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?]\))\s+", text)
+    return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?][)*])\s+|(?<=[.!?]\*\*)\s+", text)
 
 
 def long_sentences(_: Tree, document: Document) -> list[str]:
     offences = []
-    cells = [(table.line + 2 + row, cell) for table in document.tables for row, cells in enumerate(table.rows[2:]) for cell in cells]
+    rows = [(table.line + 2 + number, row) for table in document.tables for number, row in enumerate(table.rows[2:])]
+    cells = [(line, part) for line, row in rows for cell in row for part in cell.split(";")]  # a cell may be a list
     for line, text in [*document.paragraphs, *cells]:
         for sentence in sentences(text):
             words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
