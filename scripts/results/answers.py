@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The tables of claims: each question with the answer, the effect, its interval and the number of runs, all from docs/results/data."""
 
-SETS = {"mujoco_released": ("`released` on MuJoCo", "released-on-mujoco.md"), "mujoco_paper": ("`paper` on MuJoCo", "paper-on-mujoco.md"),
-        "kinematic_released": ("`released` without bodies", "released-without-bodies.md"),
-        "kinematic_paper": ("`paper` without bodies", "paper-without-bodies.md")}
+SETS = {"mujoco_released": ("released code, MuJoCo", "released-on-mujoco.md"), "mujoco_paper": ("text's rules, MuJoCo", "paper-on-mujoco.md"),
+        "kinematic_released": ("released code, no bodies", "released-without-bodies.md"),
+        "kinematic_paper": ("text's rules, no bodies", "paper-without-bodies.md")}
+SWAPPED_INTO = {"paper": "swap into the text's rules", "released": "swap into the released code"}
 
 # question, metric, answer if above the shadow, answer if below
 EVOLVED = [("Do predators evolve to chase prey?", ("velocity", "predator", "inherited"), "yes, they approach faster", "no, they approach more slowly"),
@@ -69,13 +70,13 @@ def choices_that_matter(data):
         question = "" if number else "Which single difference between text and code changes a metric significantly?"
         answer = "biases in the network: " + said(row, ("difference", "lower", "upper"), "prey more at walls", "prey less at walls")
         effect = signed(row, ("difference", "lower", "upper"))
-        lines.append(line(question, answer, effect, 10, (f"put into `{row['from']}`", "ablations.md")))
+        lines.append(line(question, answer, effect, 10, (SWAPPED_INTO[row["from"]], "ablations.md")))
     for number, value in enumerate(("0.2", "0.8")):
         row = of(data("inheritance"), axis="rules.mutation.sd", value=value, metric="velocity", species="predator", group="inherited")
         question = "" if number else "Do larger mutations reduce chasing?"
         keys = ("difference", "lower", "upper")
         answer = said(row, keys, f"no, more at sd {value}", f"yes, at sd {value} instead of 0.05")
-        lines.append(line(question, answer, signed(row, keys), row["seeds"], ("three numbers of `paper`", "inheritance.md")))
+        lines.append(line(question, answer, signed(row, keys), row["seeds"], ("three parameters", "inheritance.md")))
     return lines
 
 
