@@ -140,7 +140,7 @@ def ranges(rows):
                 caught = of_key(cell, ("attribution_caught", "prey", "all"))
                 lines.append([parent, range_m, activation, cell[0]["parent_found"], digits(caught, caught["shadow"]), *(digits(of_key(cell, key), of_key(cell, key)["mean"]) for key in GRID),
                               ranged(prey, ("difference", "difference_lower", "difference_upper"), True)])
-    return table(["parent", "range, m", "activation, m", "parent found", "baseline of the next", *SHORT, "inherited prey over the shadow"], lines)
+    return table(["parent", "range, m", "activation, m", "parent found", "caught prey inherited, shadow", *SHORT, "inherited prey over the shadow"], lines)
 
 
 def bodies(rows, base="paper"):
@@ -219,7 +219,7 @@ def reached(rows, claims):
                 cell = tuple(row[name] for name in names)
                 within[cell] = within.get(cell, 0) + (abs(float(row["mean"]) - value) <= margins[key[0], key[1]])
     most = max(within.values())
-    lines.append(["most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)}, in {sum(count == most for count in within.values())} cells"])
+    lines.append(["most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)} (cells: {sum(count == most for count in within.values())})"])
     return table(["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines)
 
 
@@ -246,7 +246,7 @@ def inheritance(rows):
     for metric in metrics:
         row = dict(zip(("metric", "species", "group"), metric))
         heads.append(title(row) + (", over the shadow" if metric[3] == "1" else ""))
-    return table(["number", "change", *heads], lines)
+    return table(["parameter", "change", *heads], lines)
 
 
 def open_choices(choices):
