@@ -164,9 +164,9 @@ def figures(tree: Tree, document: Document) -> list[str]:
         while not made:  # the section, then the one that it is part of
             heading = max((h for h in document.headings if h.line < start), key=lambda h: h.line, default=None)
             start = heading.line if heading else 0
-            upto = next((h.line for h in document.headings if h.line > table.line), 10**9)
-            near = [span for line, span in document.spans if start <= line < upto]
-            near += [block.code for block in document.blocks if start <= block.line < upto]
+            end = next((h.line for h in document.headings if h.line > table.line), 10**9)
+            near = [span for line, span in document.spans if start <= line < end]
+            near += [block.code for block in document.blocks if start <= block.line < end]
             made = any(commands.is_command(line.strip()) for text in near for line in text.splitlines())
             if not heading or heading.level <= 2:
                 break
