@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tables of the documents, from docs/results/data: whatever stands between <!-- table: NAME --> and <!-- /table -->."""
+"""Tables of the documents between <!-- table: NAME --> and <!-- /table -->, from docs/results/data."""
 import csv
 import pathlib
 import re
@@ -36,7 +36,7 @@ def is_velocity(row):
 
 
 def digits(row, text, sign=False):
-    """A value as readers see it: cm/s with two decimals, counts with one, shares with three."""
+    """A formatted value: cm/s with two decimals, counts with one, shares with three."""
     if text == "":
         return ""
     scale, places = (100.0, 2) if is_velocity(row) else (1.0, 1) if row["metric"] == "deaths" else (1.0, 3)
@@ -72,7 +72,7 @@ def table(head, rows):
 
 
 def claims(rows):
-    """What is said of each published figure under each reading."""
+    """The conclusion about each published figure under each reading."""
     lines, last = [], None
     for row in rows:
         claim = row["claim"] if row["claim"] != last else ""
@@ -85,7 +85,7 @@ def claims(rows):
 
 
 def summaries(rows):
-    """One line a published figure."""
+    """One line for each published figure."""
     return table(["published figure", "conclusion"], [[row["claim"], row["summary"]] for row in first_of(rows, "claim")])
 
 
@@ -171,7 +171,7 @@ EFFECT_HEADS = ["inherited prey over the shadow, cm/s", "inherited predators ove
 
 
 def effects(rows):
-    """The effect of the other reading of each open choice, averaged over all readings of the others."""
+    """The effect of the other reading of each open choice, averaged over both readings of the others."""
     names = list(dict.fromkeys(row["choice"] for row in rows))
     lines, sizes = [], {}
     for name in names:
@@ -194,14 +194,14 @@ PUBLISHED = {("velocity", "prey", "all", "0"): (-0.0067, "prey velocity, all"), 
              ("wall_sticking_gap", "prey-predator", "all", "0"): (0.21, "difference at walls"),
              ("tag_symmetry", "prey+predator", "inherited", "0"): (0.43, "tag symmetry")}
 def margins_of(claims):
-    """The margin of each metric of a table of claims, {(metric, species): margin}; other readings have that of the plainest."""
+    """The margin of each metric of a table of claims, {(metric, species): margin}; other readings have that of the first."""
     plain = {"velocity": "velocity_stored"}
     return {(key[0], key[1]): float(next(row["margin"] for row in claims if row["metric"] == plain.get(key[0], key[0]) and row["species"] == key[1]))
             for key in PUBLISHED}
 
 
 def reached(rows, claims):
-    """How many cells of the design have a mean within a margin of each published figure."""
+    """The number of cells of the design with a mean within a margin of each published figure."""
     margins = margins_of(claims)
     names = [name for name in rows[0] if name not in ("metric", "species", "group", "over_shadow", "runs", "mean")]
     lines = []
@@ -224,14 +224,14 @@ def reached(rows, claims):
 
 
 def flips(rows, into):
-    """Swaps between the two tables that change a metric of the claims significantly."""
+    """Rule swaps with a significant effect on a metric of the claims."""
     return table([f"put into `{into}`", "metric", "before", "after", "difference", "p (Holm)"],
                  [[row["flip"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
                    digits(row, row["flipped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
 
 
 def inheritance(rows):
-    """What each value of a grid does to each metric, averaged over the other axes."""
+    """The effect of each value of a grid on each metric, averaged over the other axes."""
     values = list(dict.fromkeys((row["axis"], row["reference"], row["value"]) for row in rows))
     metrics = list(dict.fromkeys((row["metric"], row["species"], row["group"], row["over_shadow"]) for row in rows if "active" not in row["group"]))
     lines = []
@@ -280,7 +280,7 @@ def tables(data, choices):
 
 
 def update(root, choices, check=False):
-    """Writes the tables of all pages anew; with `check` only says which are not what the data say. Returns the exit code."""
+    """Writes the tables of all pages; with `check` only reports differences from the data. Returns the exit code."""
     made = tables(Data(root / "docs/results/data"), choices)
     differing = []
     for page in PAGES:
@@ -299,6 +299,6 @@ def update(root, choices, check=False):
         if not check and text != old:
             path.write_text(text)
     if check and differing:
-        print("not what docs/results/data says; run scripts/reproduce --tables: " + ", ".join(differing), file=sys.stderr)
+        print("tables differ from docs/results/data; run scripts/reproduce --tables: " + ", ".join(differing), file=sys.stderr)
         return 1
     return 0

@@ -2,20 +2,20 @@
 # SPDX-License-Identifier: MIT
 """check_documents.py ROOT CHECK [--only FILE] [--programs FOLDER] [--program NAME=FILE]: one property of every document of the tree.
 
-names     each path, file and name in code style exists, and each name said to be a former one does not
-links     each link and anchor leads somewhere
-commands  each command's program, flags, keys, presets and targets are accepted (--programs: where the built programs are)
-excerpts  each block taken from a file stands in it
-figures   each table of figures says in its section which command made them
+names     each path, file and name in code style exists, and each name marked as former does not
+links     each link and anchor resolves
+commands  each command's program, flags, keys, presets and targets are accepted (--programs: folder of the built programs)
+excerpts  each block marked as taken from a file is in that file
+figures   each section with a table of figures names the command that made them
 slots     docs/how-to/which-slot.md links every policy's header
 sentences no sentence of any document, in its prose or in a cell of a table, has more than 30 words
 readme    README has its two commands, continuous integration calls the second, and each word of the glossary is linked
           where it is first used
 
-What a document tells its test stands in comments: <!-- former: NAMES -->, <!-- example: NAMES --> (names that a reader chooses),
-<!-- given: why --> (figures of the next table that nobody measured), <!-- from FILE --> (above a block). Those that a test follows (follow.py): <!-- file NAME -->,
-<!-- append NAME -->, <!-- run -->, <!-- skipped: why -->.
-Prints each offence; exit 0 none, 1 some."""
+Comments in a document exempt what a test cannot know: <!-- former: NAMES -->, <!-- example: NAMES --> (names that a reader chooses),
+<!-- given: why --> (above a table: its figures were not measured), <!-- from FILE --> (above a block). follow.py uses <!-- file NAME -->,
+<!-- append NAME -->, <!-- run --> and <!-- skipped: why -->.
+Prints each offence; exit code 0 without offences, 1 otherwise."""
 
 import argparse
 import fnmatch
@@ -29,13 +29,13 @@ from documents import Document, all_documents, slug
 
 README_COMMANDS = ["scripts/quickstart", "scripts/run-tests"]
 LONGEST_SENTENCE = 30
-HISTORY = {"CHANGELOG.md"}  # tells of names that are gone
+HISTORY = {"CHANGELOG.md"}  # mentions names that are gone
 SUFFIXES = ("hpp", "ipp", "cpp", "h", "py", "md", "toml", "csv", "json", "png", "cmake", "txt", "html", "trp", "bin", "bib", "svg", "log", "sh")
 SOURCES = (".hpp", ".ipp", ".cpp", ".py", ".toml", ".cmake", ".json", ".ts", ".in", ".bib", ".cff", ".txt", ".sh", ".js", ".yml", ".yaml")
 
 
 class Tree:
-    """What the documents speak of."""
+    """The files and names of the tree."""
 
     def __init__(self, root: pathlib.Path):
         self.root = root
@@ -78,7 +78,7 @@ class Tree:
         return True
 
     def knows_file(self, name: str) -> bool:
-        """A file of the tree, or one that a program writes: its name, or its ending after a name of the reader's, is in the sources."""
+        """A file of the tree, or one that a program writes, whose name is in the sources."""
         pattern = re.sub(r"<[^>]*>", "*", name)
         if "/" not in name and any(fnmatch.fnmatch(pathlib.PurePath(known).name, pattern) for known in self.relative):
             return True
@@ -92,7 +92,7 @@ def expanded(pattern: str) -> list[str]:
 
 
 def is_output(name: str) -> bool:
-    """What programs write stands in folders of these names in every document."""
+    """Documents use these folders for the output of programs."""
     return name.split("/")[0] in ("runs", "analysis", "build")
 
 
@@ -104,7 +104,7 @@ def names(tree: Tree, document: Document) -> list[str]:
     example = set(document.noted("example").split())
     for name in sorted(former):
         if re.fullmatch(r"\w+", name) and name in tree.words:
-            offences.append(f"1: '{name}' is said to be a former name, and the sources have it")
+            offences.append(f"1: '{name}' is marked as a former name, but the sources have it")
     own = set(re.findall(r"[A-Za-z_]\w*", "\n".join(block.code for block in document.blocks)))  # a document's own code
     for line, span in document.spans:
         bare = span.strip()
@@ -135,7 +135,7 @@ def links(tree: Tree, document: Document, anchors: dict[pathlib.Path, set[str]])
         if not path.exists():
             offences.append(f"{line}: links to {target}, which does not exist")
         elif anchor and anchor not in anchors.get(path, set()):
-            offences.append(f"{line}: links to {target}, and that document has no such heading")
+            offences.append(f"{line}: links to {target}, but that document has no such heading")
     return offences
 
 
@@ -146,7 +146,7 @@ def excerpts(tree: Tree, document: Document) -> list[str]:
         if key == "from" and not (tree.root / name).is_file():
             offences.append(f"{block.line}: taken from {name}, which does not exist")
         elif key == "from" and block.code not in (tree.root / name).read_text():
-            offences.append(f"{block.line}: these lines do not stand in {name}:\n{block.code}")
+            offences.append(f"{block.line}: these lines are not in {name}:\n{block.code}")
     return offences
 
 
@@ -171,7 +171,7 @@ def figures(tree: Tree, document: Document) -> list[str]:
             if not heading or heading.level <= 2:
                 break
         if not made:
-            offences.append(f"{table.line}: a table of figures, and its section names no command that made them")
+            offences.append(f"{table.line}: a table of figures, but its section names no command that made them")
     return offences
 
 
@@ -221,7 +221,7 @@ def readme(tree: Tree, document: Document) -> list[str]:
 
 
 def unexplained(tree: Tree, document: Document) -> list[str]:
-    """Words of the glossary that are not linked to it where they are first used; <!-- plain: WORDS --> are meant as everybody does."""
+    """Words of the glossary that are not linked at their first use, except <!-- plain: WORDS --> in their everyday meaning."""
     plain = set(document.noted("plain").split())
     offences = []
     for term in sorted(re.findall(r'<a id="([^"]+)">', (tree.root / "docs/GLOSSARY.md").read_text())):
@@ -233,7 +233,7 @@ def unexplained(tree: Tree, document: Document) -> list[str]:
                 continue
             link = next((m for m in re.finditer(r"\[[^\]]*\]\(([^)]*)\)", text) if m.start() <= first.start() < m.end()), None)
             if term not in plain and not (link and link[1] == f"docs/GLOSSARY.md#{term}"):
-                offences.append(f"{line}: '{first[0]}' is a word of the glossary, and its first use is not linked to docs/GLOSSARY.md#{term}")
+                offences.append(f"{line}: '{first[0]}' is a word of the glossary, but its first use is not linked to docs/GLOSSARY.md#{term}")
             break
     return offences
 

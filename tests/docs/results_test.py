@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""results_test.py ROOT: the pages' tables are what docs/results/data says, and the screening design does what it claims."""
+"""results_test.py ROOT: the tables of the pages match docs/results/data, and the screening design separates its effects."""
 
 import itertools
 import os
@@ -27,7 +27,7 @@ class Pages(unittest.TestCase):
     def tables(self, root):
         return subprocess.run([sys.executable, root / "scripts/reproduce", "--tables", "--check"], capture_output=True, text=True)
 
-    def test_tables_are_what_the_data_say(self):
+    def test_tables_match_the_data(self):
         result = self.tables(ROOT)
         self.assertEqual(result.returncode, 0, result.stderr)
 
@@ -62,7 +62,7 @@ class Design(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "33 factors: must be <= 32"):
             designs.two_levels(33)
 
-    def test_planted_effects_and_interactions_are_told_apart(self):
+    def test_planted_effects_and_interactions_are_separated(self):
         random.seed(1)
         names = [f"choice{number}" for number in range(19)]
         cells = []

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""tutorial_test.py ROOT PREFIX FOLDER COMPILER: the tutorial, followed from its first file to its figure with the trophic in PREFIX."""
+"""tutorial_test.py ROOT PREFIX FOLDER COMPILER: follows the tutorial from its first file to its figure, with the trophic installed in PREFIX."""
 
 import csv
 import json
