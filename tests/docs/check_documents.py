@@ -7,7 +7,7 @@ links     each link and anchor resolves
 commands  each command's program, flags, keys, presets and targets are accepted (--programs: folder of the built programs)
 excerpts  each block marked as taken from a file is in that file
 figures   each section with a table of figures names the command that made them
-slots     docs/how-to/which-slot.md links every policy's header
+slots     docs/how-to/which-slot.md links every policy's header and marks those of the two tables
 sentences no sentence of any document, in its prose or in a cell of a table, has more than 30 words
 readme    README has its two commands, continuous integration calls the second, and each word of the glossary is linked
           where it is first used
@@ -201,7 +201,17 @@ def slots(tree: Tree, document: Document) -> list[str]:
     headers = [path for folder in folders for path in folder.glob("*/**/*.hpp") if "detail" not in path.parts]
     policies = [path for path in headers if re.search(r"^  static constexpr std::string_view name\b|^using \w+ = .*\nstatic_assert", path.read_text(), re.M)]
     missing = [path.relative_to(tree.root) for path in policies if path.resolve() not in linked]
-    return [f"1: no link to the policy {path}" for path in sorted(missing)] + ([] if policies else ["1: no policies were found"])
+    offences = [f"1: no link to the policy {path}" for path in sorted(missing)] + ([] if policies else ["1: no policies were found"])
+    used = {}
+    for letter, table in (("P", "paper"), ("R", "released")):
+        text = re.sub(r"//.*", "", (tree.root / f"include/trophic/rules/{table}.hpp").read_text())
+        used[letter] = set(re.findall(r"\w+", " ".join(re.findall(r"using \w+ =(.*?);", text, re.DOTALL))))
+    in_no_table = {path.stem for path in policies if path.stem.startswith("no_")}  # a table leaves such a slot out
+    for name, target, mark in re.findall(r"\[(\w+)\]\(([^)]+)\.hpp\)(?: \*\*(P?R?)\*\*)?", document.path.read_text()):
+        expected = "".join(letter for letter, names in used.items() if name in names)
+        if mark != expected and pathlib.PurePath(target).name not in in_no_table | {"contract", "list", "by_cause", "procedure", "cognitive_network"}:
+            offences.append(f"1: {name} is marked '{mark}', but the tables that use it are '{expected}'")
+    return offences
 
 
 def readme(tree: Tree, document: Document) -> list[str]:
