@@ -101,12 +101,12 @@ Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
       R"(One row per birth. If genomes are shared, a later row with the same genome_id holds the weights of all who share it from then
 on.)");
   text += section<analysis::MetricRow>(
-      "metrics.csv", "What the analysis measured: every value and every curve of every run, one value per row.");
+      "metrics.csv", "Results of the analysis: every value and every curve of every run, one value per row.");
   text += section<analysis::FlipRow>("flips.csv", "The effects of rule swaps, one per row.");
   text += section<analysis::CellRow>(
       "cells.csv",
       "The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.");
-  text += section<analysis::SweepRunRow>("runs.csv", "What the analysis of a sweep measured: one value of one run per row.");
+  text += section<analysis::SweepRunRow>("runs.csv", "Results of the analysis of a sweep: one value of one run per row.");
   text +=
       section<analysis::SweepMetricRow>("sweep_metrics.csv", "Each metric of each cell of a sweep, alone and over its shadow.");
   text += section<analysis::SweepDifferenceRow>("sweep_differences.csv",
@@ -114,7 +114,7 @@ on.)");
   text += section<analysis::AxisEffectRow>("sweep_effects.csv",
                                            "The effect of each value of an axis on each metric, averaged over the other axes.");
   text +=
-      section<command::cross_check::CheckRow>("cross_check.csv", "What `trophic cross-check` measured of gaits and ecologies.");
+      section<command::cross_check::CheckRow>("cross_check.csv", "Results of `trophic cross-check` for gaits and ecologies.");
   text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");
   text += section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "One row per generation.");
   text += section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
