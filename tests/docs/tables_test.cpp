@@ -100,8 +100,8 @@ Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
       "genomes.csv",
       R"(One row per birth. If genomes are shared, a later row with the same genome_id holds the weights of all who share it from then
 on.)");
-  text += section<analysis::MetricRow>(
-      "metrics.csv", "Results of the analysis: every value and every curve of every run, one value per row.");
+  text += section<analysis::MetricRow>("metrics.csv",
+                                       "Results of the analysis: every value and every curve of every run, one value per row.");
   text += section<analysis::FlipRow>("flips.csv", "The effects of rule swaps, one per row.");
   text += section<analysis::CellRow>(
       "cells.csv",
@@ -113,8 +113,7 @@ on.)");
                                                 "Each metric of each cell of a sweep, compared with the reference cell.");
   text += section<analysis::AxisEffectRow>("sweep_effects.csv",
                                            "The effect of each value of an axis on each metric, averaged over the other axes.");
-  text +=
-      section<command::cross_check::CheckRow>("cross_check.csv", "Results of `trophic cross-check` for gaits and ecologies.");
+  text += section<command::cross_check::CheckRow>("cross_check.csv", "Results of `trophic cross-check` for gaits and ecologies.");
   text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");
   text += section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "One row per generation.");
   text += section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
