@@ -1,6 +1,13 @@
-# cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources and with the
-# build that the definition TROPHIC_BUILD states, only where it changed. The revision is "unknown" where SOURCE is not the top of a git checkout: an enclosing project's is not ours.
+# cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources and with the build
+# that the definition TROPHIC_BUILD states, only if it changed. The revision is "unknown" if SOURCE is neither the top of a git checkout
+# (an enclosing project's revision is not ours) nor trophic's own archive, into which `git archive` writes its commit.
 set(revision unknown)
+set(archived "$Format:%H$")
+file(REAL_PATH ${SOURCE}/cmake own_scripts)
+file(REAL_PATH ${CMAKE_CURRENT_LIST_DIR} scripts)
+if(own_scripts STREQUAL scripts AND archived MATCHES "^[0-9a-f]+$")
+  string(SUBSTRING ${archived} 0 12 revision)
+endif()
 find_program(GIT git)
 if(GIT)
   set(ENV{GIT_OPTIONAL_LOCKS} 0)

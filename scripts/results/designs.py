@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Two-level designs, their effects, and rows of what `trophic analyze` wrote."""
+"""Two-level designs, their effects, and rows from the output of `trophic analyze`."""
 import csv
 import itertools
 import math
 import pathlib
 
-# What the screening design reports: (metric, species, group, over the shadow).
+# Metrics of the screening design: (metric, species, group, over the shadow).
 SCREENED = [("velocity", "prey", "inherited", True), ("velocity", "predator", "inherited", True),
             ("velocity", "prey", "active", False), ("velocity", "prey", "all", False), ("velocity", "predator", "all", False),
             ("attribution_caught", "prey", "all", False), ("attribution_credited", "predator", "all", False),
@@ -63,8 +63,18 @@ def interval(values):
     return middle, middle - reach, middle + reach, p
 
 
+def welch(ours, theirs):
+    """Difference of two means, each given as mean, deviation and number of runs, with Welch's 95 % interval."""
+    from scipy import stats
+
+    variances = [deviation**2 / count for _, deviation, count in (ours, theirs)]
+    freedom = sum(variances) ** 2 / sum(variance**2 / (count - 1) for variance, (_, _, count) in zip(variances, (ours, theirs)))
+    middle, reach = ours[0] - theirs[0], stats.t.ppf(0.975, freedom) * math.sqrt(sum(variances))
+    return middle, middle - reach, middle + reach
+
+
 def holm(p_values):
-    """p-values corrected for their number."""
+    """p values with Holm's correction."""
     order = sorted(range(len(p_values)), key=p_values.__getitem__)
     corrected, largest = [0.0] * len(p_values), 0.0
     for rank, place in enumerate(order):
@@ -115,7 +125,7 @@ def number(value):
 
 
 def set_rows(name, summary):
-    """A row a metric of a set: ours, its shadow and the difference."""
+    """A row for each metric of a set: the set, its shadow and the difference."""
     rows = []
     for metric in summary["sets"][0]["metrics"]:
         shadow = next((one for one in metric["baselines"] if one["name"] == "shadow"), {})
@@ -145,7 +155,7 @@ def swap_rows(swaps):
 
 
 def claim_rows(summary):
-    """A row a published figure and reading."""
+    """A row for each published figure and reading."""
     rows = []
     for claim in summary["sets"][0]["claims"]:
         for reading in claim["readings"]:
@@ -155,7 +165,7 @@ def claim_rows(summary):
 
 
 def sweep_rows(effects):
-    """What `trophic analyze` says of a sweep's values: velocities and attributions over the shadow, the others raw."""
+    """Effects of a sweep's values from `trophic analyze`: velocities and attributions over the shadow, the others raw."""
     rows = []
     with open(effects, newline="") as file:
         for row in csv.DictReader(file):
@@ -168,7 +178,7 @@ def sweep_rows(effects):
 
 
 def orphans(runs):
-    """Of the births at a starvation, the share that descends from a prey, over the share that should inherit."""
+    """Of the births after a starvation, the share with a parent, divided by the share that should inherit."""
     births = inherited = 0
     for events in sorted(pathlib.Path(runs).glob("replicate-*/events.csv")):
         starved = set()

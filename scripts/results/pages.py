@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Tables of the documents, from docs/results/data: whatever stands between <!-- table: NAME --> and <!-- /table -->."""
+"""Tables of the documents between <!-- table: NAME --> and <!-- /table -->, from docs/results/data."""
 import csv
+import pathlib
 import re
 import sys
 
-PAGES = ["docs/RESULTS.md", "docs/open-choices.md"]
+import answers
+import designs
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PAGES = ["README.md", "docs/open-choices.md", *sorted(str(page.relative_to(ROOT)) for page in (ROOT / "docs/results").glob("*.md"))]
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
     "attribution_caught": "inherited among the caught prey", "attribution_credited": "prey deaths credited to inherited predators",
@@ -31,7 +36,7 @@ def is_velocity(row):
 
 
 def digits(row, text, sign=False):
-    """A value as readers see it: cm/s with two decimals, counts with one, shares with three."""
+    """A formatted value: cm/s with two decimals, counts with one, shares with three."""
     if text == "":
         return ""
     scale, places = (100.0, 2) if is_velocity(row) else (1.0, 1) if row["metric"] == "deaths" else (1.0, 3)
@@ -67,7 +72,7 @@ def table(head, rows):
 
 
 def claims(rows):
-    """What is said of each published figure under each reading."""
+    """The conclusion about each published figure under each reading."""
     lines, last = [], None
     for row in rows:
         claim = row["claim"] if row["claim"] != last else ""
@@ -80,7 +85,7 @@ def claims(rows):
 
 
 def summaries(rows):
-    """One line a published figure."""
+    """One line for each published figure."""
     return table(["published figure", "conclusion"], [[row["claim"], row["summary"]] for row in first_of(rows, "claim")])
 
 
@@ -135,7 +140,7 @@ def ranges(rows):
                 caught = of_key(cell, ("attribution_caught", "prey", "all"))
                 lines.append([parent, range_m, activation, cell[0]["parent_found"], digits(caught, caught["shadow"]), *(digits(of_key(cell, key), of_key(cell, key)["mean"]) for key in GRID),
                               ranged(prey, ("difference", "difference_lower", "difference_upper"), True)])
-    return table(["parent", "range, m", "activation, m", "parent found", "baseline of the next", *SHORT, "inherited prey over the shadow"], lines)
+    return table(["parent", "range, m", "activation, m", "parent found", "caught prey inherited, shadow", *SHORT, "inherited prey over the shadow"], lines)
 
 
 def bodies(rows, base="paper"):
@@ -147,6 +152,17 @@ def bodies(rows, base="paper"):
     return table([f"swapped in `{base}`", "runs", *SHORT], lines)
 
 
+def at_walls(rows, base="released"):
+    """The share of predators at walls with one thing changed, and Welch's interval of the difference to the set without a change."""
+    of_set = {row["set"]: row for row in rows if (row["metric"], row["species"], row["group"]) == ("wall_sticking", "predator", "all")}
+    lines = []
+    for name, row in of_set.items():
+        if name != base:
+            middle, lower, upper = designs.welch(*([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, of_set[base])))
+            lines.append([name, row["runs"], digits(row, row["mean"]), digits(row, of_set[base]["mean"]), f"{middle:+.3f} [{lower:+.3f}, {upper:+.3f}]"])
+    return table([f"swapped in `{base}`", "runs", "predators at walls", f"in `{base}`", "difference"], lines)
+
+
 EFFECTS = [("velocity", "prey", "inherited", "1"), ("velocity", "predator", "inherited", "1"), ("velocity", "prey", "all", "0"),
            ("velocity", "predator", "all", "0"), ("attribution_caught", "prey", "all", "0"), ("attribution_credited", "predator", "all", "0"),
            ("wall_sticking", "prey", "all", "0"), ("wall_sticking", "predator", "all", "0"), ("tag_symmetry", "prey+predator", "inherited", "0")]
@@ -155,7 +171,7 @@ EFFECT_HEADS = ["inherited prey over the shadow, cm/s", "inherited predators ove
 
 
 def effects(rows):
-    """The effect of the other reading of each open choice, averaged over all readings of the others."""
+    """The effect of the other reading of each open choice, averaged over both readings of the others."""
     names = list(dict.fromkeys(row["choice"] for row in rows))
     lines, sizes = [], {}
     for name in names:
@@ -178,14 +194,14 @@ PUBLISHED = {("velocity", "prey", "all", "0"): (-0.0067, "prey velocity, all"), 
              ("wall_sticking_gap", "prey-predator", "all", "0"): (0.21, "difference at walls"),
              ("tag_symmetry", "prey+predator", "inherited", "0"): (0.43, "tag symmetry")}
 def margins_of(claims):
-    """The margin of each metric of a table of claims, {(metric, species): margin}; other readings have that of the plainest."""
+    """The margin of each metric of a table of claims, {(metric, species): margin}; other readings have that of the first."""
     plain = {"velocity": "velocity_stored"}
     return {(key[0], key[1]): float(next(row["margin"] for row in claims if row["metric"] == plain.get(key[0], key[0]) and row["species"] == key[1]))
             for key in PUBLISHED}
 
 
 def reached(rows, claims):
-    """How many cells of the design have a mean within a margin of each published figure."""
+    """The number of cells of the design with a mean within a margin of each published figure."""
     margins = margins_of(claims)
     names = [name for name in rows[0] if name not in ("metric", "species", "group", "over_shadow", "runs", "mean")]
     lines = []
@@ -203,19 +219,19 @@ def reached(rows, claims):
                 cell = tuple(row[name] for name in names)
                 within[cell] = within.get(cell, 0) + (abs(float(row["mean"]) - value) <= margins[key[0], key[1]])
     most = max(within.values())
-    lines.append(["most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)}, in {sum(count == most for count in within.values())} cells"])
+    lines.append(["most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)} (cells: {sum(count == most for count in within.values())})"])
     return table(["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines)
 
 
 def swaps(rows, into):
-    """Swaps between the two tables that change a metric of the claims significantly."""
+    """Rule swaps with a significant effect on a metric of the claims."""
     return table([f"put into `{into}`", "metric", "before", "after", "difference", "p (Holm)"],
                  [[row["swap"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
                    digits(row, row["swapped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
 
 
 def inheritance(rows):
-    """What each value of a grid does to each metric, averaged over the other axes."""
+    """The effect of each value of a grid on each metric, averaged over the other axes."""
     values = list(dict.fromkeys((row["axis"], row["reference"], row["value"]) for row in rows))
     metrics = list(dict.fromkeys((row["metric"], row["species"], row["group"], row["over_shadow"]) for row in rows if "active" not in row["group"]))
     lines = []
@@ -230,7 +246,7 @@ def inheritance(rows):
     for metric in metrics:
         row = dict(zip(("metric", "species", "group"), metric))
         heads.append(title(row) + (", over the shadow" if metric[3] == "1" else ""))
-    return table(["number", "change", *heads], lines)
+    return table(["parameter", "change", *heads], lines)
 
 
 def open_choices(choices):
@@ -239,11 +255,17 @@ def open_choices(choices):
     return table(["choice", "question", "the text", "in `paper`", "other reading"], lines)
 
 
+ANSWER_HEADS = ["question", "answer", "effect [95 % interval]", "runs", "study"]
+
+
 def tables(data, choices):
     """The function that makes each table."""
     made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
             "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")), "ranges": lambda: ranges(data("ranges")),
             "bodies": lambda: bodies(data("bodies")), "walls": lambda: bodies(data("walls"), "released"),
+            "walls differences": lambda: at_walls(data("walls")), "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
+            "answers": lambda: table(ANSWER_HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
+            "answers in brief": lambda: table(ANSWER_HEADS, answers.in_brief(data)),
             "ablations paper": lambda: swaps(data("ablations"), "paper"),
             "ablations released": lambda: swaps(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance"))}
@@ -258,7 +280,7 @@ def tables(data, choices):
 
 
 def update(root, choices, check=False):
-    """Writes the tables of all pages anew; with `check` only says which are not what the data say. Returns the exit code."""
+    """Writes the tables of all pages; with `check` only reports differences from the data. Returns the exit code."""
     made = tables(Data(root / "docs/results/data"), choices)
     differing = []
     for page in PAGES:
@@ -277,6 +299,6 @@ def update(root, choices, check=False):
         if not check and text != old:
             path.write_text(text)
     if check and differing:
-        print("not what docs/results/data says; run scripts/reproduce --tables: " + ", ".join(differing), file=sys.stderr)
+        print("tables differ from docs/results/data; run scripts/reproduce --tables: " + ", ".join(differing), file=sys.stderr)
         return 1
     return 0

@@ -2,18 +2,20 @@
 # SPDX-License-Identifier: MIT
 """check_documents.py ROOT CHECK [--only FILE] [--programs FOLDER] [--program NAME=FILE]: one property of every document of the tree.
 
-names     each path, file and name in code style exists, and each name said to be a former one does not
-links     each link and anchor leads somewhere
-commands  each command's program, flags, keys, presets and targets are accepted (--programs: where the built programs are)
-excerpts  each block taken from a file stands in it
-figures   each table of figures says in its section which command made them
-readme    README has its two commands, continuous integration calls the second, no sentence has more than 30 words,
-          and each word of the glossary is linked where it is first used
+names     each path, file and name in code style exists, and each name marked as former does not
+links     each link and anchor resolves
+commands  each command's program, flags, keys, presets and targets are accepted (--programs: folder of the built programs)
+excerpts  each block marked as taken from a file is in that file
+figures   each section with a table of figures names the command that made them
+slots     docs/how-to/which-slot.md links every policy's header and marks those of the two tables
+sentences no sentence of any document, in its prose or in a cell of a table, has more than 30 words
+readme    README has its two commands, continuous integration calls the second, and each word of the glossary is linked
+          where it is first used
 
-What a document tells its test stands in comments: <!-- former: NAMES -->, <!-- example: NAMES --> (names that a reader chooses),
-<!-- given: why --> (figures of the next table that nobody measured), <!-- from FILE --> (above a block). Those that a test follows (follow.py): <!-- file NAME -->,
-<!-- append NAME -->, <!-- run -->, <!-- skipped: why -->.
-Prints each offence; exit 0 none, 1 some."""
+Comments in a document exempt what a test cannot know: <!-- former: NAMES -->, <!-- example: NAMES --> (names that a reader chooses),
+<!-- given: why --> (above a table: its figures were not measured), <!-- from FILE --> (above a block). follow.py uses <!-- file NAME -->,
+<!-- append NAME -->, <!-- run --> and <!-- skipped: why -->.
+Prints each offence; exit code 0 without offences, 1 otherwise."""
 
 import argparse
 import fnmatch
@@ -27,13 +29,13 @@ from documents import Document, all_documents, slug
 
 README_COMMANDS = ["scripts/quickstart", "scripts/run-tests"]
 LONGEST_SENTENCE = 30
-HISTORY = {"CHANGELOG.md"}  # tells of names that are gone
+HISTORY = {"CHANGELOG.md"}  # mentions names that are gone
 SUFFIXES = ("hpp", "ipp", "cpp", "h", "py", "md", "toml", "csv", "json", "png", "cmake", "txt", "html", "trp", "bin", "bib", "svg", "log", "sh")
 SOURCES = (".hpp", ".ipp", ".cpp", ".py", ".toml", ".cmake", ".json", ".ts", ".in", ".bib", ".cff", ".txt", ".sh", ".js", ".yml", ".yaml")
 
 
 class Tree:
-    """What the documents speak of."""
+    """The files and names of the tree."""
 
     def __init__(self, root: pathlib.Path):
         self.root = root
@@ -76,7 +78,7 @@ class Tree:
         return True
 
     def knows_file(self, name: str) -> bool:
-        """A file of the tree, or one that a program writes: its name, or its ending after a name of the reader's, is in the sources."""
+        """A file of the tree, or one that a program writes, whose name is in the sources."""
         pattern = re.sub(r"<[^>]*>", "*", name)
         if "/" not in name and any(fnmatch.fnmatch(pathlib.PurePath(known).name, pattern) for known in self.relative):
             return True
@@ -90,7 +92,7 @@ def expanded(pattern: str) -> list[str]:
 
 
 def is_output(name: str) -> bool:
-    """What programs write stands in folders of these names in every document."""
+    """Documents use these folders for the output of programs."""
     return name.split("/")[0] in ("runs", "analysis", "build")
 
 
@@ -102,7 +104,7 @@ def names(tree: Tree, document: Document) -> list[str]:
     example = set(document.noted("example").split())
     for name in sorted(former):
         if re.fullmatch(r"\w+", name) and name in tree.words:
-            offences.append(f"1: '{name}' is said to be a former name, and the sources have it")
+            offences.append(f"1: '{name}' is marked as a former name, but the sources have it")
     own = set(re.findall(r"[A-Za-z_]\w*", "\n".join(block.code for block in document.blocks)))  # a document's own code
     for line, span in document.spans:
         bare = span.strip()
@@ -133,7 +135,7 @@ def links(tree: Tree, document: Document, anchors: dict[pathlib.Path, set[str]])
         if not path.exists():
             offences.append(f"{line}: links to {target}, which does not exist")
         elif anchor and anchor not in anchors.get(path, set()):
-            offences.append(f"{line}: links to {target}, and that document has no such heading")
+            offences.append(f"{line}: links to {target}, but that document has no such heading")
     return offences
 
 
@@ -144,7 +146,7 @@ def excerpts(tree: Tree, document: Document) -> list[str]:
         if key == "from" and not (tree.root / name).is_file():
             offences.append(f"{block.line}: taken from {name}, which does not exist")
         elif key == "from" and block.code not in (tree.root / name).read_text():
-            offences.append(f"{block.line}: these lines do not stand in {name}:\n{block.code}")
+            offences.append(f"{block.line}: these lines are not in {name}:\n{block.code}")
     return offences
 
 
@@ -162,21 +164,54 @@ def figures(tree: Tree, document: Document) -> list[str]:
         while not made:  # the section, then the one that it is part of
             heading = max((h for h in document.headings if h.line < start), key=lambda h: h.line, default=None)
             start = heading.line if heading else 0
-            upto = next((h.line for h in document.headings if h.line > table.line), 10**9)
-            near = [span for line, span in document.spans if start <= line < upto]
-            near += [block.code for block in document.blocks if start <= block.line < upto]
+            end = next((h.line for h in document.headings if h.line > table.line), 10**9)
+            near = [span for line, span in document.spans if start <= line < end]
+            near += [block.code for block in document.blocks if start <= block.line < end]
             made = any(commands.is_command(line.strip()) for text in near for line in text.splitlines())
             if not heading or heading.level <= 2:
                 break
         if not made:
-            offences.append(f"{table.line}: a table of figures, and its section names no command that made them")
+            offences.append(f"{table.line}: a table of figures, but its section names no command that made them")
     return offences
 
 
 def sentences(text: str) -> list[str]:
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"`[^`]*`", "code", text)
-    return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?]\))\s+", text)
+    return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?][)*])\s+|(?<=[.!?]\*\*)\s+", text)
+
+
+def long_sentences(_: Tree, document: Document) -> list[str]:
+    offences = []
+    rows = [(table.line + 2 + number, row) for table in document.tables for number, row in enumerate(table.rows[2:])]
+    cells = [(line, part) for line, row in rows for cell in row for part in cell.split(";")]  # a cell may be a list
+    for line, text in [*document.paragraphs, *cells]:
+        for sentence in sentences(text):
+            words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
+            if words > LONGEST_SENTENCE:
+                offences.append(f"{line}: a sentence of {words} words (at most {LONGEST_SENTENCE}): {sentence}")
+    return offences
+
+
+def slots(tree: Tree, document: Document) -> list[str]:
+    if document.path != tree.root / "docs/how-to/which-slot.md":
+        return []
+    linked = {(document.path.parent / target).resolve() for _, target in document.links}
+    folders = [tree.root / "include/trophic" / kind for kind in ("perception", "control", "reproduction", "death", "initialization")]
+    headers = [path for folder in folders for path in folder.glob("*/**/*.hpp") if "detail" not in path.parts]
+    policies = [path for path in headers if re.search(r"^  static constexpr std::string_view name\b|^using \w+ = .*\nstatic_assert", path.read_text(), re.M)]
+    missing = [path.relative_to(tree.root) for path in policies if path.resolve() not in linked]
+    offences = [f"1: no link to the policy {path}" for path in sorted(missing)] + ([] if policies else ["1: no policies were found"])
+    used = {}
+    for letter, table in (("P", "paper"), ("R", "released")):
+        text = re.sub(r"//.*", "", (tree.root / f"include/trophic/rules/{table}.hpp").read_text())
+        used[letter] = set(re.findall(r"\w+", " ".join(re.findall(r"using \w+ =(.*?);", text, re.DOTALL))))
+    in_no_table = {path.stem for path in policies if path.stem.startswith("no_")}  # a table leaves such a slot out
+    for name, target, mark in re.findall(r"\[(\w+)\]\(([^)]+)\.hpp\)(?: \*\*(P?R?)\*\*)?", document.path.read_text()):
+        expected = "".join(letter for letter, names in used.items() if name in names)
+        if mark != expected and pathlib.PurePath(target).name not in in_no_table | {"contract", "list", "by_cause", "procedure", "cognitive_network"}:
+            offences.append(f"1: {name} is marked '{mark}', but the tables that use it are '{expected}'")
+    return offences
 
 
 def readme(tree: Tree, document: Document) -> list[str]:
@@ -192,16 +227,11 @@ def readme(tree: Tree, document: Document) -> list[str]:
     ci = [line for line in (tree.root / ".ci/run").read_text().splitlines() if line and not line.startswith(("#", "set ", "cd "))]
     if ci != [f"exec {README_COMMANDS[1]}"]:
         offences.append(f"1: .ci/run must only call {README_COMMANDS[1]}, it has: {ci}")
-    for line, text in document.paragraphs:
-        for sentence in sentences(text):
-            words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
-            if words > LONGEST_SENTENCE:
-                offences.append(f"{line}: a sentence of {words} words (at most {LONGEST_SENTENCE}): {sentence}")
     return offences + unexplained(tree, document)
 
 
 def unexplained(tree: Tree, document: Document) -> list[str]:
-    """Words of the glossary that are not linked to it where they are first used; <!-- plain: WORDS --> are meant as everybody does."""
+    """Words of the glossary that are not linked at their first use, except <!-- plain: WORDS --> in their everyday meaning."""
     plain = set(document.noted("plain").split())
     offences = []
     for term in sorted(re.findall(r'<a id="([^"]+)">', (tree.root / "docs/GLOSSARY.md").read_text())):
@@ -213,12 +243,12 @@ def unexplained(tree: Tree, document: Document) -> list[str]:
                 continue
             link = next((m for m in re.finditer(r"\[[^\]]*\]\(([^)]*)\)", text) if m.start() <= first.start() < m.end()), None)
             if term not in plain and not (link and link[1] == f"docs/GLOSSARY.md#{term}"):
-                offences.append(f"{line}: '{first[0]}' is a word of the glossary, and its first use is not linked to docs/GLOSSARY.md#{term}")
+                offences.append(f"{line}: '{first[0]}' is a word of the glossary, but its first use is not linked to docs/GLOSSARY.md#{term}")
             break
     return offences
 
 
-CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "readme": readme}
+CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "slots": slots, "sentences": long_sentences, "readme": readme}
 
 
 def main() -> int:

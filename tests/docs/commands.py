@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The command lines that documents show: is each accepted? trophic's programs are asked (--help, --print-config, --list);
-for scripts, CMake and ctest the tree is read."""
+"""Checks the command lines in documents: trophic's programs by --help, --print-config and --list; scripts, CMake and ctest by
+reading the tree."""
 
 import functools
 import json
@@ -21,7 +21,7 @@ PLACEHOLDER = re.compile(r"^[A-Z][A-Z_]*$")
 
 
 def is_command(text: str) -> bool:
-    """Does this text in code style begin a command line of ours?"""
+    """Whether this text in code style begins a command line of trophic."""
     words = text.split()
     first = words[0] if words else ""
     if first in ("cmake", "ctest", "python3", "scripts", "pip", "mpirun"):
@@ -47,7 +47,7 @@ class Programs:
 
 
 def split(line: str) -> list[list[str]]:
-    """The commands of a line of shell; none where it is a call in CMake."""
+    """The commands of a line of shell; none if it is a call in CMake."""
     if re.match(r"\s*\w+\(", line):
         return []
     try:
@@ -125,6 +125,7 @@ def check_ctest(tree, words: list[str]) -> list[str]:
         offences.append(f"no tests are labelled '{label}'")
     if expression:
         tests = re.findall(r'(?:TEST_CASE(?:_TEMPLATE_DEFINE)?\(|NAME\s+)"([^"]+)"', tree.text) + re.findall(r"trophic_add_test\(\s*(\w+)", tree.text)
+        tests += [f"program: {quoted or bare}" for quoted, bare in re.findall(r'trophic_add_program_test\(\s*(?:"([^"]+)"|(\w+))', tree.text)]
         if not any(re.search(expression, test) for test in tests):
             offences.append(f"no test's name matches '{expression}'")
     return offences
@@ -135,11 +136,11 @@ def check_script(tree, words: list[str]) -> list[str]:
     if not path.is_file():
         return [f"there is no {words[0]}"]
     text = path.read_text()
-    return [f"{words[0]} knows no {word.split('=')[0]}" for word in words[1:] if re.match(r"--\w", word) and word.split("=")[0] not in text]
+    return [f"{words[0]} has no {word.split('=')[0]}" for word in words[1:] if re.match(r"--\w", word) and word.split("=")[0] not in text]
 
 
 def check_built(tree, words: list[str]) -> list[str]:
-    """build/PRESET/FOLDER/PROGRAM that is none of the installed ones."""
+    """build/PRESET/FOLDER/PROGRAM other than the installed programs."""
     if words[0].count("/") < 2:
         return [f"nothing is called '{words[0]}'"]
     preset, *folders, name = pathlib.PurePath(words[0]).parts[1:]
@@ -165,7 +166,7 @@ def accepted(executable: str, arguments: list[str], folder: str) -> subprocess.C
 
 
 def without_origin(arguments: list[str]) -> list[str]:
-    """Without --from and --at, which need a run that is there; that they exist is read from --help."""
+    """Without --from and --at, which need an existing run; --help is checked for them."""
     kept = list(arguments)
     for flag in ("--from", "--at"):
         if flag in kept:
@@ -182,7 +183,7 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
     executable = programs.find(name)
     if executable is None:
         return []
-    # a placeholder stands for any value of its kind; ROBOTS... and [OPTIONS] for any number of words
+    # a placeholder means any value of its kind; ROBOTS... and [OPTIONS] any number of words
     arguments = [word for word in words[1:] if not re.fullmatch(r"\[.*\]|.*\.\.\.", word)]
     if name == "trophic":
         command = [word for word in arguments[:1] if not word.startswith("-") and not PLACEHOLDER.match(word)]
@@ -197,20 +198,20 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         if offences:
             return offences
     if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments) or "--sweep" in arguments:
-        return []  # what a placeholder stands for, a run to go on with, and a sweep's file are the reader's
+        return []  # values of placeholders, runs to resume and sweep files are the reader's
     ask = "--list" if name == "trophic-ablations" else "--print-config"
     if ask not in programs.help(executable, *(arguments[:1] if name == "trophic" else [])):
         return []
-    with tempfile.TemporaryDirectory() as folder:  # the arguments are read, and nothing is run
+    with tempfile.TemporaryDirectory() as folder:  # the arguments are parsed, nothing is run
         (pathlib.Path(folder) / "models").symlink_to(tree.root / "models")
         done = accepted(executable, [*without_origin(arguments), ask], folder)
-        if "was built without it" in done.stderr:  # the engine, which is none of the reader's arguments
+        if "was built without it" in done.stderr:  # the engine is not an argument of the reader's
             done = accepted(executable, [*without_origin(arguments), "--backend", "kinematic", ask], folder)
     return [] if done.returncode == 0 else [f"refused: {done.stderr.strip()}"]
 
 
 def check_command(tree, programs: Programs, own: str, words: list[str], every_word_known: bool) -> list[str]:
-    """`own`: the code of the document, in which a reader's programs are declared in CMake."""
+    """`own`: the code of the document, which declares a reader's programs in CMake."""
     while words and re.match(r"[A-Z_]+=", words[0]):
         words = words[1:]
     if not words:
@@ -261,7 +262,7 @@ def check(tree, document, programs: Programs) -> list[str]:
 
 
 def check_flag_alone(tree, programs: Programs, span: str) -> list[str]:
-    """`--shadow` in prose: some program of ours has it."""
+    """`--shadow` in prose: one of trophic's programs must have it."""
     words = span.split()
     if not words[0].startswith("--"):
         return []

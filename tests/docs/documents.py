@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Markdown documents taken apart: headings, links, blocks of code, spans of code, tables and prose, each with its line."""
+"""Markdown documents parsed into headings, links, blocks of code, spans of code, tables and prose, each with its line."""
 
 import dataclasses
 import pathlib
@@ -39,7 +39,7 @@ class Document:
     spans: list[tuple[int, str]]
     tables: list[Table]
     paragraphs: list[tuple[int, str]]  # prose only: no code, tables, headings, comments
-    notes: list[tuple[int, str, str]]  # <!-- KEY: VALUE -->, what a document tells its test
+    notes: list[tuple[int, str, str]]  # <!-- KEY: VALUE -->, for the tests
     anchors: set[str]  # of headings, and those written <a id="...">
 
     def section_start(self, line: int) -> int:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Does in a folder what a document tells its reader to do, block after block: <!-- file NAME --> and <!-- append NAME --> write the block
-to a file, a sh block is run, a python block is run where <!-- run --> stands above it, and <!-- skipped: why --> leaves one out."""
+"""Follows a document's instructions in a folder, block after block. <!-- file NAME --> and <!-- append NAME --> write the block to a
+file. A sh block is run; a python block is run if <!-- run --> precedes it. <!-- skipped: why --> omits a block."""
 
 import os
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""how_to_test.py ROOT PROGRAMS: the robot, the arena, the sweep and the Python of the how-tos do what they say; the C++ is compiled by CMake."""
+"""how_to_test.py ROOT PROGRAMS: the robot, arena, sweep and Python of the how-tos work as written; CMake compiles their C++."""
 
 import os
 import pathlib

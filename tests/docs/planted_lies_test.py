@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""planted_lies_test.py ROOT PROGRAMS: in a copy of the tree each kind of lie is planted in a document, and
-check_documents.py finds it."""
+"""planted_lies_test.py ROOT PROGRAMS: check_documents.py finds each kind of error that is planted in a document of a copy of the tree."""
 
 import collections
 import pathlib
@@ -14,15 +13,15 @@ ROOT, PROGRAMS = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 CHECK = ROOT / "tests/docs/check_documents.py"
 HOUSE = ROOT / "tests/static/house.py"
 
-# check, document, what is added at its end, what the check must say about it
+# check, document, text added at its end, text that the check must print
 LIES = [
     ("names", "README.md", "See `tests/unit/no_such_test.cpp`.", "there is no 'tests/unit/no_such_test.cpp'"),
     ("names", "CONTRIBUTING.md", "The test `golden_that_never_was` holds it.", "nothing is called 'golden_that_never_was'"),
     ("names", "README.md", "It leaves `no_such_output.csv`.", "there is no 'no_such_output.csv'"),
-    ("names", "docs/RESULTS.md", "<!-- former: normal_mutation -->", "'normal_mutation' is said to be a former name"),
+    ("names", "docs/results/README.md", "<!-- former: normal_mutation -->", "'normal_mutation' is marked as a former name"),
     ("names", "README.md", "`include/trophic/death/<slot>/no_such.hpp` is it.", "there is no 'include/trophic/death/<slot>/no_such.hpp'"),
     ("links", "README.md", "[here](docs/no_such_page.md)", "which does not exist"),
-    ("links", "README.md", "[here](docs/RESULTS.md#no-such-heading)", "no such heading"),
+    ("links", "README.md", "[here](docs/results/README.md#no-such-heading)", "no such heading"),
     ("links", "README.md", "![picture](docs/no_such.png)", "which does not exist"),
     ("commands", "README.md", "```sh\ntrophic-prey-predator --help\n```", "nothing is called 'trophic-prey-predator'"),
     ("commands", "README.md", "```sh\nscripts/no-such\n```", "there is no scripts/no-such"),
@@ -36,23 +35,24 @@ LIES = [
     ("commands", "README.md", "```text\ntrophic-predator-prey --set rules.mutation.sd=-1\n```", "refused"),
     ("commands", "README.md", "```text\ntrophic-predator-prey --rules no_such\n```", "refused"),
     ("commands", "README.md", "```text\ntrophic evolve-gait --robot models/robots/no_such.toml\n```", "there is no models/robots/no_such.toml"),
-    ("commands", "README.md", "```sh\npython3 examples/figures/plot.py --no-such x\n```", "knows no --no-such"),
+    ("commands", "README.md", "```sh\npython3 examples/figures/plot.py --no-such x\n```", "has no --no-such"),
     ("commands", "README.md", "```text\nbuild/ci/tests/bench/bench_no_such\n```", "builds no 'bench_no_such'"),
     ("commands", "README.md", "The flag `--no-such-flag` does it.", "no program has --no-such-flag"),
-    ("excerpts", "README.md", "<!-- from examples/01_minimal.cpp -->\n```cpp\nint no_such;\n```", "do not stand in examples/01_minimal.cpp"),
+    ("excerpts", "README.md", "<!-- from examples/01_minimal.cpp -->\n```cpp\nint no_such;\n```", "are not in examples/01_minimal.cpp"),
     ("figures", "README.md", "# New\n\n| robots | steps |\n|---|---|\n| 1 | 2.5 |\n| 10 | 3.5 |\n", "names no command that made them"),
     ("sources_cited", "README.md", "As in [nobody1999].", "[nobody1999] is not in docs/references.bib"),
     ("sources_cited", "README.md", 'As in Sec. "No such section".', 'no section "No such section"'),
     ("sources_cited", "include/trophic/death/floor/no_floor.hpp", 'static std::string_view source = "hearsay";', 'source "hearsay" names neither'),
     ("sources_cited", "include/trophic/death/floor/no_floor.hpp", "// Eq. 9", "no equation 9"),
     ("readme", "README.md", "A vacancy.", "'vacancy' is a word of the glossary"),
-    ("readme", "README.md", "One " + "and one " * 20 + ".", "a sentence of"),
+    ("sentences", "README.md", "One " + "and one " * 20 + ".", "a sentence of"),
+    ("sentences", "docs/tables.md", "| a |\n|---|\n| one " + "and one " * 20 + "|", "a sentence of"),
 ]  # fmt: skip
 
 
 def main() -> int:
     missed = []
-    together = collections.defaultdict(list)  # the lies of one check of one document, planted at once
+    together = collections.defaultdict(list)  # the errors for one check of one document are planted together
     for check, document, lie, said in LIES:
         together[check, document].append((lie, said))
     with tempfile.TemporaryDirectory() as folder:
@@ -71,7 +71,7 @@ def main() -> int:
             for lie, said in lies:
                 if done.returncode != 1 or done.stdout.count(said) < all_said.count(said):
                     missed.append(f"{check}: not found: {lie}\n{done.stdout}{done.stderr}")
-    print("\n".join(missed) or f"{len(LIES)} lies were found")
+    print("\n".join(missed) or f"{len(LIES)} planted errors were found")
     return 1 if missed else 0
 
 

@@ -23,7 +23,7 @@ HISTORY = {"CHANGELOG.md"}  # may quote what was wrong
 NAMES_PAPER = re.compile(r'\bSec\. "|\b[Tt]he (paper|text|authors)\b|\b[Dd]raft\b')
 CITATION = re.compile(r'\bSec\. "([^"]*)"')
 
-# block, what must be said about it; none: nothing
+# block, expected offence; None: no offence
 PLANTED = [
     ('The paper says "the next oldest predator dies".', None),
     ('The paper says "the next hungriest predator dies".', '"the next hungriest predator dies" is not in the paper'),
@@ -96,7 +96,7 @@ def contains(sentence: str, pieces: list[str]) -> bool:
 
 
 def judged(block: str, paper: Paper, quoted: set[str], ours: str = "") -> list[str]:
-    """What is wrong with a block; adds the sentences that it quotes to `quoted`."""
+    """The offences of a block; adds the sentences that it quotes to `quoted`."""
     block = " ".join(re.sub(r"</?[a-z][^<>]*>", "", block).split())
     if not NAMES_PAPER.search(block):
         return []

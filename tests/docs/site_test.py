@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""site_test.py ROOT OUT: the site is built without a warning, each policy has a card, and what checks it finds what is planted."""
+"""site_test.py ROOT OUT: the site builds without a warning, each policy has a card, and the checks find planted errors."""
 
 import pathlib
 import shutil

@@ -24,7 +24,7 @@ namespace {
 
 using namespace trophic;
 
-/// What stands in a column's cells.
+/// The kind of a column's cells.
 template <class T>
 std::string cells(const io::Written& written) {
   if constexpr (requires(T value) { value.has_value(); }) {
@@ -68,51 +68,57 @@ std::string section(std::string_view file, std::string_view what) {
   return text;
 }
 
+constexpr std::string_view introduction = R"(# Tables
+
+Every column of every table that trophic writes. The program `docs_tables` makes this page from the code.
+
+CSV with one header row. Numbers marked "exact" read back as the same bits. Times are in seconds of the ecology's clock, which is
+simulated time in the paper's rules.
+)";
+
+constexpr std::string_view states = R"(
+## states.csv
+
+The states of rules for every robot, at the ticks of agents.csv, after that tick's rules. Written only with --states.
+The columns time_s, tick, body and id are those of agents.csv. One column SLOT.MEMBER follows for each member of each State of the
+table, such as starvation.exemption.adversary_distance_m. Numbers are exact, ancestors are ids, lists are separated by spaces, and empty
+cells mean none. Without a State there are no further columns.
+)";
+
 std::string document() {
-  return "# Tables\n\nEvery column of every table that trophic writes. Made from the code: the test of this page says how to "
-         "make it anew.\n\n"
-         "CSV with one header row. Numbers that are exact read back as the same bits. Times are in seconds of the ecology's "
-         "clock, which\n"
-         "is simulated time in the paper's rules.\n" +
-         section<io::EventRow>("events.csv", "A run's events, one a row, in the order in which they happened.") +
-         section<io::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.") +
-         section<io::SenseRow>("senses.csv",
-                               "What every robot touched, was told and answered, at the ticks of agents.csv. Written with "
-                               "--senses only.\nBodies are as they stand at that moment, contacts those of their boxes' "
-                               "shapes.") +
-         "\n## states.csv\n\nWhat rules with a State keep for every robot, at the ticks of agents.csv, after that tick's rules. "
-         "Written "
-         "with --states only.\nThe columns time_s, tick, body and id are those of agents.csv. Then stands a column SLOT.MEMBER "
-         "for each "
-         "member of each State\nof the table, such as starvation.exemption.adversary_distance_m: numbers exact, an ancestor by "
-         "its id, the "
-         "numbers of "
-         "a list with spaces\nbetween, nothing as an empty cell. Where no rule has a State there are no other columns.\n" +
-         section<io::TaxonRow>(
-             "phylogeny.csv",
-             "Every individual in the ALife data standard, written when it dies. Those alive at the end follow.") +
-         section<io::GenomeRow>("genomes.csv",
-                                "A row a birth. Where genomes are shared, a later row of the same genome_id holds what "
-                                "everybody who shares it\nhas from then on.") +
-         section<analysis::MetricRow>("metrics.csv",
-                                      "What the analysis measured: every value and every curve of every run, one value a row.") +
-         section<analysis::SwapRow>("ablations.csv", "What each swap of a rule changes, one effect a row.") +
-         section<analysis::CellRow>("cells.csv",
-                                    "The cells of a sweep. After these columns stands one for each setting that varies between "
-                                    "cells, named by its path.") +
-         section<analysis::SweepRunRow>("runs.csv", "What the analysis of a sweep measured: one value of one run a row.") +
-         section<analysis::SweepMetricRow>("sweep_metrics.csv",
-                                           "Each metric of each cell of a sweep, alone and over its shadow.") +
-         section<analysis::SweepDifferenceRow>("sweep_differences.csv",
-                                               "Each metric of each cell of a sweep beside the reference cell.") +
-         section<analysis::AxisEffectRow>("sweep_effects.csv",
-                                          "What each value of an axis does to each metric, averaged over the other axes.") +
-         section<command::cross_check::CheckRow>("cross_check.csv",
-                                                 "What `trophic cross-check` measured of gaits and ecologies.") +
-         section<command::cross_check::TrajectoryRow>("trajectories.csv", "Where the robots of a cross-check of gaits went.") +
-         section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "A row a generation.") +
-         section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
-                                           "Every candidate in the ALife data standard, time in generations.");
+  std::string text{introduction};
+  text += section<io::EventRow>("events.csv", "The events of a run, one per row, in the order in which they happened.");
+  text += section<io::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.");
+  text += section<io::SenseRow>(
+      "senses.csv",
+      R"(Contacts of every robot, and inputs and outputs of its brain, at the ticks of agents.csv. Written only with --senses.
+Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
+  text += states;
+  text += section<io::TaxonRow>(
+      "phylogeny.csv", "Every individual in the ALife data standard, written when it dies. Individuals alive at the end follow.");
+  text += section<io::GenomeRow>(
+      "genomes.csv",
+      R"(One row per birth. If genomes are shared, a later row with the same genome_id holds the weights of all who share it from then
+on.)");
+  text += section<analysis::MetricRow>("metrics.csv",
+                                       "Results of the analysis: every value and every curve of every run, one value per row.");
+  text += section<analysis::SwapRow>("ablations.csv", "The effects of rule swaps, one per row.");
+  text += section<analysis::CellRow>(
+      "cells.csv",
+      "The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.");
+  text += section<analysis::SweepRunRow>("runs.csv", "Results of the analysis of a sweep: one value of one run per row.");
+  text +=
+      section<analysis::SweepMetricRow>("sweep_metrics.csv", "Each metric of each cell of a sweep, alone and over its shadow.");
+  text += section<analysis::SweepDifferenceRow>("sweep_differences.csv",
+                                                "Each metric of each cell of a sweep, compared with the reference cell.");
+  text += section<analysis::AxisEffectRow>("sweep_effects.csv",
+                                           "The effect of each value of an axis on each metric, averaged over the other axes.");
+  text += section<command::cross_check::CheckRow>("cross_check.csv", "Results of `trophic cross-check` for gaits and ecologies.");
+  text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");
+  text += section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "One row per generation.");
+  text += section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
+                                            "Every candidate in the ALife data standard, time in generations.");
+  return text;
 }
 
 std::string content(const std::filesystem::path& path) {
@@ -122,10 +128,10 @@ std::string content(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("docs/tables.md lists every column that is written") {
+TEST_CASE("docs/tables.md: columns of the code -> the same columns") {
   const std::string now = document();
   std::ofstream{WRITTEN_TABLES} << now;
-  INFO("made anew: " WRITTEN_TABLES "; cmake --build BUILD --target docs_tables_md puts it into docs/");
+  INFO("current page: " WRITTEN_TABLES "; cmake --build BUILD --target docs_tables_md copies it to docs/");
   const bool same = content(TABLES_MD) == now;
   CHECK(same);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""tutorial_test.py ROOT PREFIX FOLDER COMPILER: the tutorial, followed from its first file to its figure with the trophic in PREFIX."""
+"""tutorial_test.py ROOT PREFIX FOLDER COMPILER: follows the tutorial from its first file to its figure, with the trophic installed in PREFIX."""
 
 import csv
 import json
@@ -30,7 +30,7 @@ def main() -> int:
     with open(FOLDER / "runs/chain/replicate-00/events.csv") as file:
         deaths = [row for row in csv.DictReader(file) if row["event"] == "death"]
     assert {row["species"] for row in deaths} >= {"grazer", "hunter"}, "two species at least must have died"
-    assert any(row["cause"] == "senescence" for row in deaths), "nobody wore out"
+    assert any(row["cause"] == "senescence" for row in deaths), "no individual died of wear"
     assert (FOLDER / "analysis/metrics.csv").is_file()
     assert (FOLDER / "census.html").stat().st_size > 500_000, "no page"
     with open(FOLDER / "runs/census/tags.csv") as file:

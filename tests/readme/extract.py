@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""extract.py README.md FOLDER: writes each cpp block to FOLDER as NN_program.cpp (it has a main) or NN_part.cpp (it stands alone
-as a header does), and each diff block as the program above it with the change made."""
+"""extract.py README.md FOLDER: writes each cpp block to FOLDER, as NN_program.cpp if it has a main, otherwise as NN_part.cpp (it
+compiles alone), and each diff block as the program above it with the change applied."""
 
 import pathlib
 import re
@@ -14,18 +14,18 @@ def code_blocks(text: str) -> list[tuple[str, str]]:
     blocks = re.findall(r"^```(\S*)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
     for language, code in blocks:
         if language not in LANGUAGES:
-            sys.exit(f"README: a block is marked '{language}', which is none of {sorted(LANGUAGES)}:\n{code}")
+            sys.exit(f"README: a block is marked '{language}', must be one of {sorted(LANGUAGES)}:\n{code}")
     return blocks
 
 
 def changed(program: str, diff: str) -> str:
-    """Applies a diff whose hunks are separated by lines that start with @@; the old lines of each must stand in the program once."""
+    """Applies a diff with hunks separated by lines that start with @@; the old lines of each must occur in the program once."""
     for hunk in re.split(r"^@@.*\n", diff, flags=re.MULTILINE):
         lines = hunk.splitlines(keepends=True)
         old = "".join(line[1:] for line in lines if line[0] in " -")
         new = "".join(line[1:] for line in lines if line[0] in " +")
         if lines and program.count(old) != 1:
-            sys.exit(f"README: these lines of a diff must stand exactly once in the program above it:\n{old}")
+            sys.exit(f"README: these lines of a diff must occur exactly once in the program above it:\n{old}")
         program = program.replace(old, new)
     return program
 

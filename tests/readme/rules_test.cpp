@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule that README.md writes keeps the contract that it is an example of.
+// The rule of README.md satisfies the conformance suite of its slot.
 #include <conformance/death_suite.hpp>
 #include TROPHIC_README_RULE
 

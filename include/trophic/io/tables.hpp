@@ -132,7 +132,7 @@ struct SenseRow {
                "whether it reaches a wall, or the foot of a slope; empty on a backend without joints"),
         column("robots_touched", &SenseRow::robots_touched, "", "how many others it touches; empty on a backend without joints"),
         column("exempt", &SenseRow::exempt, "",
-               "1: it was to starve at this tick and an exemption of the rule Starvation exempt it; empty for those who hunt "
+               "1: it was to starve at this tick and the rule Starvation exempted it; empty for those who hunt "
                "nobody"),
         column("chosen_tag", &SenseRow::chosen_tag, "", "that its brain chose; empty where the brain was not asked"),
         column("tag_outcome", &SenseRow::tag_outcome, "",
