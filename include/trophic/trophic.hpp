@@ -193,9 +193,12 @@
 #include <trophic/reproduction/mutation/uniform_mutation.hpp>
 #include <trophic/reproduction/parent/by_cause.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/reproduction/parent/fastest_escape.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
+#include <trophic/reproduction/parent/last_escapee.hpp>
 #include <trophic/reproduction/parent/last_killer.hpp>
 #include <trophic/reproduction/parent/last_seen_victim.hpp>
+#include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/reproduction/parent/nearest_active_victim.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>

@@ -62,6 +62,13 @@ void on_populations(Check&& check) {
   return robots;
 }
 
+/// The same robots, all distances multiplied by `factor`.
+[[nodiscard]] inline test::HandPopulation spread(test::HandPopulation robots, double factor) {
+  for (GroundPose& pose : robots.poses)
+    pose = {.x_m = factor * pose.x_m, .y_m = factor * pose.y_m, .heading_rad = pose.heading_rad};
+  return robots;
+}
+
 /// The same robots with other ids, in the same order of birth.
 [[nodiscard]] inline test::HandPopulation renamed(test::HandPopulation robots) {
   constexpr IndividualId shift = 5001;  // odd, so that nothing hangs on an even id
@@ -221,10 +228,13 @@ template <class Policy>
 void add_states(Answers& answers, const Policy& policy, const test::HandPopulation& robots) {
   if constexpr (Stateful<Policy>) {
     const View view = robots.view();
+    const std::array apart{robots, spread(robots, 2.0), spread(robots, 3.0)};
     for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
       auto own = policy.born(robots.individuals[body], nullptr, StateOf<Policy>{});
       answers.add(own);
-      if constexpr (requires { policy.on_walk(own, body, 1.0, view); }) policy.on_walk(own, body, 1.0, view);
+      if constexpr (requires { policy.on_walk(own, body, 1.0, view); }) {
+        for (const test::HandPopulation& walked : apart) policy.on_walk(own, body, 1.0, walked.view());
+      }
       answers.add(own);
       if constexpr (requires { policy.on_catch(own, body, body, view); }) policy.on_catch(own, body, body, view);
       if constexpr (requires { policy.on_caught(own, body, body, view); }) policy.on_caught(own, body, body, view);

@@ -35,6 +35,9 @@
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/mutation/no_mutation.hpp>
+#include <trophic/reproduction/parent/fastest_escape.hpp>
+#include <trophic/reproduction/parent/last_escapee.hpp>
+#include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/rules/paper.hpp>
@@ -77,7 +80,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_ge
                           reproduction::initial_genome::NormalWeights);
 TEST_CASE_TEMPLATE_INVOKE(trophic_genome_source_suite, reproduction::genome_source::RandomOrInherited,
                           reproduction::genome_source::RandomOrInheritedInName, reproduction::genome_source::AlwaysInherited);
-TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::Killer, reproduction::parent::LastKiller,
+TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::FastestEscape, reproduction::parent::LastEscapee,
+                          reproduction::parent::MostEscapes, reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::LastSeenVictim, reproduction::parent::NearestConspecific,
                           reproduction::parent::NearestActiveVictim, reproduction::parent::NearestVictim,
                           reproduction::parent::NoParent, rules::Paper::Parent, rules::Released::Parent);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The prey that has escaped most often reproduces.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/reproduction/parent/detail/pursuit.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::reproduction::parent {
+
+/// Rule: the parent is the active prey with the most escapes in its life; on equal numbers the one closest to the vacant body;
+/// none if no prey has escaped. An escape: a living predator that was within near_m of the active prey is farther than far_m.
+/// It is an explicit behavioural criterion for the reproduction of prey, which the paper's conclusion asks for. The two
+/// distances are free.   Reads: positions, species, activity, its own state.   Random draws: 0.
+struct MostEscapes {
+  static constexpr std::string_view name = "most_escapes";
+  static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
+
+  struct Params {
+    double near_m = 3.0;
+    double far_m = 5.0;
+    static constexpr auto fields() {
+      return std::tuple{field("near_m", &Params::near_m, above(0.0), "a predator this close pursues"),
+                        field("far_m", &Params::far_m, above(0.0), "a prey farther than this from its pursuer has escaped")};
+    }
+  };
+  Params params;
+
+  /// Of each individual.
+  struct State {
+    std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
+    std::int64_t escapes = 0;
+    static constexpr auto fields() { return std::tuple{field("pursuers", &State::pursuers), field("escapes", &State::escapes)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+  void on_walk(State& own, BodyIndex self, double, const View& view) const {
+    detail::update_pursuers(own.pursuers, self, params.near_m, params.far_m, view, [&](IndividualId) { ++own.escapes; });
+  }
+
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&,
+                                               std::span<const State> states) const {
+    return detail::highest_ranked(vacancy, view, [&](BodyIndex body) {
+      return states[body].escapes > 0 ? std::optional{states[body].escapes} : std::nullopt;
+    });
+  }
+};
+static_assert(Parent<MostEscapes>);
+
+}  // namespace trophic::reproduction::parent
