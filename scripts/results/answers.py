@@ -64,7 +64,7 @@ def choices_that_matter(data):
         answer = words + said(row, keys, "prey evolve to approach", "prey evolve to flee")
         lines.append(line("" if lines else question, answer, signed(row, keys), row["runs"], ("readings of the text", "readings.md")))
     rows = [row for row in data("ablations") if row["metric"] == "wall_sticking" and row["species"] == "prey"]
-    if any(row["flip"] != "brain_with_biases" for row in data("ablations")):
+    if any(row["swap"] != "brain_with_biases" for row in data("ablations")):
         raise SystemExit("ablations.csv: another rule swap is significant, and scripts/results/answers.py says that biases are the only one")
     for number, row in enumerate(rows):
         question = "" if number else "Which single difference between text and code changes a metric significantly?"

@@ -223,11 +223,11 @@ def reached(rows, claims):
     return table(["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines)
 
 
-def flips(rows, into):
+def swaps(rows, into):
     """Rule swaps with a significant effect on a metric of the claims."""
     return table([f"put into `{into}`", "metric", "before", "after", "difference", "p (Holm)"],
-                 [[row["flip"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
-                   digits(row, row["flipped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
+                 [[row["swap"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
+                   digits(row, row["swapped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
 
 
 def inheritance(rows):
@@ -266,8 +266,8 @@ def tables(data, choices):
             "walls differences": lambda: at_walls(data("walls")), "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
             "answers": lambda: table(ANSWER_HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
             "answers in brief": lambda: table(ANSWER_HEADS, answers.in_brief(data)),
-            "ablations paper": lambda: flips(data("ablations"), "paper"),
-            "ablations released": lambda: flips(data("ablations"), "released"),
+            "ablations paper": lambda: swaps(data("ablations"), "paper"),
+            "ablations released": lambda: swaps(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance"))}
     for backend in ("kinematic", "mujoco"):
         for rules in ("paper", "released"):

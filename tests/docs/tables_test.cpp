@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tools/analysis/report/ablation_tables.hpp>
 #include <tools/analysis/report/axis_rows.hpp>
-#include <tools/analysis/report/flip_tables.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/sweep_rows.hpp>
 #include <tools/gait_evolution/history.hpp>
@@ -102,7 +102,7 @@ Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
 on.)");
   text += section<analysis::MetricRow>("metrics.csv",
                                        "Results of the analysis: every value and every curve of every run, one value per row.");
-  text += section<analysis::FlipRow>("flips.csv", "The effects of rule swaps, one per row.");
+  text += section<analysis::SwapRow>("ablations.csv", "The effects of rule swaps, one per row.");
   text += section<analysis::CellRow>(
       "cells.csv",
       "The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.");
