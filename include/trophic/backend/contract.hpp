@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract between the ecology and a physics engine. Nothing else of an engine is visible to the rest of the library.
+// The contract between the ecology and a physics engine; the library uses nothing else of an engine.
 #pragma once
 
 #include <concepts>
@@ -18,7 +18,7 @@
 
 namespace trophic {
 
-/// A simulation that left the finite numbers or that its engine warned about. Carries when and which robot.
+/// A simulation whose numbers became infinite, or about which its engine warned. Holds the time and the robot.
 class Diverged : public std::runtime_error {
  public:
   Diverged(double time_s, std::size_t robot, const std::string& what)
