@@ -85,8 +85,8 @@ TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
 TEST_CASE("print table: the numbers that an experiment runs with") {
   RuleParams<rules::Released> params;
   params.minimum_predators.below = 9;
-  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | minimum_predators |").find("below = 8") !=
+  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | minimum predators |").find("below = 8") !=
         std::string::npos);
-  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | minimum_predators |").find("below = 9") !=
+  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | minimum predators |").find("below = 9") !=
         std::string::npos);
 }
