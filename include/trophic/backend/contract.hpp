@@ -37,16 +37,16 @@ class Diverged : public std::runtime_error {
 /// A backend simulates n copies of one RobotModel in one Arena.
 ///
 /// - constructed from (model, arena, one start pose of the root link per robot, physics, its own Params); joint angles start at
-/// 0, at rest; throws std::invalid_argument naming field, value and bound
+///   0, at rest; throws std::invalid_argument naming field, value and bound
 /// - `advance_to(t)` takes whole steps until the first step time >= t (simulated seconds since the start; 1e-9 s of slack so
-/// that rounding adds no step); throws Diverged; does nothing if t is in the past
+///   that rounding adds no step); throws Diverged; does nothing if t is in the past
 /// - `pose(i)` returns the pose of the root link, `joint_angles(i)` the angles in the order of RobotModel::hinges (empty
-/// without joints); both, and the setters of targets, throw std::out_of_range for a robot that does not exist
+///   without joints); both, and the setters of targets, throw std::out_of_range for a robot that does not exist
 /// - `save`/`restore`: the full state, including warm starts, targets and time: a restored backend continues bitwise as the
-/// saved one. State lists its members in saved(), so that checkpoints hold it (trophic/params/archive.hpp)
+///   saved one. State lists its members in saved(), so that checkpoints hold it (trophic/params/archive.hpp)
 /// - results must not depend on the number of threads
 /// - `remarks(physics)`: returns one sentence for every number of `physics` that has no effect on this backend, naming it;
-/// manifests record them
+///   manifests record them
 /// - Params name their backend, `using Backend = Mine;`, so that an ecology is constructed from the numbers of a backend alone
 template <class B>
 concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {
