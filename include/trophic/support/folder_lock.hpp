@@ -33,7 +33,7 @@ class FolderLock {
     if (file_ < 0) throw std::runtime_error{folder.string() + ": cannot open it as a folder"};
     if (!lock_named(file_, folder)) {
       ::close(file_);
-      throw std::runtime_error{folder.string() + ": another program is using it"};
+      throw std::runtime_error{folder.string() + ": another program is running in it"};
     }
   }
   FolderLock(FolderLock&& other) noexcept : file_{std::exchange(other.file_, -1)} {}

@@ -90,9 +90,8 @@ TEST_CASE("kinematic: bad number -> error with field, value and bound") {
   const std::vector<Pose> one{standing(0.0, 0.0, 0.0)};
   CHECK(message_of<std::invalid_argument>([&] { world(one, {.speed_scale = -1.0}); }) ==
         "kinematic.speed_scale = -1: must be >= 0 and <= 100");
-  CHECK(
-      message_of<std::invalid_argument>([&] { world(one, {}, {}); }) ==
-      "robot spider: walk.speed_m_s = 0: must be > 0 where robots walk without joints; trophic measure-gait --walk measures it");
+  CHECK(message_of<std::invalid_argument>([&] { world(one, {}, {}); }) ==
+        "robot spider: walk.speed_m_s = 0: must be > 0 for a backend without joints; trophic measure-gait --walk measures it");
   CHECK(message_of<std::invalid_argument>([&] { world(one, {.timestep_s = 0.0}); }) ==
         "kinematic.timestep_s = 0: must be > 0 and <= 10");
   CHECK(message_of<std::invalid_argument>([&] { world(one, {.radius_m = 10.0}); }) ==

@@ -88,7 +88,7 @@ TEST_CASE("gait: file exists -> error, not overwritten") {
   const TemporaryFolder folder;
   const std::string file = folder.file("gait.toml", "");
   const Gait gait = load_gait("spider_published");
-  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, file); }) == file + ": exists, not overwritten");
+  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, file); }) == file + ": exists, and is never overwritten");
   CHECK(message_of<std::runtime_error>([&] { save_gait(gait, "/no/such/folder/gait.toml"); }) ==
         "cannot write /no/such/folder/gait.toml: No such file or directory");
 }
@@ -126,5 +126,5 @@ TEST_CASE("gait: does not fit the robot -> error with the hinge") {
   far.coupling(0, 2) = 1.0;
   far.coupling(2, 0) = -1.0;
   CHECK(message_of<std::invalid_argument>([&] { check_fit(far, load_robot("gecko")); }) ==
-        "gait gecko_paper does not fit robot gecko: \"back\" and \"back.front.front.front.left\" are coupled but no neighbours");
+        "gait gecko_paper does not fit robot gecko: \"back\" and \"back.front.front.front.left\" are coupled but not neighbours");
 }

@@ -75,7 +75,7 @@ TEST_CASE("steerable: all hinges in the middle -> rejected, unless the steering 
   CHECK(
       refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
       "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered, a turn to the right and one to the left "
-      "move the hinges alike (0 left, 0 right, 6 middle)");
+      "move the hinges equally (0 left, 0 right, 6 middle)");
   CHECK(refusal([] { check_steerable(snake(), Leans{}); }) == "");
 }
 

@@ -344,7 +344,7 @@ TEST_CASE("ecology: wrong number of founders or places, or a place that is not f
   Places::poses[1].y_m = std::numeric_limits<double>::quiet_NaN();
   CHECK(rule_error([&] {
           Kinematics<Scene>{params, still};
-        }) == "the policy in rules.placement returned a place of body 1 that is not finite");
+        }) == "the policy in rules.placement returned the place of body 1: must be finite");
 }
 
 TEST_CASE("ecology: parent without a genome -> RuleError with its id") {

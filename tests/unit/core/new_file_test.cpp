@@ -20,7 +20,7 @@ TEST_CASE("new file: finished -> has its name, not finished -> removed") {
     const NewFile file{path};
     std::ofstream{file.part()} << "half";
     CHECK_FALSE(std::filesystem::exists(path));
-    CHECK(message_of<std::runtime_error>([&] { NewFile{path}; }).ends_with("film.mp4: another program is making it"));
+    CHECK(message_of<std::runtime_error>([&] { NewFile{path}; }).ends_with("film.mp4: another program is writing it"));
     CHECK(read_whole_file(file.part()) == "half");
   }
   CHECK(std::filesystem::is_empty(folder.path()));

@@ -95,6 +95,6 @@ TEST_CASE("arena: bad file -> error with key and value") {
         ": height_m: row 1 has 1 numbers: must have 2, one a row");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0, -1]]\n") == ": height_m = -1: must be >= 0");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[1, 1], [1, 1]]\n") ==
-        ": height_m: must be 0 in the middle, where robots start");
+        ": height_m: must be 0 in the centre, where robots start");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = 3\n") == ": height_m = 3: must be a list");
 }
