@@ -12,8 +12,8 @@ struct HungryReach {
   struct Params {
     double reach_per_tick_m = 0.05;  ///< > 0
     static constexpr auto fields() {
-      return std::tuple{
-          trophic::field("reach_per_tick_m", &Params::reach_per_tick_m, trophic::above(0.0), "additional reach per tick of hunger")};
+      return std::tuple{trophic::field("reach_per_tick_m", &Params::reach_per_tick_m, trophic::above(0.0),
+                                       "additional reach per tick of hunger")};
     }
   };
   Params params;

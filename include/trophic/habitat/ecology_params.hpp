@@ -46,7 +46,8 @@ struct EcologyParams {
         field("idle_control_steps", &EcologyParams::idle_control_steps, between(0, 1'000'000),
               "control periods before the gait starts"),
         field("phase_at_birth", &EcologyParams::phase_at_birth, "kept or reset: the gait's phase at a birth in the body"),
-        field("decision_order", &EcologyParams::decision_order, "together or in_turn: whether robots see tags chosen earlier in the tick"),
+        field("decision_order", &EcologyParams::decision_order,
+              "together or in_turn: whether robots see tags chosen earlier in the tick"),
         field("without_target", &EcologyParams::without_target,
               "decides or keeps_decision: a robot that perceives no adversary")};
   }

@@ -51,7 +51,7 @@ concept MadeOfParts = requires {
 
 namespace detail {
 
-/// The text "PART: POLICY, PART: POLICY" of the parts that are not of the type `LeftOut`.
+/// Lists the parts that are not of the type `LeftOut`, as in: PART: POLICY, PART: POLICY.
 template <class LeftOut, class Names, class... Ps>
 struct PartWords {
   static constexpr auto words = [] {

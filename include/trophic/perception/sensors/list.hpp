@@ -25,10 +25,10 @@ namespace trophic::detail {
 /// Fails to compile, with one sentence, if a sensor's State violates the requirements in population/state.hpp.
 template <class One>
 struct CheckSensorState {
-  static_assert(
-      !Stateful<One> || perception::OwnSensor<One>,
-      "a sensor with a State must sense(self, sighting, view, rng) or (..., const State& own): sense(view) is for values that are "
-      "the same for all robots");
+  static_assert(!Stateful<One> || perception::OwnSensor<One>,
+                "a sensor with a State must sense(self, sighting, view, rng) or (..., const State& own): sense(view) is for "
+                "values that are "
+                "the same for all robots");
   TROPHIC_CHECK_STATE_OF(One, "a sensor")
   static constexpr bool ok = true;
 };

@@ -20,9 +20,8 @@ namespace trophic::reproduction {
 struct Vacancy {
   BodyIndex body = 0;
   Cause cause = Cause::caught;
-  std::optional<BodyIndex> killer = {};  ///< the body of the hunter, for Cause::caught
-  std::optional<Species> successor =
-      {};  ///< the species that the body goes to, if the rules fix it: a parent must be of it
+  std::optional<BodyIndex> killer = {};   ///< the body of the hunter, for Cause::caught
+  std::optional<Species> successor = {};  ///< the species that the body goes to, if the rules fix it: a parent must be of it
 };
 
 /// `parent(vacancy, view, rng)`: returns the individual that reproduces into the vacant body, dead or alive; without one the

@@ -54,7 +54,8 @@ class Mujoco {
       return std::tuple{
           field("stepping", &Params::stepping, "fast, islands (MuJoCo only) or one_model (the reference)"),
           field("threads", &Params::threads, between(1, 1024), "threads for fast and islands; results do not depend on it"),
-          field("box_depth", &Params::box_depth, "reported depth of box-face contacts: engine (half, up to MuJoCo 3.3.7) or whole")};
+          field("box_depth", &Params::box_depth,
+                "reported depth of box-face contacts: engine (half, up to MuJoCo 3.3.7) or whole")};
     }
   };
 
