@@ -85,8 +85,8 @@ TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
 TEST_CASE("print table: given numbers -> printed instead of the table's own") {
   RuleParams<rules::Released> params;
   params.minimum_predators.below = 9;
-  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | minimum predators |").find("below = 8") !=
+  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | minimum\\_predators |").find("below = 8") !=
         std::string::npos);
-  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | minimum predators |").find("below = 9") !=
+  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | minimum\\_predators |").find("below = 9") !=
         std::string::npos);
 }
