@@ -72,10 +72,9 @@ TEST_CASE("steerable: shipped robots -> accepted") {
 }
 
 TEST_CASE("steerable: all hinges in the middle -> rejected, unless the steering needs no sides") {
-  CHECK(
-      refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
-      "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered: right and left turns move the hinges "
-      "equally (0 left, 0 right, 6 middle)");
+  CHECK(refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
+        "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered: right and left turns move the hinges "
+        "equally (0 left, 0 right, 6 middle)");
   CHECK(refusal([] { check_steerable(snake(), Leans{}); }) == "");
 }
 
