@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One rule of the paper swapped for another: what if offspring shared their parent's genome, as in the released code?
+// Swaps one rule of the paper: what if offspring shared their parent's genome, as in the released code?
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rule of one's own: the hungrier a predator, the farther it reaches. Of two that reach the same prey the first in order gets
-// it.
+// A new rule: the hungrier a predator, the farther it reaches. If two reach the same prey, the first in order catches it.
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -13,8 +12,8 @@ struct HungryReach {
   struct Params {
     double reach_per_tick_m = 0.05;  ///< > 0
     static constexpr auto fields() {
-      return std::tuple{
-          trophic::field("reach_per_tick_m", &Params::reach_per_tick_m, trophic::above(0.0), "for each tick of hunger")};
+      return std::tuple{trophic::field("reach_per_tick_m", &Params::reach_per_tick_m, trophic::above(0.0),
+                                       "additional reach per tick of hunger")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same experiment on another engine: the argument that names the engine is all that changes.
+// The same experiment on another engine: only the backend's argument changes.
 #include <iostream>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>

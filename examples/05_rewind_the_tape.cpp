@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rewinding the tape: from moments of one run, twenty continuations each that differ in their seed alone. What differs more
-// between moments than among the continuations of one was settled by then; what does not was still open.
+// Rewinding the tape: twenty continuations each from several moments of one run, which differ only in their seed. A difference
+// between moments that exceeds the one among continuations was determined by then; the rest was still open.
 #include <cstddef>
 #include <cstdint>
 #include <iomanip>
@@ -17,7 +17,7 @@ using Ecology = trophic::Ecology<trophic::rules::Paper>;
 
 constexpr double later_s = 300.0;
 
-/// The share of robots that show the tag +1, `later_s` after the moment on the tape.
+/// The share of robots with the tag +1, `later_s` after the moment on the tape.
 double share_later(const std::string& tape, std::uint64_t seed) {
   Ecology ecology({.seed = seed}, trophic::backend::Kinematic::Params{});
   trophic::Archive archive{tape};
@@ -54,7 +54,7 @@ int main() {
   }
   double mean = 0.0;
   for (const double one : means) mean += one / moments;
-  double between = -within / continuations;  // of the means themselves, without what chance adds to each
+  double between = -within / continuations;  // variance of the means themselves, without the contribution of chance
   for (const double one : means) between += (one - mean) * (one - mean) / (moments - 1);
   std::cout << "variance within moments " << within << ", between moments " << between << "\n";
 }

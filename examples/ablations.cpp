@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which differences between the paper's text and its released code matter: each flipped alone, and in groups, from either table
-// towards the other, in replicates.
+// Ablations of the differences between the paper's text and its released code: each swapped alone, and in groups, from either
+// table towards the other, in replicates.
 #include <tools/ablations/ablations.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>

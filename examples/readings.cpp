@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The paper's experiment with what its text leaves open as numbers: `--set rules.parent.starved.reading=second`. The script
-// scripts/reproduce runs its screening design.
+// The paper's experiment with its open choices as numbers: `--set rules.parent.starved.reading=second`. scripts/reproduce runs
+// its screening design.
 #include <trophic/experiment.hpp>
 
 #include "readings/paper_readings.hpp"

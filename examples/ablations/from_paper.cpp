@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All flips of the table `paper`.
+// All swaps in the table `paper`.
 #include <tools/ablations/run_swap.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>

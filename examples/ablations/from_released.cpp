@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All flips of the table `released`.
+// All swaps in the table `released`.
 #include <tools/ablations/run_swap.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>

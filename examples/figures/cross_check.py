@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws one figure from what `trophic cross-check` wrote: convergence of speed and turning, paths, and equivalence of the ecology.
+"""Draws one figure from the output of `trophic cross-check`: convergence of speed and turning, paths, and equivalence of the ecology.
 
     python3 examples/figures/cross_check.py FOLDER
 
-FOLDER is trophic cross-check's --out. What it did not compare is left blank. Writes FOLDER/cross_check.png and .pdf. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
+FOLDER is trophic cross-check's --out. Panels without data stay blank. Writes FOLDER/cross_check.png and .pdf. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
 """
 import cmath
 import pathlib
@@ -55,7 +55,7 @@ def draw_paths(axes, paths):
 
 
 def draw_ecology(axes, ecology, engines):
-    """Differences in units of their margins: equivalent where the bar stays within +-1. `engines`: of the first set and the second."""
+    """Differences in units of their margins: equivalent if the bar lies within +-1. `engines`: of the first and the second set."""
     rows = ecology.iloc[::-1].reset_index(drop=True)
     names = [f"{r.quantity} {r.species}" + ("" if r.group == "all" else f" ({r.group})") for r in rows.itertuples()]
     middle = rows.difference / rows.margin

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of what happened in runs: who descended from whom, where catches were made, which ways robots took, and a catch, frame by frame."""
+"""Pictures of runs: phylogenies, places of catches, trajectories, and the film strip of a catch."""
 import pathlib
 import subprocess
 import tempfile
@@ -15,7 +15,7 @@ MOST_ROWS = 150
 
 
 def families(tree):
-    """The individuals of each root's family, in the order in which a tree is drawn; families by their root's birth."""
+    """The individuals of each root's family, in drawing order; families by their root's birth."""
     children = {}
     for child, parent in tree.ancestor_id.items():
         if parent != child and parent in tree.index:
@@ -34,7 +34,7 @@ def families(tree):
 
 
 def chosen_families(found):
-    """The largest families that fit, at least one, and none of a single individual where there are others."""
+    """The largest families that fit, at least one; those of a single individual only if there are no others."""
     largest = sorted((family for family in found if len(family) > 1), key=len, reverse=True) or found[:MOST_ROWS]
     chosen, rows = [], 0
     for family in largest:
@@ -49,7 +49,7 @@ def phylogeny(data):
     folder = data.folders[data.run]
     tree = data.table(folder, "phylogeny.csv", ["id", "ancestor_id", "origin_time", "destruction_time", "species"])
     if tree.empty:
-        raise Missing(f"{folder / 'phylogeny.csv'}: nobody in it")
+        raise Missing(f"{folder / 'phylogeny.csv'}: has no individuals")
     tree = tree.sort_values("origin_time", kind="stable").set_index("id")
     end_s = max(tree.destruction_time.replace(np.inf, 0).max(), tree.origin_time.max())
     found, children = families(tree)
@@ -82,13 +82,13 @@ def phylogeny(data):
                   linestyle=line(species, data.species) if len(data.species) > 2 else "-")
         living = of[np.isinf(of.destruction_time)]
         ax.plot([end_s] * len(living), [rows[i] for i in living.index], ">", ms=3, mew=0, color=shade)
-    ax.set(xlabel="time [s]", ylabel="a line a life, a stripe a family", ylim=(-1.5, row), yticks=[], xlim=(-0.01 * end_s, 1.02 * end_s))
+    ax.set(xlabel="time [s]", ylabel="one line per individual, one stripe per family", ylim=(-1.5, row), yticks=[], xlim=(-0.01 * end_s, 1.02 * end_s))
     ax.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=len(data.species), borderaxespad=0.2)
     left_out = len(tree) - len(rows)
     alone = sum(len(family) == 1 for family in found)
-    rest = "" if left_out == 0 else (f" Left out: {left_out} in families that are smaller, {alone} of them without parent and offspring.")
-    return caption(fig, f"{folder.name}: the {len(chosen)} largest of {len(found)} families, {len(rows)} of {len(tree)} individuals. Black: from a "
-                        f"parent to its offspring, at the birth (dotted: the parent is dead); arrow: lives at the end.{rest}")
+    rest = "" if left_out == 0 else (f" Not shown: {left_out} in smaller families, {alone} of them without parent and offspring.")
+    return caption(fig, f"{folder.name}: the {len(chosen)} largest of {len(found)} families, {len(rows)} of {len(tree)} individuals. Black: from "
+                        f"parent to offspring, at the birth (dotted: the parent is dead); arrow: alive at the end.{rest}")
 
 
 def catches(data):
@@ -98,51 +98,51 @@ def catches(data):
         places.append(events[events.event == "catch"])
     places = pd.concat(places)
     if places.empty:
-        raise Missing("nobody was caught")
+        raise Missing("no catches")
     half_m = data.summary["runs"][0]["half_side_m"]
     edge_m = max(half_m, places[["x_m", "y_m"]].abs().max().max())
     fig, ax = plt.subplots(figsize=(COLUMN_IN, 3.2))
-    # A cell should have ten catches on average, or its shade is chance.
+    # With fewer than ten catches per cell on average, shades are mostly chance.
     cells = min(20, int(np.sqrt(len(places) / 10)))
-    told = f"{len(places)} catches in n = {len(data.folders)} runs."
+    text = f"{len(places)} catches in n = {len(data.folders)} runs."
     if cells >= 4:
         counts, x_m, y_m = np.histogram2d(places.x_m, places.y_m, bins=cells, range=[[-edge_m, edge_m]] * 2)
         density = counts / len(data.folders) / (2 * edge_m / cells) ** 2
         image = ax.pcolormesh(x_m, y_m, density.T, cmap="cividis", norm=PowerNorm(0.5, vmin=0), rasterized=True)
         fig.colorbar(image, label="catches per m² and run", shrink=0.9)
-        told += f" {len(places) / cells**2:.0f} a cell on average ({2 * edge_m / cells:.1f} m wide); shades grow with the square root."
+        text += f" {len(places) / cells**2:.0f} per cell on average ({2 * edge_m / cells:.1f} m wide); square-root colour scale."
     else:
         ax.plot(places.x_m, places.y_m, "o", ms=3, mew=0, color=colour("predator", data.species), alpha=0.6)
-        told += " Each point is one: too few for a density."
+        text += " Each point is one catch: too few for a density."
     ax.plot(half_m * np.array([-1, 1, 1, -1, -1]), half_m * np.array([-1, -1, 1, 1, -1]), color="black", linewidth=1)
     ax.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
-    return caption(fig, told + " Frame: the walls.")
+    return caption(fig, text + " Frame: the walls.")
 
 
 def trajectories(data):
     folder = data.folders[data.run]
     rows = data.table(folder, "agents.csv", ["time_s", "body", "species", "x_m", "y_m"])
     if rows.empty:
-        raise Missing(f"{folder / 'agents.csv'}: nobody in it")
+        raise Missing(f"{folder / 'agents.csv'}: has no rows")
     half_m = data.summary["runs"][0]["half_side_m"]
     count = len(data.species)
     fig, axes = plt.subplots(1, count, figsize=(max(COLUMN_IN, 1.75 * count), 2.5), sharex=True, sharey=True, squeeze=False)
-    ways = {species: [] for species in data.species}
+    paths = {species: [] for species in data.species}
     for _, body in rows.groupby("body", sort=False):
-        # A body's way is cut where it passes from one species to another.
+        # A body's path is split when its species changes.
         of = (body.species != body.species.shift()).cumsum()
         for _, part in body.groupby(of):
-            ways[part.species.iloc[0]].append(part[["x_m", "y_m"]].to_numpy())
+            paths[part.species.iloc[0]].append(part[["x_m", "y_m"]].to_numpy())
     points = len(rows) / max(1, count)
     for ax, species in zip(axes[0], data.species):
-        ax.add_collection(LineCollection(ways[species], colors=colour(species, data.species), linewidths=0.35,
+        ax.add_collection(LineCollection(paths[species], colors=colour(species, data.species), linewidths=0.35,
                                          alpha=float(np.clip(12000 / max(1.0, points), 0.2, 0.8)), rasterized=True))
         ax.plot(half_m * np.array([-1, 1, 1, -1, -1]), half_m * np.array([-1, -1, 1, 1, -1]), color="black", linewidth=1)
         ax.set(aspect="equal", title=species, xlabel="x [m]", xlim=(-1.04 * half_m, 1.04 * half_m), ylim=(-1.04 * half_m, 1.04 * half_m))
     axes[0][0].set_ylabel("y [m]")
     step_s = np.diff(np.unique(rows.time_s))
-    return caption(fig, f"{folder.name}: the ways of all {rows.body.nunique()} robots in {rows.time_s.max():g} s, a place every "
-                        f"{np.min(step_s) if len(step_s) else 0:g} s. A robot whose next owner is of another species goes on in the other picture. Frame: the "
+    return caption(fig, f"{folder.name}: the paths of all {rows.body.nunique()} robots in {rows.time_s.max():g} s, sampled every "
+                        f"{np.min(step_s) if len(step_s) else 0:g} s. The path of a body continues in the other panel when its species changes. Frame: the "
                         "walls.")
 
 
@@ -169,11 +169,11 @@ def film_strip(data):
             try:
                 done = subprocess.run(command, capture_output=True, text=True, timeout=120)
             except OSError as error:
-                raise Missing(f"{data.trophic}: {error.strerror}; --trophic names the program") from error
+                raise Missing(f"{data.trophic}: {error.strerror}; set --trophic") from error
             if done.returncode != 0:
                 raise Missing(done.stderr.strip() or "trophic film failed")
             ax.imshow(plt.imread(picture))
             ax.set_title(f"{offset:+d} s" if offset else "catch", pad=2, fontweight="bold" if offset == 0 else "normal")
             ax.set_axis_off()
     return caption(fig, f"{folder.name}: {one.species} {one.id} catches robot {one.victim_id:.0f} at {one.time_s:g} s. The camera follows the hunter. Ring: "
-                        "its species' colour, filled or hollow by the tag that it shows; grey: newborn, not yet seen; the growing circle: the death, at which a newborn takes over the body.")
+                        "its species' colour, filled or hollow by its tag; grey: inactive newborn; growing circle: a death, at which a newborn takes over the body.")

@@ -5,8 +5,8 @@
     python3 examples/figures/plot.py ANALYSIS [--out FOLDER] [--run K] [--trophic PROGRAM]
 
 ANALYSIS is the folder with metrics.csv and summary.json. Each figure goes to FOLDER (ANALYSIS/figures) as PNG and PDF, in the
-width of an article's column, and what its caption says to FOLDER/captions.json; of a comparison, each set gets its own. A figure
-whose data are missing is left out, with a line that says so. The film strip of a catch is drawn by `trophic film`. Needs
+width of an article's column, and its caption to FOLDER/captions.json. In a comparison, each set has its own figures. A figure
+without data is omitted, with a message. `trophic film` draws the film strip of a catch. Needs
 matplotlib, pandas and scipy (Debian: python3-matplotlib, python3-pandas, python3-scipy).
 """
 import argparse
@@ -29,7 +29,7 @@ HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": 
 
 
 def interval(runs):
-    """The mean over runs (rows) of each column, and its 95 % interval as `trophic analyze` has it; NaN where fewer than six have a value."""
+    """The mean over runs (rows) of each column, and its 95 % interval as in `trophic analyze`; NaN with fewer than six values."""
     runs = np.atleast_2d(np.asarray(runs, float))
     count = (~np.isnan(runs)).sum(axis=0)
     with np.errstate(all="ignore"):
@@ -49,7 +49,7 @@ class Data:
         self.species = list(dict.fromkeys(metrics.loc[metrics.metric == "population", "species"]))
 
     def published(self, metric, species, group="all"):
-        """The paper's mean of a metric as `trophic analyze` has it; None where it has none."""
+        """The paper's mean of a metric as in `trophic analyze`, or None."""
         rows = [row for row in self.summary["metrics"] if (row["metric"], row["species"], row["group"]) == (metric, species, group)]
         return rows[0].get("published") if rows else None
 
@@ -75,15 +75,15 @@ class Data:
 
     @property
     def n(self):
-        """How many runs there are, and of the shadow, in words."""
+        """The number of runs and of their shadows, in words."""
         shadow = self.metrics[self.metrics.baseline == "shadow"].seed.nunique()
         return f"n = {len(self.folders)} runs" + (f" and {shadow} of the shadow" if shadow else "")
 
     def intervals(self, sign, with_shadow=True):
-        """What `sign` (bands, bars) means, where there are runs enough."""
+        """The meaning of `sign` (bands, bars), if there are enough runs."""
         n = self.n if with_shadow else self.n.split(" and ")[0]
         if len(self.folders) < 6:
-            return f"{n}: too few for an interval, which needs 6."
+            return f"{n}: too few for an interval (at least 6 are needed)."
         return f"{n}; {sign}: 95 % interval of the mean over runs (Student's t)."
 
     def curve(self, metric, species, group="all", baseline=""):
@@ -119,7 +119,7 @@ def draw_curve(ax, time_s, runs, label, colour_, style="-", average=True, scale=
 
 
 def window_s(time_s):
-    """The length of the windows whose ends these are."""
+    """The length of the windows with these ends."""
     if len(time_s) == 0:
         return 0
     return np.diff(time_s).min() if len(time_s) > 1 else time_s[0]
@@ -150,13 +150,13 @@ def attribution(data):
             names.append(f"{species}:\n{word}")
             place += 1
     if place == 0:
-        raise Missing("no attribution: nobody was caught")
+        raise Missing("no attribution: there was no catch")
     ax.axhline(2 / 3, color="#CC0000", linestyle="--", linewidth=1, label="paper's baseline 2/3")
     ax.set(xticks=range(place), ylim=(0, 1.12), ylabel="inherited share (attribution)")
     ax.set_xticklabels(names)
     ax.legend(loc="upper left", ncol=2, columnspacing=1, handlelength=1.6)
-    return caption(fig, f"Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
-                        "credited: of all prey deaths, by the last killer in that body; catches: of all catches.")
+    return caption(fig, f"Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: share among caught prey; "
+                        "credited: among all prey deaths, by the last killer in that body; catches: among all catches.")
 
 
 def velocity(data):
@@ -176,7 +176,7 @@ def velocity(data):
         ax.legend(ncol=2, loc="upper right", columnspacing=1, handlelength=1.8)
     axes[-1, 0].set_xlabel("time [s]")
     return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')} "
-                        "Above 0: towards the closest adversary that was perceived.")
+                        "Above 0: towards the closest perceived adversary.")
 
 
 def wall_sticking(data):
@@ -193,7 +193,7 @@ def wall_sticking(data):
             ax.plot([1.0], [published], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
                     transform=ax.get_yaxis_transform(), label=f"{species}, published mean")
     spread = data.values("wall_sticking", data.species[0], "all", "uniform_density")[0]
-    ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="evenly spread (no null)")
+    ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="uniform density (reference)")
     ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1.15))
     ax.legend(ncol=2, loc="upper left", columnspacing=1)
     return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')}")
@@ -201,7 +201,7 @@ def wall_sticking(data):
 
 def tag_symmetry(data):
     fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.6))
-    rows = [("ours", "", "#0072B2"), ("null: permuted tags", "permuted_tags", NULL_COLOUR), ("fair coins", "bernoulli_tags", "#999999")]
+    rows = [("ours", "", "#0072B2"), ("null: permuted tags", "permuted_tags", NULL_COLOUR), ("Bernoulli(1/2)", "bernoulli_tags", "#999999")]
     if data.has_shadow:
         rows.insert(1, ("null: nothing\ninherited", "shadow", NULL_COLOUR))
     uniform = data.values("tag_symmetry", group="inherited", baseline="uniform_pairs")[0]
@@ -220,7 +220,7 @@ def tag_symmetry(data):
     ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
     ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
     ax.set_yticklabels([name for name, _, _ in rows] + ["published\nmean"])
-    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Dealt tags: the tags of the same tick, permuted anew.")
+    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Permuted tags: the tags of the same tick in random order.")
 
 
 def population(data):
@@ -261,8 +261,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze` wrote")
     parser.add_argument("--out", type=pathlib.Path, help="folder for the figures (ANALYSIS/figures)")
-    parser.add_argument("--run", type=int, default=0, help="whose phylogeny, paths and catch are drawn: the K-th run of a set (0)")
-    parser.add_argument("--trophic", default="trophic", help="the program whose film draws the strip of a catch (trophic, where it is on PATH)")
+    parser.add_argument("--run", type=int, default=0, help="the run for phylogeny, paths and catch: the K-th of a set (0)")
+    parser.add_argument("--trophic", default="trophic", help="the program that draws the film strip of a catch (trophic, on PATH)")
     options = parser.parse_args()
     try:
         analysis = read_analysis(options.analysis)
@@ -271,7 +271,7 @@ def main():
     except RunError as error:
         sys.exit(f"plot.py: {error}")
     except (OSError, ValueError, KeyError, AttributeError) as error:
-        sys.exit(f"plot.py: {options.analysis}: not what trophic analyze writes: {error}")
+        sys.exit(f"plot.py: {options.analysis}: not an output of trophic analyze: {error}")
     if any(not 0 <= options.run < len(data.folders) for data in sets):
         sys.exit(f"plot.py: --run {options.run}: must be >= 0 and < the number of runs")
     out = options.out or options.analysis / "figures"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the figures' scripts share: sizes, colours, captions, how a figure is saved, and what is said where its data are missing."""
+"""Shared by the figures' scripts: sizes, colours, captions, and saving of figures."""
 import json
 import sys
 import textwrap
@@ -10,9 +10,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 COLUMN_IN = 3.5
-# Okabe and Ito's colours, told apart with every common colour blindness and, with the line styles, in grey.
+# Okabe and Ito's colours: distinguishable with every common colour blindness and, by their line styles, in grey.
 COLOURS = {"prey": "#0072B2", "predator": "#D55E00"}
-# Of others: those that stay farthest apart in CIELAB under protanopia, deuteranopia and tritanopia, alone and beside those two.
+# Other species: the colours with the largest distances in CIELAB under protanopia, deuteranopia and tritanopia, alone and next to those two.
 OTHER_COLOURS = ["#E69F00", "#332288", "#56B4E9", "#882255"]
 BESIDE_COLOURS = ["#882255", "#56B4E9", "#E69F00", "#332288"]
 LINES = ["-", (0, (4, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2, 1, 2))]
@@ -24,7 +24,7 @@ plt.rcParams.update({"font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "
 
 
 class Missing(Exception):
-    """The data of a figure are not there."""
+    """The data of a figure are missing."""
 
 
 def colour(species, all_species):
@@ -36,12 +36,12 @@ def colour(species, all_species):
 
 
 def line(species, all_species):
-    """A line style of a species' own: the second sign, beside its colour, by which it is told apart."""
+    """The line style of a species, which distinguishes it in addition to its colour."""
     return LINES[list(all_species).index(species) % len(LINES)]
 
 
 def caption(figure, text):
-    """What bands, points and lines mean and how many runs there are: below the figure, and in captions.json."""
+    """Writes the meaning of bands, points and lines and the number of runs below the figure, and into captions.json."""
     figure.caption = " ".join(text.split())
     width = int(figure.get_figwidth() * 20.5)
     figure.supxlabel("\n".join(textwrap.wrap(figure.caption, width)), fontsize=6, color="#444444", x=0.01, ha="left", linespacing=1.15)
@@ -49,8 +49,8 @@ def caption(figure, text):
 
 
 def save_all(figures, out):
-    """Draws each of (name, function) into OUT as PNG and PDF, and captions.json with what their captions say; one whose data are missing is
-    left out with a line. How many were drawn."""
+    """Draws each of (name, function) into OUT as PNG and PDF, and writes their captions to captions.json. A figure without data is omitted
+    with a message. Returns the number of figures drawn."""
     out.mkdir(parents=True, exist_ok=True)
     drawn = 0
     captions = {}

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws a sweep from what `trophic analyze` wrote of it: response curves, and heat maps of the difference to the reference cell.
+"""Draws an analysed sweep: response curves, and heat maps of the difference to the reference cell.
 
     python3 examples/figures/sweep.py ANALYSIS [--out FOLDER] [--metric NAME ...] [--axes AXIS ...]
 
 ANALYSIS is the folder with cells.csv, sweep_metrics.csv and sweep_differences.csv. Each figure goes to FOLDER (ANALYSIS/figures) as
-PNG and PDF. NAME is a metric, METRIC:SPECIES or METRIC:SPECIES:GROUP; without it those that
-`trophic analyze --metric` compared are drawn or, where it compared all, the headline metrics of all groups together.
+PNG and PDF. NAME is a metric, METRIC:SPECIES or METRIC:SPECIES:GROUP; the default is the metrics that
+`trophic analyze --metric` compared or, if it compared all, the headline metrics of all groups together.
 AXIS is a column of cells.csv: the first is drawn along x, the second as lines, the third as panels; further ones stay at the
 reference cell's value. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
 """
@@ -39,7 +39,7 @@ def is_number(value):
 
 
 class Axis:
-    """What varies, its values in their order."""
+    """An axis of the sweep with its values in order."""
 
     def __init__(self, name, column, names):
         self.name = name
@@ -51,7 +51,7 @@ class Axis:
             self.values.sort(key=float)
 
     def positions(self):
-        """Where values stand along x: to scale where they are numbers that are about evenly spaced, else side by side."""
+        """Positions along x: to scale for numbers that are about evenly spaced, else equidistant."""
         if self.numeric and len(self.values) > 1:
             numbers = np.array(list(map(float, self.values)))
             steps = np.diff(numbers)
@@ -84,7 +84,7 @@ class Sweep:
         self.fixed = {name: self.cells.loc[self.reference, name] for name in names}
 
     def chosen(self, choices):
-        """(metric, rows of its series) of each that is to be drawn."""
+        """(metric, rows of its series) of each metric to draw."""
         keys = self.metrics[["metric", "species", "group", "unit"]].drop_duplicates()
         if choices:
             parts = [choice.split(":") for choice in choices]
@@ -101,11 +101,11 @@ class Sweep:
         return [(metric, list(filter(self.varies, rows))) for metric, rows in metrics]
 
     def chosen_before_looking(self, keys):
-        """Whether `trophic analyze` was told which metrics to compare."""
+        """Whether metrics were chosen in `trophic analyze`."""
         return 0 < len(self.differences[["metric", "species", "group"]].drop_duplicates()) < len(keys)
 
     def at(self, free):
-        """The cells in which the axes that are not free have the reference cell's values."""
+        """The cells with the reference cell's values on all axes that are not free."""
         fixed = {name: value for name, value in self.fixed.items() if name not in {axis.name for axis in free}}
         chosen = self.cells
         for name, value in fixed.items():
@@ -122,7 +122,7 @@ class Sweep:
         return len(of) > 0 and (of.compared == "over_shadow").all()
 
     def means(self, key):
-        """mean, lower and upper by cell: over the shadow where cells were compared over it."""
+        """mean, lower and upper by cell: over the shadow if cells were compared over it."""
         rows = self.rows(self.metrics, key)
         names = ["over_shadow", "over_lower", "over_upper"] if self.over_shadow(key) else ["mean", "lower", "upper"]
         return rows[names].set_axis(["mean", "lower", "upper"], axis=1) * UNITS.get(key.unit, ("", 1.0))[1]
@@ -137,13 +137,13 @@ class Sweep:
         return f"{key.metric.replace('_', ' ')}\n{of}" + ("\n" + details if details else "")
 
     def varies(self, key):
-        """Whether cells differ in it at all, or runs of a cell."""
+        """Whether it varies between cells or between runs of a cell."""
         means = self.means(key)
         return means["mean"].nunique() > 1 or (means.upper > means.lower).any()
 
 
 def shades(axis):
-    """A colour for each value: along a scale for numbers, apart for names."""
+    """A colour for each value: along a scale for numbers, distinct for names."""
     count = len(axis.values)
     if axis.numeric and count > 1:
         return [plt.get_cmap("viridis")(0.9 * i / (count - 1)) for i in range(count)]
@@ -160,7 +160,7 @@ def panels_of(sweep, axis):
 
 
 def frame(rows, columns, size, legends, fixed, **sharing):
-    """A figure with a grid of panels, above them a strip with a row for each legend, and below what does not vary in it."""
+    """A figure with a grid of panels, above them a strip with a row for each legend, and below them the fixed settings."""
     legends = [handles for handles in legends if handles]
     in_a_row = max(1, int(size[0] / 1.1))
     heights = [0.04 + 0.17 * -(-len(handles) // in_a_row) for handles in legends]
@@ -191,9 +191,9 @@ def draw_line(ax, sweep, key, cells, x, shift, style, label):
 def response(sweep, keys):
     """A metric along the first axis: lines for the second, panels for the third, rows for its species and groups."""
     if not sweep.axes:
-        raise Missing("there is but one cell")
+        raise Missing("the sweep has only one cell")
     if not keys:
-        raise Missing("it is the same in all runs")
+        raise Missing("equal in all runs")
     x, lines, panels = (sweep.axes + [None, None])[:3]
     cells, fixed = sweep.at([axis for axis in (x, lines, panels) if axis])
     columns = panels_of(sweep, panels)
@@ -201,8 +201,8 @@ def response(sweep, keys):
     styles = [{"color": colour, "marker": MARKERS[i % len(MARKERS)]} for i, colour in enumerate(shades(lines) if lines else ["#0072B2"])]
     of_lines = [Line2D([], [], color=s["color"], marker=s["marker"], ms=4, mfc="white", label=f"{lines.title} {lines.text(v)}")
                 for v, s in zip(values, styles)] if lines else []
-    marks = [Line2D([], [], linestyle="", marker="o", ms=4, color="black", label="differs (corrected)"),
-                Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="no conclusion"),
+    marks = [Line2D([], [], linestyle="", marker="o", ms=4, color="black", label="significant (corrected)"),
+                Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="not significant"),
                 Line2D([], [], linestyle="", marker="o", ms=9, mfc="none", mec="black", label="reference")]
     size = (max(COLUMN_IN, 1.1 + 1.9 * len(columns)), 0.4 + 1.5 * len(keys))
     fig, _, grid = frame(len(keys), len(columns), size, [of_lines, marks], fixed, sharex=True, sharey="row")
@@ -226,13 +226,13 @@ def response(sweep, keys):
 
 
 def signed(value, largest):
-    """A difference with as many decimals as the largest one needs for two digits."""
+    """A difference with the decimals that give two digits for the largest one."""
     decimals = max(0, 1 - int(np.floor(np.log10(largest))))
     return f"{round(value, decimals) + 0.0:+.{decimals}f}"
 
 
 def draw_map(ax, sweep, key, cells, x, y, limit, with_numbers):
-    """One heat map; how its cells are drawn is said in the legend."""
+    """Draws one heat map; the legend explains its cells."""
     differences = sweep.rows(sweep.differences, key)
     factor = UNITS.get(key.unit, ("", 1.0))[1]
     values = np.full((len(y.values), len(x.values)), np.nan)
@@ -267,14 +267,14 @@ def draw_map(ax, sweep, key, cells, x, y, limit, with_numbers):
 def heat(sweep, keys, x, y):
     """The difference to the reference cell over two axes, panels for a third, rows for species and groups."""
     if not keys:
-        raise Missing("it is the same in all runs")
+        raise Missing("equal in all runs")
     rest = [axis for axis in sweep.axes if axis not in (x, y)]
     panels = rest[0] if rest else None
     cells, fixed = sweep.at([axis for axis in (x, y, panels) if axis])
     columns = panels_of(sweep, panels)
     size = (max(COLUMN_IN, 1.3 + len(columns) * max(1.3, 0.38 * len(x.values))), 0.4 + len(keys) * max(1.1, 0.3 * len(y.values)))
-    handles = [Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="no conclusion"),
-               Patch(facecolor="#d6604d", label="differs (corrected)"),
+    handles = [Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="not significant"),
+               Patch(facecolor="#d6604d", label="significant (corrected)"),
                Patch(facecolor="white", edgecolor="black", linewidth=1.6, label="reference")]
     if cells.shape[0] < len(x.values) * len(y.values) * len(columns):
         handles.append(Patch(facecolor="#dddddd", label="no such cell"))
@@ -302,10 +302,10 @@ def heat(sweep, keys, x, y):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze` wrote of a sweep")
+    parser.add_argument("analysis", type=pathlib.Path, help="output folder of `trophic analyze` for a sweep")
     parser.add_argument("--out", type=pathlib.Path, help="folder for the figures (ANALYSIS/figures)")
     parser.add_argument("--metric", nargs="+", help="METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP (those that were chosen in the analysis, or the headline metrics)")
-    parser.add_argument("--axes", nargs="+", help="what is drawn along x, as lines and as panels (numbers with most values first)")
+    parser.add_argument("--axes", nargs="+", help="axes for x, lines and panels (numbers with most values first)")
     options = parser.parse_args()
     try:
         sweep = Sweep(options.analysis, options.axes)
@@ -313,7 +313,7 @@ def main():
     except KeyError as error:
         sys.exit(f"sweep.py: {error.args[0] if str(error.args[0]).startswith('--') else f'{options.analysis}: no {error}: no sweep?'}")
     except (OSError, ValueError, AttributeError) as error:
-        sys.exit(f"sweep.py: {options.analysis}: not what trophic analyze writes of a sweep: {error}")
+        sys.exit(f"sweep.py: {options.analysis}: not an output of trophic analyze for a sweep: {error}")
     figures = []
     for metric, keys in chosen:
         figures.append((f"response-{metric}", functools.partial(response, sweep, keys)))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three rules of when a tag may change, chosen by a number.
+// Three rules for tag switches, chosen by a number.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ enum class TagRule { cool_down, first_free, sampling };
   return {"cool_down", "first_free", "sampling"};
 }
 
-/// Answers as TagCoolDown, FirstSwitchFree or TagSampling, with the State of FirstSwitchFree. See Either for why.
+/// Behaves as TagCoolDown, FirstSwitchFree or TagSampling, with the State of FirstSwitchFree. Either explains the purpose.
 struct AnyTagSwitch {
   using Free = perception::tag_switch::FirstSwitchFree;
   static constexpr std::string_view name = "any_tag_switch";

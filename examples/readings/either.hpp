@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One of two policies of a slot or of a part of one, chosen by a number: what a screening design over many open choices needs.
+// One of two policies of a slot or of a part of one, chosen by a number, for screening designs over many open choices.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@
 
 namespace trophic::readings {
 
-/// Which reading of an open sentence a run takes.
+/// The reading of an open sentence in a run.
 enum class Reading { first, second };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Reading) {
   return {"first", "second"};
 }
 
-/// A policy that answers every question as one of two policies of one slot does, neither of which keeps a State. n open choices
-/// as types are 2^n rule tables; as numbers of one table they are a sweep. A rule table for an experiment names its policies.
+/// A policy that behaves as one of two policies of one slot, neither of which has a State. n open choices as types are 2^n rule
+/// tables; as numbers of one table they are a sweep. A rule table for an experiment names its policies.
 template <class First, class Second>
 struct Either {
   struct Words {
@@ -102,7 +102,7 @@ struct Either {
   }
 };
 
-/// One of two sensors of one size.
+/// One of two sensors of the same size.
 template <class First, class Second>
 struct EitherSensor : Either<First, Second> {
   static constexpr std::size_t size = First::size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's table with what its text leaves open as numbers.
+// The paper's table with its open choices as numbers.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@
 
 namespace trophic::readings {
 
-/// `Paper`, where each slot that the text leaves open holds the table's policy as its first reading and another as its second.
+/// `Paper`, but each slot that the text leaves open holds the table's policy as its first reading and another as its second.
 /// With first readings everywhere a run is that of `Paper`, to the byte.
 struct PaperReadings final {
   static constexpr std::string_view name = "paper_readings";

@@ -14,17 +14,17 @@
 #include <trophic/io/own_table.hpp>
 #include <trophic/rules/table.hpp>
 #include <utility>
-// Programs that are linked with trophic::mpi or trophic::mpi_compiled have this definition.
+// Defined in programs that link trophic::mpi or trophic::mpi_compiled.
 #ifdef TROPHIC_WITH_MPI
 #include <trophic/mpi/find_team.hpp>
 #endif
 
 namespace trophic {
 
-/// Backends of one's own for `experiment_on`; the first is the default.
+/// User-defined backends for `experiment_on`; the first is the default.
 using command::BackendList;
 
-/// The command line of an experiment with rule tables to choose from, on backends of one's own choice:
+/// The command line of an experiment with a choice of rule tables, on user-defined backends:
 /// `experiment_on<BackendList<MyBackend>, MyRules>(argc, argv)`. `own_tables`: see `experiment`.
 template <class Backends, class... Rules>
 [[nodiscard]] int experiment_on(int argc, const char* const* argv, io::OwnTables own_tables = {}) {
@@ -48,11 +48,11 @@ template <class Backends, class... Rules>
   });
 }
 
-/// The command line of an experiment with rule tables to choose from, the first of them the default, on the kinematic backend and
-/// every engine that the program is linked with: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume,
-/// --sweep and more. `own_tables`: observers that write a table of one's own into the folder of every run, shadows and runs of
-/// sweeps included: `experiment<MyRules>(argc, argv, io::own_tables<Distances>())`.
-/// Returns the exit code: 0; 1 if a run failed; 2 if the arguments are wrong; 3 if a signal stopped a run.
+/// The command line of an experiment with a choice of rule tables, the first of them the default, on the kinematic backend and
+/// every engine that the program links: --help, --rules, --backend, --config, --set, --replicates, --shadow, --resume, --sweep
+/// and more. `own_tables`: observers that write a user-defined table into the folder of every run, including shadows and runs
+/// of sweeps: `experiment<MyRules>(argc, argv, io::own_tables<Distances>())`. Returns the exit code: 0; 1 if a run failed; 2 if
+/// the arguments are wrong; 3 if a signal stopped a run.
 template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv, io::OwnTables own_tables = {}) {
   return experiment_on<command::LinkedBackends, Rules...>(argc, argv, std::move(own_tables));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One run of an ecology into a folder of its own: all that a short program includes besides its rules and its backend.
+// Runs an ecology into a new folder: the only include of a short program besides its rules and its backend.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@
 namespace trophic {
 
 /// Runs an ecology until its clock reaches `until_s`, s, and writes its tables, recording and manifest into a new folder: the
-/// first of PATH-1, PATH-2, ... that does not exist. Shows progress on a terminal and prints a summary. `observers` observe the
-/// run, too. Returns the folder. Throws as `Simulation::run_until` and `io::RunFolder` do.
+/// first of PATH-1, PATH-2, ... that does not exist. Shows progress on a terminal and prints a summary. `observers` also
+/// observe the run. Returns the folder. Throws as `Simulation::run_until` and `io::RunFolder` do.
 template <class... Observers>
 std::filesystem::path run_in_new_folder(Simulation& ecology, double until_s, const std::filesystem::path& path,
                                         Observers&... observers) {

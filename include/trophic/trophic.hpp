@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every public header of the core. Programs that care about compile time include what they use instead.
+// Every public header of the core. Programs that compile often should include only the headers that they use.
 #pragma once
 
 #include <trophic/backend/any_backend.hpp>

@@ -193,18 +193,18 @@ double agm(double a, double b) {
 
 }  // namespace
 
-TEST_CASE("free fall") {
+TEST_CASE("engines: free fall -> g t^2 / 2 in both") {
   const double steps = std::ceil(0.5 / 0.0012);
   const double expected_m = 9.81 * 0.0012 * 0.0012 * steps * (steps + 1.0) / 2.0;
   CHECK(std::abs(fallen_m<Mujoco>() - expected_m) < free_fall_m);
   CHECK(std::abs(fallen_m<Ode>() - expected_m) < free_fall_m);
 }
 
-TEST_CASE("resting height") {
+TEST_CASE("engines: robot at rest -> the model's rest height") {
   CHECK(std::abs(resting_m<Mujoco>() - resting_m<Ode>()) < resting_height_m);
 }
 
-TEST_CASE("robots at rest gain no energy") {
+TEST_CASE("engines: robots at rest -> no energy gain") {
   const auto in_mujoco = after_a_minute_at_rest<Mujoco>(test::Resting{});
   CHECK(in_mujoco.gain_J() < 1e-9);
   CHECK(in_mujoco.drift_m() < 1e-9);
@@ -213,7 +213,7 @@ TEST_CASE("robots at rest gain no energy") {
   CHECK(in_ode.drift_m() > 0.0);
 }
 
-TEST_CASE("contact forces carry the weight: MuJoCo's from its solver") {
+TEST_CASE("engines: robot at rest in MuJoCo -> contact forces sum to its weight") {
   const RobotModel robot = load_robot("spider");
   Mujoco backend{robot, load_arena("walled_square"), one_at(robot.rest_height_m), Physics{}, {}};
   backend.advance_to(3.0);
@@ -235,7 +235,7 @@ TEST_CASE("contact forces carry the weight: MuJoCo's from its solver") {
   CHECK(force_N == doctest::Approx(robot.mass_kg() * 9.81).epsilon(weight_share));
 }
 
-TEST_CASE("contact forces carry the weight: ODE's from how far its springs are pressed") {
+TEST_CASE("engines: robot at rest in ODE -> spring forces sum to its weight") {
   // With the default of 8 sweeps the springs are pressed 23 % less than the weight asks for: the solver has not converged.
   const Ode::Params params{.sweeps = 100};
   const RobotModel robot = load_robot("spider");
@@ -256,7 +256,7 @@ TEST_CASE("contact forces carry the weight: ODE's from how far its springs are p
   CHECK(force_N == doctest::Approx(robot.mass_kg() * 9.81).epsilon(weight_share));
 }
 
-TEST_CASE("a pendulum without servo has its period") {
+TEST_CASE("engines: pendulum without servo -> analytic period") {
   const Pendulum pendulum;
   const double small_s =
       2.0 * std::numbers::pi * std::sqrt(Pendulum::inertia_kgm2() / (Pendulum::mass_kg * 9.81 * Pendulum::length_m));
@@ -265,7 +265,7 @@ TEST_CASE("a pendulum without servo has its period") {
   CHECK(period_s<Ode>() == doctest::Approx(expected_s).epsilon(period_share));
 }
 
-TEST_CASE("a servo's step response") {
+TEST_CASE("engines: servo step -> analytic response") {
   const Pendulum pendulum{.servo = {.position_gain = 5.0, .velocity_gain = 0.05, .target_limit_rad = 1.0}};
   const std::array<double, 4> times_s{0.01, 0.02, 0.04, 0.08};
   const auto mujoco_rad = step_response_rad_at<Mujoco>(times_s, pendulum, 0.0002);
@@ -278,7 +278,7 @@ TEST_CASE("a servo's step response") {
   }
 }
 
-TEST_CASE("a collision keeps the momentum: ODE at any timestep, MuJoCo as the timestep goes to zero") {
+TEST_CASE("engines: collision -> momentum conserved (ODE at any timestep, MuJoCo as it goes to zero)") {
   const Collision ode = collide<Ode>(0.0012);
   CHECK(ode.drift_m < ode_drift_m);
   CHECK(ode.separation_m > 0.02);
@@ -290,7 +290,7 @@ TEST_CASE("a collision keeps the momentum: ODE at any timestep, MuJoCo as the ti
   }
 }
 
-TEST_CASE("sliding down a slope against friction") {
+TEST_CASE("engines: box on a slope -> slides as by Coulomb friction") {
   const double slope_rad = std::numbers::pi / 6.0;
   const double time_s = 0.6;
   const auto expected_m = [&](double friction) {
@@ -301,7 +301,7 @@ TEST_CASE("sliding down a slope against friction") {
     CHECK(slid_m<Mujoco>(slope_rad, along, 0.3, time_s) == doctest::Approx(expected_m(0.3)).epsilon(sliding_share));
     CHECK(slid_m<Ode>(slope_rad, along, 0.3, time_s) == doctest::Approx(expected_m(0.3)).epsilon(sliding_share));
   }
-  SUBCASE("between two of them: both pyramids are flat there and hold mu / sqrt(2)") {
+  SUBCASE("between two of them: both pyramids are flat there and give mu / sqrt(2)") {
     const Eigen::Vector2d between = Eigen::Vector2d{1.0, 1.0}.normalized();
     const double weaker = 0.3 / std::numbers::sqrt2;
     CHECK(slid_m<Mujoco>(slope_rad, between, 0.3, time_s) == doctest::Approx(expected_m(weaker)).epsilon(sliding_share));
@@ -309,12 +309,12 @@ TEST_CASE("sliding down a slope against friction") {
   }
 }
 
-TEST_CASE("friction holds below its limit") {
+TEST_CASE("engines: force below the friction limit -> no sliding") {
   CHECK(slid_m<Mujoco>(0.2, {1.0, 0.0}, 0.5, 1.0) < creep_m_s * 1.0);
   CHECK(slid_m<Ode>(0.2, {1.0, 0.0}, 0.5, 1.0) < creep_m_s * 1.0);
 }
 
-TEST_CASE("a hinge rests on its limit") {
+TEST_CASE("engines: hinge beyond its range -> rests at the limit") {
   CHECK(std::abs(rest_angle_at_limit_rad<Mujoco>() + 0.4) < limit_rad);
   CHECK(std::abs(rest_angle_at_limit_rad<Ode>() + 0.4) < limit_rad);
 }

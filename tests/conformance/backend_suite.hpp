@@ -359,13 +359,13 @@ TEST_CASE_TEMPLATE_DEFINE("backend conformance", B, trophic_backend_suite) {
   SUBCASE("has a name and a version") {
     check_names<B>();
   }
-  SUBCASE("says which numbers of the physics it does not use") {
+  SUBCASE("remarks on numbers of the physics without effect") {
     check_remarks<B>();
   }
-  SUBCASE("starts where it is told to") {
+  SUBCASE("starts at the given poses") {
     for (const Walker& walker : walkers) check_starts<B>(walker);
   }
-  SUBCASE("knows its robots") {
+  SUBCASE("rejects robots that do not exist") {
     check_missing_robots<B>();
   }
   SUBCASE("advances by whole steps, never back") {
@@ -386,7 +386,7 @@ TEST_CASE_TEMPLATE_DEFINE("backend conformance", B, trophic_backend_suite) {
   SUBCASE("robots stay between the walls") {
     check_walls<B>();
   }
-  SUBCASE("bad numbers are rejected by name") {
+  SUBCASE("rejects bad numbers by name") {
     check_bad_numbers<B>();
   }
   if constexpr (trophic::JointDriven<B>) {

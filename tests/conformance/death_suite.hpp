@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE_DEFINE("exemption from starvation", Policy, trophic_starvatio
       });
 }
 
-TEST_CASE_TEMPLATE_DEFINE("choice of who starves", Policy, trophic_starvation_choice_suite) {
+TEST_CASE_TEMPLATE_DEFINE("choice of hunters that starve", Policy, trophic_starvation_choice_suite) {
   using namespace trophic;
   static_assert(death::starvation::Choice<Policy>);
   conformance::check_policy<Policy>();
@@ -222,7 +222,7 @@ TEST_CASE_TEMPLATE_DEFINE("starvation", Policy, trophic_starvation_suite) {
       });
 }
 
-TEST_CASE_TEMPLATE_DEFINE("minimum_predators", Policy, trophic_minimum_predators_suite) {
+TEST_CASE_TEMPLATE_DEFINE("minimum predators", Policy, trophic_minimum_predators_suite) {
   using namespace trophic;
   static_assert(death::MinimumPredators<Policy>);
   conformance::check_policy<Policy>();

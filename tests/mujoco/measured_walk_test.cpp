@@ -34,15 +34,15 @@ void check_walk(const trophic::EcologyParams& ecology, const trophic::Physics& p
 
 }  // namespace
 
-TEST_CASE("the paper's robot walks with its table's gait and physics as its file says") {
+TEST_CASE("measured walk: paper's robot with its table's gait and physics -> its file's figures") {
   check_walk(trophic::rules::Paper::ecology(), trophic::rules::Paper::physics());
 }
 
-TEST_CASE("the released code's robot walks with its table's gait and physics as its file says") {
+TEST_CASE("measured walk: released code's robot with its table's gait and physics -> its file's figures") {
   check_walk(trophic::rules::Released::ecology(), trophic::rules::Released::physics());
 }
 
-TEST_CASE("the gecko walks with its own gait as its file says") {
+TEST_CASE("measured walk: gecko with its own gait -> its file's figures") {
   trophic::EcologyParams ecology;
   ecology.robot = "gecko";
   check_walk(ecology, {});

@@ -97,10 +97,10 @@ void check_steering(const std::array<Walk, 3>& walks) {
 
 }  // namespace
 
-TEST_CASE("the spider steers to both sides at the paper's timestep") {
+TEST_CASE("steering: spider at the paper's timestep -> turns to both sides") {
   check_steering(walk_60_s("spider", {}));
 }
 
-TEST_CASE("the released spider steers to both sides with the released physics") {
+TEST_CASE("steering: released spider with the released physics -> turns to both sides") {
   check_steering(walk_60_s("spider_released", {.timestep_s = 0.012, .integrator = Integrator::rk4}));
 }

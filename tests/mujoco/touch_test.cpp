@@ -11,7 +11,7 @@
 
 using namespace trophic;
 
-TEST_CASE("robots in a crowd at a wall touch whom the engine says") {
+TEST_CASE("touch: crowd at a wall -> the engine's contacts") {
   const std::size_t robots = 12;
   std::vector<Pose> starts = test::crowd(test::spider, robots, 1.6, 5);
   for (Pose& start : starts) {

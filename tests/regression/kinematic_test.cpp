@@ -71,18 +71,18 @@ void compare_crowd(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a run of the paper's rules is the golden one") {
+TEST_CASE("golden: run of the paper's rules -> same files") {
   compare_run<rules::Paper>("kinematic_paper");
 }
 
-TEST_CASE("a run of the released code's rules is the golden one") {
+TEST_CASE("golden: run of the released code's rules -> same files") {
   compare_run<rules::Released>("kinematic_released");
 }
 
-TEST_CASE("a crowd by the paper's rules is the golden one") {
+TEST_CASE("golden: crowd by the paper's rules -> same checksums") {
   compare_crowd<rules::Paper>("kinematic_paper_crowd");
 }
 
-TEST_CASE("a crowd by the released code's rules is the golden one") {
+TEST_CASE("golden: crowd by the released code's rules -> same checksums") {
   compare_crowd<rules::Released>("kinematic_released_crowd");
 }

@@ -33,7 +33,7 @@ struct Closest {
 
 }  // namespace
 
-TEST_CASE("a MuJoCo run's events are the golden ones until robots touch") {
+TEST_CASE("golden: MuJoCo run until robots touch -> same events") {
   const std::filesystem::path written = test::written_folder("mujoco_paper");
   std::filesystem::create_directory(written);
   Mujoco::Params params{.seed = 46};

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-// trophic::mujoco_compiled: all but the kernel.
+// trophic::mujoco_compiled except the kernel.
 #include <trophic/backend/mujoco.ipp>
 #include <trophic/backend/mujoco/kernel/step.ipp>

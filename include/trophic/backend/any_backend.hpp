@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A backend whose type is erased: what the ecology and its locomotion move.
+// A type-erased backend, for the ecology and its locomotion.
 #pragma once
 
 #include <any>
@@ -18,8 +18,8 @@
 
 namespace trophic {
 
-/// The bodies of one run in a backend of any type. Each function does what the contract of backends says; an ecology calls them
-/// some 60 times a second and robot, so that a virtual call costs nothing beside them.
+/// The bodies of one run in a backend of any type. Each function follows the contract of backends. An ecology calls them about
+/// 60 times a second and robot, so the cost of virtual calls is negligible.
 class AnyBackend {
  public:
   /// Builds a backend of type B. Throws as its constructor does.
@@ -34,7 +34,7 @@ class AnyBackend {
   [[nodiscard]] Pose pose(std::size_t robot) const { return bodies_->pose(robot); }
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return bodies_->joint_angles(robot); }
 
-  /// Whether robots are driven by joint targets; if not, by the target angle alone.
+  /// Whether robots are driven by joint targets; otherwise by the target angle alone.
   [[nodiscard]] bool has_joints() const { return bodies_->has_joints(); }
   /// Throws std::logic_error if the backend has no joints.
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {

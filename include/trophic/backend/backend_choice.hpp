@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which backend an experiment runs on, with that backend's numbers: its type is erased.
+// The type-erased choice of a backend, with its numbers.
 #pragma once
 
 #include <concepts>
@@ -17,7 +17,7 @@
 
 namespace trophic {
 
-/// A backend and its numbers, before it has bodies. Made from the numbers: `backend::Mujoco::Params{.threads = 2}`.
+/// A backend and its numbers, before it has bodies. Constructed from the numbers: `backend::Mujoco::Params{.threads = 2}`.
 class BackendChoice {
  public:
   template <class Params>
@@ -36,13 +36,13 @@ class BackendChoice {
 
   [[nodiscard]] std::string name() const { return std::string{choice_->name()}; }
   [[nodiscard]] std::string version() const { return choice_->version(); }
-  /// Sentences on numbers of `physics` that have no effect.
+  /// One sentence for each number of `physics` without effect.
   [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const { return choice_->remarks(physics); }
   [[nodiscard]] bool has_joints() const { return choice_->has_joints(); }
-  /// Its threads; null for a backend that has none to choose.
+  /// Its number of threads; null for a backend without threads.
   [[nodiscard]] std::size_t* threads() { return choice_->threads(); }
 
-  /// Throws std::invalid_argument naming the first number out of its bounds, as "PATH.NAME".
+  /// Throws std::invalid_argument naming the first number outside its bounds, as "PATH.NAME".
   void validate(std::string_view path) const { choice_->validate(path); }
   void append_named_params(std::string_view path, NamedParams& named_params) const {
     choice_->append_named_params(path, named_params);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which robots may touch each other soon: connected sets of overlapping discs.
+// Finds robots that may soon touch each other: connected sets of overlapping discs.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ struct Disc {
   double radius_m = 0.0;
 };
 
-/// Splits the discs 0 .. n-1 into the connected sets of "overlap or touch". Each set is ascending; the sets are ordered by size,
-/// largest first, then by their first member. Grid and union-find: linear in n for discs that are spread out.
+/// Splits the discs 0 .. n-1 into the connected sets of "overlap or touch". Each set is ascending; the sets are ordered by
+/// size, largest first, then by their first member. Grid and union-find: linear in n for scattered discs.
 [[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs) {
   std::vector<std::size_t> root(discs.size());
   std::iota(root.begin(), root.end(), std::size_t{0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract between the ecology and a physics engine. Nothing else of an engine is visible to the rest of the library.
+// The contract between the ecology and a physics engine; the library uses nothing else of an engine.
 #pragma once
 
 #include <concepts>
@@ -18,7 +18,7 @@
 
 namespace trophic {
 
-/// A simulation that left the finite numbers or that its engine warned about. Carries when and which robot.
+/// A simulation whose numbers became infinite, or about which its engine warned. Holds the time and the robot.
 class Diverged : public std::runtime_error {
  public:
   Diverged(double time_s, std::size_t robot, const std::string& what)
@@ -36,18 +36,18 @@ class Diverged : public std::runtime_error {
 
 /// A backend simulates n copies of one RobotModel in one Arena.
 ///
-/// - built from (model, arena, one start pose of the root link per robot, physics, its own Params); joint angles start at 0, at
-///   rest; throws std::invalid_argument naming field, value and bound
-/// - `advance_to(t)` takes whole steps until the first step time >= t (simulated seconds since the start; 1e-9 s of slack so that
-///   rounding adds no step); throws Diverged; a t in the past does nothing
-/// - `pose(i)` is the root link's; `joint_angles(i)` in the order of RobotModel::hinges (empty without joints); these and what
-///   drives a robot throw std::out_of_range for one that is not there
-/// - `save`/`restore`: the full state, warm starts, targets and time included: a restored backend continues bitwise as the saved
-///   one. State lists its members in saved(), so that checkpoints hold it (trophic/params/archive.hpp)
+/// - constructed from (model, arena, one start pose of the root link per robot, physics, its own Params); joint angles start at
+///   0, at rest; throws std::invalid_argument naming field, value and bound
+/// - `advance_to(t)` takes whole steps until the first step time >= t (simulated seconds since the start; 1e-9 s of slack so
+///   that rounding adds no step); throws Diverged; does nothing if t is in the past
+/// - `pose(i)` returns the pose of the root link, `joint_angles(i)` the angles in the order of RobotModel::hinges (empty
+///   without joints); both, and the setters of targets, throw std::out_of_range for a robot that does not exist
+/// - `save`/`restore`: the full state, including warm starts, targets and time: a restored backend continues bitwise as the
+///   saved one. State lists its members in saved(), so that checkpoints hold it (trophic/params/archive.hpp)
 /// - results must not depend on the number of threads
-/// - `remarks(physics)`: one sentence for every number of `physics` that has no effect on this backend, naming it; runs record
-/// them
-/// - Params say whose they are, `using Backend = Mine;`, so that an ecology is given the numbers of a backend and nothing else
+/// - `remarks(physics)`: returns one sentence for every number of `physics` that has no effect on this backend, naming it;
+///   manifests record them
+/// - Params name their backend, `using Backend = Mine;`, so that an ecology is constructed from the numbers of a backend alone
 template <class B>
 concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {
   { B::name } -> std::convertible_to<std::string_view>;

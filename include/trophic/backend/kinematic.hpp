@@ -19,10 +19,10 @@ namespace trophic::backend {
 
 /// A robot is a point that walks along its heading at a constant speed and turns clockwise at a rate proportional to its target
 /// angle: each step it follows an exact arc. Walls and the feet of slopes stop it (it slides along them); robots pass through
-/// each other. For testing rules and observers and for quick looks.
+/// each other. For tests of rules and observers, and for fast trials.
 ///
-/// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, which is how
-/// the cognitive brain steers. `ecology.gait` does not change them.
+/// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, those of the
+/// cognitive brain. `ecology.gait` does not change them.
 ///
 /// Ignores joints, Physics and the height and tilt of the start poses: reported poses stand upright at the robot's rest height.
 /// No random draws; the same bits with every compiler and optimisation level that keeps IEEE arithmetic.
@@ -41,9 +41,9 @@ class Kinematic {
 
     static constexpr auto fields() {
       return std::tuple{
-          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "times the speed of the robot's walk"),
-          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "times the turning rate of the robot's walk"),
-          field("radius_m", &Params::radius_m, at_least(0.0), "walls stop the robot's centre this far away"),
+          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "factor of the speed of the robot's walk"),
+          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "factor of the turning rate of the robot's walk"),
+          field("radius_m", &Params::radius_m, at_least(0.0), "distance at which walls stop the robot's centre"),
           field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
     }
   };
@@ -63,8 +63,8 @@ class Kinematic {
     static constexpr auto saved() { return std::tuple{&State::steps, &State::bodies}; }
   };
 
-  /// Throws std::invalid_argument for a number outside its bound, a robot without a walk, no robot, a radius that the arena
-  /// cannot hold and a start pose outside the walls.
+  /// Throws std::invalid_argument for a number outside its bound, a robot without a walk, no robots, a radius that does not fit
+  /// into the arena, and a start pose outside the walls.
   Kinematic(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
             const Params& params);
 

@@ -30,11 +30,11 @@ TROPHIC_INLINE Kinematic::Kinematic(const RobotModel& robot, const Arena& arena,
   validate(params, "kinematic");
   if (!(robot.walk.speed_m_s > 0.0)) {
     throw std::invalid_argument{"robot " + robot.name + ": walk.speed_m_s = " + number_text(robot.walk.speed_m_s) +
-                                ": must be > 0 where robots walk without joints; trophic measure-gait --walk measures it"};
+                                ": must be > 0 for a backend without joints; trophic measure-gait --walk measures it"};
   }
   if (!(robot.walk.turn_rate_per_rad > 0.0)) {
     throw std::invalid_argument{"robot " + robot.name + ": walk.turn_rate_per_rad = " +
-                                number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, or what brains choose turns nobody"};
+                                number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, else brains cannot turn the robot"};
   }
   if (!(limit_m_ > 0.0)) {
     throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +

@@ -43,7 +43,7 @@ namespace detail {
   return {
       {"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")", tables},
       {"--backend", &options.backend, backend_help(backends, offer.default_backend), backends},
-      {"--seed", &options.seed, "every random number follows from it (1)"},
+      {"--seed", &options.seed, "determines every random number (1)"},
       {"--duration", &options.duration_s, "length of the run, seconds of the ecology's clock (the table's)"},
       {"--robots", &options.robots, "number of bodies (the table's)"},
       {"--robot", &options.robot, "name or path of a robot file (the table's)"},

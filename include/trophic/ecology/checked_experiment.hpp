@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An experiment's numbers with the habitat that they name, checked before anything is simulated.
+// An experiment's numbers with the habitat that they name, checked before the simulation.
 #pragma once
 
 #include <concepts>
@@ -13,7 +13,7 @@
 
 namespace trophic {
 
-/// Numbers within their bounds, and a robot that has this gait and that the rules can steer.
+/// Checks that numbers are within their bounds, that the gait fits the robot, and that the rules can steer the robot.
 template <class Rules>
 struct CheckedExperiment {
   Experiment<Rules> params;
@@ -33,8 +33,8 @@ template <class Rules>
   return {std::move(params), std::move(backend), std::move(habitat)};
 }
 
-/// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws as `checked` does,
-/// std::runtime_error for a missing or broken file.
+/// Loads the models that `params.ecology` names, using trophic/habitat/load/habitat.hpp. Throws as `checked`, and
+/// std::runtime_error for a missing or invalid file.
 template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> load_checked(Experiment<Rules> params, BackendChoice backend) {
   validate(params, "");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What rules must not return: too few founders or places, catches of nobody's prey, parents of another kind than their offspring.
+// Rejects invalid return values of rules: too few founders or places, catches of species that the hunter does not eat, unfit
+// parents.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +17,14 @@ namespace trophic::detail {
 /// Throws RuleError unless the hunter's species eats the victim's.
 void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex victim, Species eaten);
 
-/// A body goes to the species that the rules fix; throws RuleError for a parent of another one, or whose genome is none of
-/// `weights` weights.
+/// Throws RuleError if the rules fix a body's new species and the parent is of another one, or if the parent's genome does not
+/// have `weights` weights.
 void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent, std::size_t weights);
 
-/// Throws RuleError unless a slot's rule returned one of these for each robot.
+/// Throws RuleError unless a slot's rule returned one value for each robot.
 void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots);
 
-/// Throws RuleError unless there is a place for each robot, and each is one.
+/// Throws RuleError unless there is a finite place for each robot.
 void check_places(std::span<const GroundPose> places, std::size_t robots);
 
 }  // namespace trophic::detail

@@ -27,7 +27,7 @@ TROPHIC_INLINE void check_places(std::span<const GroundPose> places, std::size_t
   for (std::size_t body = 0; body < places.size(); ++body) {
     const GroundPose& place = places[body];
     if (std::isfinite(place.x_m) && std::isfinite(place.y_m) && std::isfinite(place.heading_rad)) continue;
-    throw RuleError{"placement", "a place of body " + std::to_string(body) + " that is not finite"};
+    throw RuleError{"placement", "the place of body " + std::to_string(body) + ": must be finite"};
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an experiment's runs are made of, for observers and manifests.
+// The description of an experiment's runs, for observers and manifests.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ecology: who lives in which body, in what order the rules act, and when.
+// The ecology: the individual in each body, and the order and times of the rules.
 #pragma once
 
 #include <any>
@@ -44,19 +44,19 @@ namespace trophic {
 /// of any type: `Ecology<Paper> ecology({.seed = 1}, backend::Mujoco::Params{.threads = 2})`.
 ///
 /// A tick is `EcologyParams::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn,
-/// catches, senescence, starvation, rescue, perception and brains, log. Tick 0 is the start. Same numbers and seed: same run,
-/// whatever the number of threads and whoever observes. A policy that returns what does not exist or contradicts its contract is
-/// a RuleError.
+/// catches, senescence, starvation, the minimum-predators rule, perception and brains, log. Tick 0 is the start. Equal numbers
+/// and seeds give equal runs, for any number of threads and any observers. A policy that returns a value that does not exist or
+/// violates its contract causes a RuleError.
 template <class Rules, bool is_table>
 class Ecology final : public Simulation {
  public:
   using Params = Experiment<Rules>;
 
-  /// Loads the models that `params.ecology` names, by trophic/habitat/load/habitat.hpp. Throws std::invalid_argument naming
-  /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or broken file.
+  /// Loads the models that `params.ecology` names, using trophic/habitat/load/habitat.hpp. Throws std::invalid_argument naming
+  /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or invalid file.
   Ecology(Params params, BackendChoice backend) : Ecology{load_checked(std::move(params), std::move(backend))} {}
 
-  /// In a habitat made by the program; the names in `params.ecology` are then only labels.
+  /// Uses a habitat made by the program; the names in `params.ecology` are then only labels.
   Ecology(Params params, BackendChoice backend, Habitat habitat)
       : Ecology{checked(std::move(params), std::move(backend), std::move(habitat))} {}
 
@@ -67,7 +67,7 @@ class Ecology final : public Simulation {
     Archive::require(poses_.size() == population_.individuals().size(), "another number of robots");
     for (const GroundPose& pose : poses_) {
       const bool is_somewhere = std::abs(pose.x_m) < 1e9 && std::abs(pose.y_m) < 1e9 && std::isfinite(pose.heading_rad);
-      Archive::require(is_somewhere, "a robot that stands nowhere");
+      Archive::require(is_somewhere, "a robot without a finite position");
     }
     locomotion_.restore(rhythms);
     population_.stand_at(poses_);
@@ -78,7 +78,7 @@ class Ecology final : public Simulation {
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }
   [[nodiscard]] const AnyBackend& backend() const { return backend_; }
-  [[nodiscard]] const RuleStates<Rules>& states() const { return population_.states(); }  ///< what rules with a State keep
+  [[nodiscard]] const RuleStates<Rules>& states() const { return population_.states(); }  ///< the states of rules with a State
 
   [[nodiscard]] View view() const override {
     return {.time_s = time_s(),
@@ -165,7 +165,7 @@ class Ecology final : public Simulation {
                    view());
   }
 
-  /// The bodies' part of a tick. Returns false, with everything as before, if an observer gave it up.
+  /// Moves the bodies through a tick. Returns false, with everything as before, if an observer cancelled it.
   [[nodiscard]] bool move(observe::Audience& audience) {
     target_angles_rad_.clear();
     for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
@@ -281,8 +281,8 @@ class Ecology final : public Simulation {
     }
   }
 
-  /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
-  /// want of a parent, the first that the dead one ate.
+  /// Death of the occupant and birth of its successor. Unless the rules fix the successor's species, it is the parent's or,
+  /// without a parent, the first species that the dead individual ate.
   void replace_occupant(observe::Audience& audience, const reproduction::Vacancy& vacancy) {
     const Parentage parentage = population_.parentage(vacancy, view());
     const Species dead = population_[vacancy.body].species;
@@ -297,8 +297,8 @@ class Ecology final : public Simulation {
     emit(audience, observe::EventKind::birth, vacancy.body);
   }
 
-  /// Perception, brains, and what they change. Unless robots decide in turn, all perceive the same
-  /// moment: all decisions are made before the first tag changes.
+  /// Perception, decisions, and their effects. Unless robots decide in turn, all perceive the same moment: all decisions are
+  /// made before the first tag changes.
   void decide(observe::Audience& audience) {
     const SensorValues common = rules_.sensors.sense_common(view());
     choices_.clear();
@@ -318,12 +318,12 @@ class Ecology final : public Simulation {
     return perception::ask::perceives(rules_.visibility, states().visibility[self], self, other, now, rng);
   }
 
-  /// What a robot perceives and what its brain makes of it; no decision where a robot without a target keeps its last one.
+  /// A robot's sighting and its brain's decision; no decision if a robot without a target keeps its last one.
   struct Choice {
     std::optional<Sighting> sighting;
     std::optional<control::Decision> decision;
     SensorValues inputs{};
-    typename Population<Rules>::Outputs outputs{};  ///< where observers are told
+    typename Population<Rules>::Outputs outputs{};  ///< only if an observer wants decision records
   };
 
   [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common, bool is_observed) {
@@ -369,7 +369,7 @@ class Ecology final : public Simulation {
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }
 
-  /// From so many on, a tree finds the closest robot sooner than a look at everybody; both give the same.
+  /// From this number of robots on, a tree finds the closest robot faster than a visit to each; both give the same result.
   static constexpr std::size_t tree_from_robots = 64;
 
   Params params_;

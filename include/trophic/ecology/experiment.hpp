@@ -13,35 +13,35 @@
 
 namespace trophic {
 
-/// All numbers of an experiment but those of its backend (BackendChoice). Starts at the numbers of its rule table.
+/// All numbers of an experiment but those of its backend (BackendChoice). Defaults to the numbers of its rule table.
 template <class Rules>
 struct Experiment {
   std::uint64_t seed = 1;
   EcologyParams ecology = Rules::ecology();
   Physics physics = Rules::physics();
   RuleParams<Rules> rules{};
-  /// Runs the neutral shadow: the heredity rule is not asked, every inherited genome is drawn anew. Not a number that files set.
+  /// Runs the neutral shadow: the heredity rule is not applied, every inherited genome is drawn anew. Files cannot set it.
   bool shadow = false;
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& experiment, Visitor&& visit) {
-    visit(FieldText{"seed", any_seed(), "every random number follows from it"}, experiment.seed);
+    visit(FieldText{"seed", any_seed(), "determines every random number"}, experiment.seed);
     visit(FieldText{"ecology"}, experiment.ecology);
     visit(FieldText{"physics"}, experiment.physics);
     visit(FieldText{"rules"}, experiment.rules);
   }
 };
 
-/// The neutral shadow of an experiment: the same seed and numbers, without inheritance. Labels, places and times of birth come
-/// about as in the experiment itself, so a metric that differs between the two shows what inheritance does.
+/// The neutral shadow of an experiment: the same seed and numbers, without inheritance. Labels, places and times of birth arise
+/// as in the experiment itself, so a metric that differs between the two shows the effect of inheritance.
 template <class Rules>
 [[nodiscard]] Experiment<Rules> shadow_of(Experiment<Rules> experiment) {
   experiment.shadow = true;
   return experiment;
 }
 
-/// Control steps in one tick. Throws std::invalid_argument unless they are a whole number >= 1 and, for a backend with joints, no
-/// physics step is longer than a control step.
+/// Control steps in one tick. Throws std::invalid_argument unless they are a whole number >= 1 and, for a backend with joints,
+/// no physics step is longer than a control step.
 [[nodiscard]] inline std::int64_t control_steps_per_tick(const EcologyParams& ecology, const Physics& physics, bool has_joints) {
   const double steps = ecology.tick_s * ecology.clock_scale * ecology.control_hz;
   const double whole = std::round(steps);

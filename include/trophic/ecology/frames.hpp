@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves bodies through a tick and shows observers the frames that they ask for on the way.
+// Moves bodies through a tick and passes observers the frames that they want.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace trophic {
 
-/// Where the bodies are after some control steps of a tick.
+/// The poses of the bodies after some control steps of a tick.
 struct KeptFrame {
   std::int64_t step = 0;
   std::vector<Pose> roots;
@@ -30,7 +30,7 @@ struct KeptFrame {
   }
 };
 
-/// Shows the audience a frame of the tick that begins at `clock_s`.
+/// Passes the observers a frame of the tick that begins at `clock_s`.
 inline void show_frame(observe::Audience& audience, const KeptFrame& kept, const Habitat& habitat,
                        const observe::FrameTimes& times, double clock_s) {
   const double part = static_cast<double>(kept.step) / static_cast<double>(times.steps);
@@ -43,9 +43,9 @@ inline void show_frame(observe::Audience& audience, const KeptFrame& kept, const
                  kept.step);
 }
 
-/// Moves the bodies through a whole tick, and shows the audience the frames that it asked for once the tick is over. Bodies move
-/// as without an audience: a backend's steps do not depend on where it is asked to pause. Returns false, with no frame shown and
-/// the bodies somewhere in the tick, if `is_cancelled()` said true between two control steps.
+/// Moves the bodies through a whole tick, then passes the observers the frames that they want. Observers do not affect the
+/// motion: a backend's steps do not depend on where it pauses. Returns false, without frames and with the bodies somewhere in
+/// the tick, if `is_cancelled()` returned true between two control steps.
 template <class Locomotion, class IsCancelled>
 [[nodiscard]] bool advance_in_frames(observe::Audience& audience, Locomotion& locomotion, AnyBackend& backend,
                                      std::span<const double> target_angles_rad, const Habitat& habitat,

@@ -35,20 +35,20 @@ namespace trophic {
 
 namespace detail {
 
-/// The sensors of a table; none in the place of what is no list, which `CheckRules` reports.
+/// The sensors of a table; empty instead of a type that is not a list, which `CheckRules` reports.
 template <class Rules, class Sensors = typename slot_sensors<Rules>::type>
 using sensors_of = std::conditional_t<perception::SensorList<Sensors>, Sensors, perception::sensors::List<>>;
 
 }  // namespace detail
 
-/// Who inherits a vacant body.
+/// The origin of the next individual in a vacant body.
 struct Parentage {
   reproduction::Descent descent = reproduction::Descent::random;
   std::optional<Ancestor> parent;  ///< none if the genome is random by rule or there is no individual to inherit from
 };
 
-/// One individual per body, from the founders on, and the states of all rules: the only writer of both. Applies the birth rules
-/// of a table; which body falls vacant, and when, is the ecology's.
+/// One individual per body, starting with the founders, and the states of all rules: the only writer of both. Applies the birth
+/// rules of a table; the ecology decides which body falls vacant, and when.
 template <class Rules>
 class Population {
  public:
@@ -59,7 +59,7 @@ class Population {
 
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
-  /// later births. `shadow`: the heredity rule is not asked, and every inherited genome is drawn anew.
+  /// later births. `shadow`: the heredity rule is not applied, and every inherited genome is drawn anew.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders,
              bool shadow = false)
       : rules_{rules}, web_{web}, seed_{seed}, is_shadow_{shadow}, tags_{rules.brain.tags()} {
@@ -81,16 +81,16 @@ class Population {
   [[nodiscard]] std::span<const Individual> individuals() const { return individuals_; }
   [[nodiscard]] std::span<const std::size_t> members() const { return members_; }  ///< of each species
   [[nodiscard]] const std::vector<int>& tags() const { return tags_; }             ///< that an individual may show
-  [[nodiscard]] IndividualId next_id() const { return next_id_; }                  ///< of whoever is born next
+  [[nodiscard]] IndividualId next_id() const { return next_id_; }                  ///< of the next newborn
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
 
-  /// Writes everybody and all states to an archive, or reads them from it (trophic/params/archive.hpp). Throws
-  /// std::invalid_argument for bytes that are no population of these rules; its own is then undefined.
+  /// Writes all individuals and states to an archive, or reads them from it (trophic/params/archive.hpp). Throws
+  /// std::invalid_argument for bytes that are not a population of these rules, and is then in an undefined state.
   template <class Archive>
   void persist(Archive& archive) {
     const std::size_t bodies = individuals_.size();
-    std::string keepers;  // states are of use to the rules that keep them alone
+    std::string keepers;  // states can only be read by the rules that wrote them
     for_each_state(rules_, states_, [&](const auto& policy, auto&) { keepers.append(policy.name).push_back(' '); });
     std::string there = keepers;
     archive(there);
@@ -111,7 +111,7 @@ class Population {
     });
   }
 
-  /// Bodies stand at `poses` from now on, one for each; refers to them. From then on searches can use a tree.
+  /// Places bodies at `poses`, one for each; refers to them. Searches can use a tree from then on.
   void stand_at(std::span<const GroundPose> poses) {
     poses_ = poses;
     tree_ = SearchTree{poses_, individuals_};
@@ -119,14 +119,14 @@ class Population {
   /// Finds the closest bodies; null before `stand_at`.
   [[nodiscard]] const SearchTree* tree() const { return poses_.empty() ? nullptr : &tree_; }
 
-  /// The newborn in a body can be caught and seen from now on; its age counts from now where the rule says so.
+  /// Lets the newborn in a body be caught and seen; restarts its age if the rule requires it.
   void activate(BodyIndex body, double time_s, bool restarts_age) {
     individuals_[body].active = true;
     mark(body);
     if (restarts_age) individuals_[body].age_from_s = time_s;
   }
 
-  /// All bodies have moved since they stood at `before`.
+  /// Notes that all bodies have moved, from `before`.
   void walk(std::span<const GroundPose> before, const View& view) {
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
       if constexpr (requires { for_species(policy, Species{}).on_walk(states[0], BodyIndex{}, 0.0, view); }) {
@@ -138,7 +138,7 @@ class Population {
     });
   }
 
-  /// The hunter eats. Its victim is still there, for `replace` to remove.
+  /// Feeds the hunter. Its victim is still there; `replace` removes it.
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
     individuals_[hunter].fed_tick = view.tick;
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
@@ -153,7 +153,7 @@ class Population {
     });
   }
 
-  /// What an individual perceives at this tick: its adversary, or nobody.
+  /// Notes an individual's adversary at this tick, if it perceives one.
   void sight(BodyIndex body, const std::optional<Sighting>& sighting, const View& view) {
     Individual& self = individuals_[body];
     self.adversary = sighting ? std::optional{sighting->adversary} : std::nullopt;
@@ -166,7 +166,7 @@ class Population {
     });
   }
 
-  /// What its brain decides from these inputs. Throws RuleError for a tag that the brain does not list.
+  /// The brain's decision for these inputs. Throws RuleError for a tag that the brain does not list.
   [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs) {
     auto& own = states_.brain[body];
     const control::Decision decision = control::ask::decide(rules_.brain, own, inputs, weights(body));
@@ -174,13 +174,13 @@ class Population {
     return decision;
   }
 
-  /// The output neurons from which its brain would decide; none for a brain that does not show them.
+  /// The output neurons behind a decision; none for a brain that does not show them.
   using Outputs = std::optional<std::array<double, control::Decision::outputs>>;
   [[nodiscard]] Outputs outputs(BodyIndex body, std::span<const double> inputs) const {
     return control::ask::outputs(rules_.brain, states_.brain[body], inputs, weights(body));
   }
 
-  /// Where it wants to go from now on, positive to the right.
+  /// Sets the target angle, positive to the right.
   void turn(BodyIndex body, double target_angle_rad) { individuals_[body].target_angle_rad = target_angle_rad; }
   void show_tag(BodyIndex body, int tag) {
     if (individuals_[body].tag == tag) return;
@@ -189,7 +189,7 @@ class Population {
   }
   void restart_tag_clock(BodyIndex body, double time_s) { individuals_[body].tag_since_s = time_s; }
 
-  /// Who inherits a vacant body: decides between random and inherited and asks the parent rule. Changes nothing.
+  /// Chooses between a random and an inherited genome and calls the parent rule. Changes nothing.
   [[nodiscard]] Parentage parentage(const reproduction::Vacancy& vacancy, const View& view) const {
     Rng source{seed_, Stream::genome_source, next_id_};
     Parentage result{.descent = rules_.genome_source.descent(source), .parent = std::nullopt};
@@ -200,7 +200,7 @@ class Population {
     return result;
   }
 
-  /// The body's occupant is gone, an offspring or a random newcomer of `species` takes over where it stands.
+  /// Replaces the body's occupant by an offspring or a random newcomer of `species`, in the same place.
   void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
     auto genome = parentage.parent && !is_shadow_ ? rules_.heredity.inherit(parentage.parent->genome) : nullptr;
@@ -229,22 +229,22 @@ class Population {
 
   [[nodiscard]] std::span<const double> weights(BodyIndex body) const { return individuals_[body].genome->weights; }
 
-  /// Throws std::invalid_argument for somebody who cannot have lived by these rules.
+  /// Throws std::invalid_argument for an individual that cannot exist under these rules.
   void check_saved(const Individual& individual) const {
     const std::size_t size = rules_.brain.genome_size(Sensors::size, control::Decision::outputs);
     const bool sound = individual.id < next_id_ && individual.species < web_.size() && individual.genome &&
                        individual.genome->weights.size() == size && std::ranges::count(tags_, individual.tag) == 1 &&
                        individual.adversary.value_or(0) < individuals_.size();
-    if (!sound) throw std::invalid_argument{"an individual that cannot live by these rules"};
+    if (!sound) throw std::invalid_argument{"an individual of other rules"};
   }
 
-  /// Where an individual lives; none for the dead, and where no rule has a state.
+  /// The body of an individual; none for the dead, and if no rule has a state.
   [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {
     const auto found = bodies_.find(id);
     return found == bodies_.end() ? std::nullopt : std::optional{found->second};
   }
 
-  /// What the rules keep for a newborn.
+  /// Creates the states of a newborn.
   void create_states(const Individual& born, BodyIndex body, std::optional<BodyIndex> parent) {
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
       states[body] =
@@ -252,7 +252,7 @@ class Population {
     });
   }
 
-  /// Everything of a newborn but its genome. `previous` is the body's last owner, none for a founder.
+  /// A newborn without its genome. `previous` is the body's last occupant, none for a founder.
   [[nodiscard]] Individual newborn(Species species, double time_s, std::int64_t tick, const Individual* previous) {
     Individual born;
     born.id = next_id_++;
@@ -275,8 +275,8 @@ class Population {
     return genome;
   }
 
-  /// Origin, parent and genome of a newborn that descends from somebody. `genome` is what heredity passed on, mutated here; none:
-  /// it is drawn.
+  /// Sets origin, parent and genome of a newborn with a parent. `genome` is the inherited one, mutated here; if null, a genome
+  /// is drawn.
   void descend(Individual& born, BodyIndex body, const Ancestor& parent, std::shared_ptr<Genome> genome) {
     born.origin = Origin::inherited;
     born.parent = parent.id;
@@ -307,8 +307,8 @@ class Population {
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;
   std::vector<std::size_t> members_;                         ///< of each species
-  std::unordered_map<IndividualId, BodyIndex> bodies_ = {};  ///< of everybody, where rules have states
-  std::span<const GroundPose> poses_ = {};                   ///< where they stand
+  std::unordered_map<IndividualId, BodyIndex> bodies_ = {};  ///< the body of each individual, if rules have states
+  std::span<const GroundPose> poses_ = {};                   ///< of the bodies
   SearchTree tree_;
   RuleStates<Rules> states_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ecology of a table that does not compile: nothing, so that what is wrong with the table is the only error.
+// The ecology of an invalid rule table: empty, so that the only compile error is the one about the table.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ namespace trophic {
 template <class Rules, bool is_table = is_rule_table<Rules>>
 class Ecology;
 
-/// Takes what an ecology takes and has no definitions: a program never gets as far.
+/// Has the interface of an ecology and no definitions: a program with it does not compile.
 template <class Rules>
 class Ecology<Rules, false> final : public Simulation {
-  static_assert(sizeof(RuleParams<Rules>) > 0);  // says what is wrong with the table
+  static_assert(sizeof(RuleParams<Rules>) > 0);  // reports the error in the table
 
  public:
   using Params = Experiment<Rules>;

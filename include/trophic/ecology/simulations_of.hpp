@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ecologies of one experiment that differ in their seed.
+// The ecologies of one experiment that differ only in their seed.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace trophic {
 
-/// Makes ecologies of these numbers that differ in their seed alone. What it returns throws as the ecology's constructor does.
+/// Makes ecologies of these numbers that differ only in their seed. The result throws as the ecology's constructor does.
 template <class Rules>
 [[nodiscard]] MakeSimulation simulations_of(const Experiment<Rules>& experiment, const BackendChoice& backend) {
   return [experiment, backend](std::uint64_t seed) {

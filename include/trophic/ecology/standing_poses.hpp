@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From places on the floor to the poses in which robots start.
+// Converts places on the floor to initial poses of robots.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@
 
 namespace trophic {
 
-/// Root frames for robots that stand at these places: upright, feet on the floor.
+/// Root frames of robots that stand at these places: upright, feet on the floor.
 [[nodiscard]] inline std::vector<Pose> standing_poses(std::span<const GroundPose> places, const RobotModel& robot) {
   std::vector<Pose> poses;
   for (const GroundPose& ground : places) {

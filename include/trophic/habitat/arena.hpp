@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ground that robots live on, as any physics engine can build it.
+// The ground of an experiment, for any physics engine.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct HeightField {
 /// A square arena centred at the origin with its floor at z = 0.
 struct Arena {
   std::string name;
-  double half_side_m = 10.0;                ///< the floor is flat for |x|, |y| <= half_side_m: walls stand or slopes begin there
+  double half_side_m = 10.0;                ///< the floor is flat for |x|, |y| <= half_side_m: walls or slopes begin there
   double extent_m = 20.0;                   ///< largest terrain extent (the paper's "maximum terrain bounds")
   double friction = 1.0;                    ///< sliding friction coefficient of floor and walls
   std::optional<HeightField> height_field;  ///< none: a plane with four vertical walls

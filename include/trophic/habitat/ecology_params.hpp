@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of an experiment that belong to no single rule: bodies, time scales, models, decisions.
+// The numbers of an experiment that do not belong to a rule: bodies, time scales, models, decisions.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,16 @@ namespace trophic {
 /// "Outputs").
 struct EcologyParams {
   std::size_t robots = 30;              ///< bodies, fixed for the whole run
-  double duration_s = 6000.0;           ///< of the ecology's clock; what a program runs unless told otherwise
+  double duration_s = 6000.0;           ///< of the ecology's clock; the default duration of a program's run
   double tick_s = 2.0;                  ///< decision step, of the ecology's clock
-  double first_tick_s = 0.0;            ///< rules act from the first tick at or after this; robots walk straight until then
+  double first_tick_s = 0.0;            ///< rules act from the first tick at or after this; until then robots walk straight
   double control_hz = 60.0;             ///< gait control, per simulated second
   double clock_scale = 1.0;             ///< simulated seconds per second of the ecology's clock
   std::string robot = "spider";         ///< name or path of a robot file
   std::string arena = "walled_square";  ///< name or path of an arena file
-  std::string gait;                     ///< name or path of a gait file; empty: the gait that the robot file names
+  std::string gait;                     ///< name or path of a gait file; empty: the robot's default gait
   CpgIntegration cpg_integration = CpgIntegration::exact;
-  std::size_t idle_control_steps = 0;  ///< control periods before the gait starts; servos rest meanwhile
+  std::size_t idle_control_steps = 0;  ///< control periods before the gait starts, with resting servos
   PhaseAtBirth phase_at_birth = PhaseAtBirth::kept;
   DecisionOrder decision_order = DecisionOrder::together;
   WithoutTarget without_target = WithoutTarget::decides;
@@ -41,12 +41,13 @@ struct EcologyParams {
         field("clock_scale", &EcologyParams::clock_scale, above_to(0.0, 1e3), "simulated seconds per ecology second"),
         field("robot", &EcologyParams::robot, "name or path of a robot file"),
         field("arena", &EcologyParams::arena, "name or path of an arena file"),
-        field("gait", &EcologyParams::gait, "name or path of a gait file; empty: the robot's own"),
+        field("gait", &EcologyParams::gait, "name or path of a gait file; empty: the robot's default"),
         field("cpg_integration", &EcologyParams::cpg_integration, "exact or rk4"),
         field("idle_control_steps", &EcologyParams::idle_control_steps, between(0, 1'000'000),
               "control periods before the gait starts"),
         field("phase_at_birth", &EcologyParams::phase_at_birth, "kept or reset: the gait's phase at a birth in the body"),
-        field("decision_order", &EcologyParams::decision_order, "together or in_turn: who sees which tags of this tick"),
+        field("decision_order", &EcologyParams::decision_order,
+              "together or in_turn: whether robots see tags chosen earlier in the tick"),
         field("without_target", &EcologyParams::without_target,
               "decides or keeps_decision: a robot that perceives no adversary")};
   }

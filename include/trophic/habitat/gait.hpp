@@ -16,11 +16,11 @@ struct RobotModel;
 /// Weights of a CPG with one oscillator per hinge (Sec. "Robot Controller"). Formulas: control/locomotion/cpg.hpp.
 struct Gait {
   std::string name;
-  std::string robot;                ///< the robot that it was made for; informative, `check_fit` compares hinges
-  std::string provenance;           ///< where the numbers come from
+  std::string robot;                ///< the robot that it was evolved for; informative, `check_fit` compares hinges
+  std::string provenance;           ///< the origin of the numbers
   std::vector<std::string> hinges;  ///< names in the order of RobotModel::hinges; n of them
   Eigen::VectorXd internal;         ///< n weights w_i between x_i and y_i
-  Eigen::MatrixXd coupling;         ///< n x n, antisymmetric: c_ij between x_i and x_j; 0 where not coupled
+  Eigen::MatrixXd coupling;         ///< n x n, antisymmetric: c_ij between x_i and x_j; 0 if not coupled
 
   bool operator==(const Gait&) const = default;
 
@@ -33,7 +33,7 @@ struct Gait {
 /// Throws std::invalid_argument unless sizes agree, all weights are finite and the coupling is antisymmetric.
 void validate(const Gait& gait);
 
-/// Throws std::invalid_argument unless the gait names the robot's hinges in the robot's order and couples neighbours only.
+/// Throws std::invalid_argument unless the gait names the robot's hinges in the robot's order and couples only neighbours.
 void check_fit(const Gait& gait, const RobotModel& robot);
 
 }  // namespace trophic

@@ -40,7 +40,7 @@ TROPHIC_INLINE void check_fit(const Gait& gait, const RobotModel& robot) {
       const bool coupled = gait.coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) != 0.0;
       if (coupled && !std::ranges::binary_search(robot.hinge_neighbours[i], j)) {
         throw std::invalid_argument{whose + "\"" + gait.hinges[i] + "\" and \"" + gait.hinges[j] +
-                                    "\" are coupled but no neighbours"};
+                                    "\" are coupled but not neighbours"};
       }
     }
   }

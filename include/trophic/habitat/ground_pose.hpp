@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a body's pose in space to where it stands and which way it faces.
+// Projects a body's pose in space to its position and heading on the floor.
 #pragma once
 
 #include <trophic/support/linkage.hpp>

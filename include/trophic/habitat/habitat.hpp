@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an ecology lives in and with: the robot, the ground, the gait.
+// The models of an ecology: the robot, the arena, the gait.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace trophic {
 
-/// The models that `EcologyParams` names, loaded; or any others, made by a program.
+/// The models that `EcologyParams` names, loaded, or any others, made by a program.
 struct Habitat {
   RobotModel robot;
   Arena arena;

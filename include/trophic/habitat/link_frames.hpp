@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where all links of a robot are, given its root and its joint angles.
+// The frames of all links of a robot, given its root and its joint angles.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the physics that an experiment states, whatever engine steps it.
+// The numbers of the physics that an experiment states for any engine.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ enum class Integrator { semi_implicit_euler, rk4 };
   return {"semi_implicit_euler", "rk4"};
 }
 
-/// How the equations of motion are stepped; the part of the physics that an experiment's rules state (Sec. Methodology).
-/// The paper gives the timestep and is silent about the integrator.
+/// The integration of the equations of motion; the part of the physics that an experiment's rules state (Sec. Methodology). The
+/// paper gives the timestep and is silent about the integrator.
 struct Physics {
   double timestep_s = 0.0012;
   Integrator integrator = Integrator::semi_implicit_euler;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where a rigid body is in space.
+// The pose of a rigid body.
 #pragma once
 
 #include <Eigen/Geometry>
 
 namespace trophic {
 
-/// Where a rigid body is: the world position of its frame and the rotation from its frame to the world.
+/// The pose of a rigid body: the world position of its frame and the rotation from its frame to the world.
 struct Pose {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();

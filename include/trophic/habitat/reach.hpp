@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a robot's boxes can come from its root.
+// The maximum distance of a robot's boxes from its root.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,8 +21,8 @@ namespace trophic {
   return result;
 }
 
-/// A distance from the root frame's origin, m, that no box point exceeds, whatever the angles: the lengths from link to link,
-/// outstretched. Parents must come before their children.
+/// An upper bound for the distance of any box point from the root frame's origin, m, at any joint angles: the sum of the
+/// outstretched lengths from link to link. Parents must come before their children.
 [[nodiscard]] inline double reach_m(const RobotModel& robot) {
   std::vector<double> reach_m(robot.links.size(), 0.0);  // farthest box point beyond the link's anchor
   for (std::size_t i = robot.links.size(); i-- > 0;) {

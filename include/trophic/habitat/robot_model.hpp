@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot as any physics engine can build it: rigid links, boxes and servo-driven hinges. Backends read this and nothing else.
+// The robot for any physics engine: rigid links, boxes and servo-driven hinges. Backends read only this.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,9 +11,9 @@
 
 namespace trophic {
 
-/// A uniform solid box fixed to a link; collision shape and mass at once.
+/// A uniform solid box fixed to a link; both collision shape and mass.
 struct Box {
-  std::string part;  ///< which module part it is, e.g. "servo_body"
+  std::string part;  ///< its module part, e.g. "servo_body"
   Eigen::Vector3d half_extents_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();               ///< in the link's frame
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< box frame to link frame
@@ -25,12 +25,11 @@ struct Box {
   }
 };
 
-/// A rigid body. Link 0 is the root (free in space); link i > 0 hangs on `parent` by hinge i - 1.
-/// A link's frame has its origin in its hinge's anchor; at joint angle 0 it stands at `offset_m`, `rotation` in the parent's
-/// frame.
+/// A rigid body. Link 0 is the root (free in space); hinge i - 1 attaches link i > 0 to `parent`. A link's frame has its origin
+/// in its hinge's anchor; at joint angle 0 it is at `offset_m`, `rotation` in the parent's frame.
 struct Link {
   std::string name;
-  int parent = -1;  ///< index of the parent link, smaller than the own index; -1 for the root
+  int parent = -1;  ///< index of the parent link, smaller than its own index; -1 for the root
   Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   double mass_kg = 0.0;
@@ -77,9 +76,9 @@ struct Hinge {
   }
 };
 
-/// How a robot walks with its own gait, steered to one side: measured once in an engine with joints
-/// (gait_evolution/measure_walk.hpp) and written into its file. Engines without joints move it by these two numbers; 0 and 0: not
-/// measured.
+/// A robot's walk with its own gait, steered to one side: measured once in an engine with joints
+/// (gait_evolution/measure_walk.hpp) and written into its file. Backends without joints move it by these two numbers; 0 and 0:
+/// not measured.
 struct MeasuredWalk {
   double speed_m_s = 0.0;          ///< along the heading
   double turn_rate_per_rad = 0.0;  ///< rad/s to the right per rad of target angle
@@ -94,7 +93,7 @@ struct MeasuredWalk {
 /// 1, parents before children, masses > 0, inertias positive definite.
 struct RobotModel {
   std::string name;
-  std::string gait;  ///< name or path of the gait that it walks with unless told otherwise
+  std::string gait;  ///< name or path of its default gait
   MeasuredWalk walk;
   std::vector<Link> links;
   std::vector<Hinge> hinges;
@@ -102,7 +101,7 @@ struct RobotModel {
   double friction = 1.0;                                   ///< sliding friction coefficient of all boxes
   double forward_rad = 0.0;    ///< direction of the robot's forward axis in the root frame, from x counter-clockwise
   double rest_height_m = 0.0;  ///< height of the root frame above the floor when the lowest box corner touches it, all angles 0
-  double bounding_radius_m = 0.0;  ///< no box point is ever farther from the root frame's origin, whatever the angles
+  double bounding_radius_m = 0.0;  ///< upper bound for the distance of any box point from the root frame's origin, at any angles
 
   static constexpr auto fields() {
     return std::tuple{field("name", &RobotModel::name),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which hinges are on a robot's left and right.
+// Assigns hinges to a robot's left and right side.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace trophic {
 struct Hinge;
 struct RobotModel;
 
-/// Which side of a robot's axis of symmetry a hinge is on.
+/// The side of a robot's axis of symmetry that a hinge is on.
 enum class Side { left, right, middle };
 [[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Side) {
   return {"left", "right", "middle"};
 }
 
-/// Left where the cross product forward x grid position is positive, right where it is negative, middle on the axis. The spider's
+/// Left if the cross product forward x grid position is positive, right if it is negative, middle on the axis. The spider's
 /// axis lies at 45 degrees through its core, so x - y < 0 is left and x - y > 0 right.
 [[nodiscard]] Side side_of(const Hinge& hinge, double forward_rad);
 

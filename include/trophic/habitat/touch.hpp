@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which robots touch each other or a wall, by the shapes of their boxes: the same for every engine.
+// Finds robots that touch each other or a wall, by the shapes of their boxes: the same for every engine.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@
 
 namespace trophic {
 
-/// A box in the world: its centre, half of each edge as a vector, and the radius of the sphere that holds it.
+/// A box in the world: its centre, half of each edge as a vector, and the radius of its bounding sphere.
 struct PlacedBox {
   Eigen::Vector3d centre_m;
   Eigen::Matrix3d half_edges_m;  ///< columns
@@ -38,7 +38,7 @@ struct PlacedBox {
 }
 
 /// Whether two boxes overlap or touch: no axis separates them, neither a face's normal nor the product of two edges (separating
-/// axis theorem [gottschalk1996]). Edges that are parallel but for rounding give no axis: the faces' normals stand for theirs.
+/// axis theorem [gottschalk1996]). Edges that are parallel within rounding give no axis; the faces' normals replace it.
 [[nodiscard]] inline bool touch(const PlacedBox& a, const PlacedBox& b) {
   const Eigen::Vector3d between_m = b.centre_m - a.centre_m;
   if (between_m.squaredNorm() > (a.radius_m + b.radius_m) * (a.radius_m + b.radius_m)) return false;
@@ -60,13 +60,13 @@ struct PlacedBox {
   return true;
 }
 
-/// Whether two robots touch: some box of one and some box of the other do.
+/// Whether some box of one robot touches some box of the other.
 [[nodiscard]] inline bool touch(std::span<const PlacedBox> a, std::span<const PlacedBox> b) {
   return std::ranges::any_of(
       a, [&](const PlacedBox& one) { return std::ranges::any_of(b, [&](const PlacedBox& other) { return touch(one, other); }); });
 }
 
-/// Whether a robot reaches |x| or |y| = `half_side_m`, where the walls of an arena stand or its slopes begin.
+/// Whether a robot reaches |x| or |y| = `half_side_m`, where an arena's walls or slopes begin.
 [[nodiscard]] inline bool touch_wall(std::span<const PlacedBox> boxes, double half_side_m) {
   return std::ranges::any_of(boxes, [&](const PlacedBox& box) {
     const auto reach_m = [&](int axis) { return std::abs(box.centre_m[axis]) + box.half_edges_m.row(axis).cwiseAbs().sum(); };

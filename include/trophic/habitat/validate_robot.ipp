@@ -71,7 +71,7 @@ TROPHIC_INLINE void validate(const RobotModel& robot) {
   }
   const double reach = reach_m(robot);
   check("bounding_radius_m", robot.bounding_radius_m, robot.bounding_radius_m >= (1.0 - 1e-9) * reach,
-        "must be >= " + number_text(reach) + ", how far its boxes reach");
+        "must be >= " + number_text(reach) + ", the reach of its boxes");
 
   std::set<std::string> names;
   for (std::size_t i = 0; i < robot.hinges.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everybody who watches a run, as an ecology tells them of it.
+// The observers of a run, as an ecology calls them.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace trophic::observe {
 
-/// Observers whatever they are made of: ecologies are compiled once, not for every set of observers. See
-/// trophic/observe/hooks.hpp for what each function tells or asks.
+/// Observers of any type: ecologies are compiled once, not for every set of observers. See trophic/observe/hooks.hpp for the
+/// meaning of each function.
 class Audience {
  public:
   Audience() = default;
@@ -32,23 +32,23 @@ class Audience {
   virtual void failure(std::string_view what) = 0;
   [[nodiscard]] virtual bool keep_running() = 0;
 
-  /// Whether somebody may give up a tick, so that the state before it must be kept.
+  /// Whether an observer may cancel a tick, so that the state before it must be saved.
   [[nodiscard]] virtual bool may_cancel() const = 0;
   [[nodiscard]] virtual bool cancels_tick() = 0;
 
-  /// Whether somebody wants to know what brains are told and answer.
+  /// Whether an observer wants decision records.
   [[nodiscard]] virtual bool wants_decisions() = 0;
   virtual void decision(const DecisionRecord& decision, const View& view) = 0;
   virtual void exemption(BodyIndex hunter, const View& view) = 0;
 
-  /// The first control step of a tick after `step` after which an observer wants a frame; the tick's last at the latest.
+  /// The first control step of a tick after `step` at which an observer wants a frame; the tick's last step at the latest.
   [[nodiscard]] virtual std::int64_t next_frame(const FrameTimes& times, std::int64_t step) = 0;
   [[nodiscard]] virtual bool wants_frame(const FrameTimes& times, std::int64_t step) = 0;
-  /// Shows the frame after `step` to those that want it.
+  /// Passes the frame after `step` to the observers that want it.
   virtual void frame(const Frame& frame, std::int64_t step) = 0;
 };
 
-/// These observers, told of everything in order. Refers to them; lives no longer than they do.
+/// Calls these observers in order. Holds references to them and must not outlive them.
 template <class... Observers>
 class AudienceOf final : public Audience {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happens to individuals, as observers are told.
+// The events in the life of individuals, as observers get them.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ enum class EventKind { birth, activation, tag_switch, capture, death };
   return {"birth", "activation", "tag_switch", "catch", "death"};
 }
 
-/// One thing that happened to one individual. `individual` is as it was when it happened: a newborn after its mutation, a dying
-/// one before its body is handed on, a switching one with its new tag.
+/// One event of one individual. `individual` is its state at the event: a newborn after its mutation, a dying one before its
+/// body is replaced, a switching one with its new tag.
 struct Event {
   EventKind kind = EventKind::birth;
   BodyIndex body = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where all bodies are at one moment, for observers that want to see motion between two decisions.
+// The poses of all bodies at one moment, for observers of the motion between two decisions.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,15 @@
 
 namespace trophic::observe {
 
-/// The control steps of one tick, and after which of them a rate asks for a frame. Every tick has the same whole number of
-/// frames, as evenly apart as its steps allow, and its last step always has one: what rules decide upon is seen.
+/// The control steps of one tick, and those of them at which a frame rate takes a frame. Every tick has the same whole number
+/// of frames, as evenly spaced as its steps allow. Its last step always has one, so that frames show the state on which rules
+/// decide.
 struct FrameTimes {
   std::int64_t steps = 1;    ///< control steps of a tick
   double tick_s = 1.0;       ///< ecology seconds of a tick
   double clock_scale = 1.0;  ///< simulated seconds per ecology second
 
-  /// How many frames of a tick come nearest to `hz` frames a simulated second: at least one, at most one a step; none at 0.
+  /// Number of frames a tick that is closest to `hz` frames a simulated second: at least one, at most one a step; none at 0.
   [[nodiscard]] std::int64_t per_tick(double hz) const {
     if (!(hz > 0.0)) return 0;
     return static_cast<std::int64_t>(std::clamp(std::round(hz * tick_s * clock_scale), 1.0, static_cast<double>(steps)));
@@ -30,17 +31,17 @@ struct FrameTimes {
     return (frame * steps + per_tick - 1) / per_tick;
   }
 
-  /// The first step after `step` with a frame of that rate; `steps` at the latest.
+  /// The first step after `step` with a frame at that rate; `steps` at the latest.
   [[nodiscard]] std::int64_t next(std::int64_t step, double hz) const {
     const std::int64_t frames = per_tick(hz);
     return frames == 0 ? steps : step_of(step * frames / steps + 1, frames);
   }
 
-  /// Whether a frame of that rate is taken after `step`.
+  /// Whether a frame at that rate is taken after `step`.
   [[nodiscard]] bool due(std::int64_t step, double hz) const { return hz > 0.0 && (step == 0 || next(step - 1, hz) == step); }
 };
 
-/// One moment. What it refers to is valid during the call.
+/// One moment. Its spans are valid during the call.
 struct Frame {
   double time_s = 0.0;                       ///< the ecology's clock
   FrameTimes times;                          ///< of every tick of the run

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an observer may offer: any subset of these hooks, each checked for its signature.
+// The hooks that an observer may have: any subset, each checked for its signature.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-/// Every hook: (name, what it needs to look like, the arguments it is called with).
+/// Every hook: (name, required signature, arguments of the call).
 #define TROPHIC_OBSERVER_HOOKS(HOOK)                                                                                             \
   HOOK(on_start, "void on_start(const observe::RunDescription&, const View&)", std::declval<const RunDescription&>(),            \
        std::declval<const View&>())                                                                                              \
@@ -37,11 +37,10 @@ namespace trophic::observe {
 
 namespace detail {
 
-// What is probed in the place of a final class, which nobody inherits and CheckObserver refuses.
+// Probed in place of a final class, which cannot be inherited and is rejected by CheckObserver.
 struct NotProbed {};
 
-// A name is ambiguous in a class that inherits it twice: so `&Probe::on_tick` is ill-formed exactly if Observer has an on_tick of
-// any kind.
+// A name is ambiguous in a class that inherits it twice: `&Probe::on_tick` is ill-formed exactly if Observer has any on_tick.
 #define TROPHIC_PROBE(hook, signature, ...)                                                                \
   struct Has_##hook {                                                                                      \
     int hook;                                                                                              \
@@ -59,11 +58,11 @@ struct NotProbed {};
 TROPHIC_OBSERVER_HOOKS(TROPHIC_PROBE)
 #undef TROPHIC_PROBE
 
-/// Fails to compile, with one sentence, if a hook has a wrong signature or if there is none at all.
+/// Fails to compile, with one sentence, if a hook has a wrong signature or if there is no hook.
 template <class Observer>
 struct CheckObserver {
   static_assert(!std::is_final_v<Observer>,
-                "an observer must not be final: whether its hooks have the right signatures could not be told; see "
+                "an observer must not be final: the signatures of its hooks could not be checked; see "
                 "trophic/observe/hooks.hpp");
 #define TROPHIC_CHECK_HOOK(hook, signature, ...)                   \
   static_assert(!Names_##hook<Observer> || Takes_##hook<Observer>, \
@@ -75,32 +74,34 @@ struct CheckObserver {
                 "an observer needs at least one hook; see trophic/observe/hooks.hpp");
 #undef TROPHIC_ANY_HOOK
   static_assert(Names_on_frame<Observer> == Names_frame_hz<Observer>,
-                "an observer with on_frame needs double frame_hz(), how often, and one with frame_hz needs on_frame; see "
+                "an observer with on_frame needs double frame_hz(), and one with frame_hz needs on_frame; see "
                 "trophic/observe/hooks.hpp");
   static_assert(Names_on_decision<Observer> == Names_wants_decisions<Observer>,
-                "an observer with on_decision needs bool wants_decisions(), whether it is to be told now, and one with "
+                "an observer with on_decision needs bool wants_decisions(), and one with "
                 "wants_decisions needs on_decision; see trophic/observe/hooks.hpp");
   static constexpr bool ok = true;
 };
 
 }  // namespace detail
 
-/// An object that watches a run through any subset of the hooks:
-///   void on_start(const RunDescription&, const View&)   before the first event of a call of run_until
-///   void on_event(const Event&, const View&) births, activations, tag switches, catches, deaths, in order
-///   void on_tick(const View&)                after the rules of each tick
-///   void on_end(const View&)                 after the last tick
-///   void on_failure(std::string_view what)   instead of on_end, when the simulation or an observer threw
-///   bool keep_running()                      asked after each tick; false ends the run early, cleanly
-///   bool cancels_tick()                     asked between the control steps of a tick, which may take seconds; true ends
-///                                            the run as it stood after the tick before
-///   void on_frame(const Frame&)              where the bodies are, at the start and then before the rules of each tick and,
-///   double frame_hz()                        frames a simulated second, between two ticks; 0: never
-///   void on_decision(const DecisionRecord&, const View&)   what each brain was told and answered, robot by robot,
-///   bool wants_decisions()               as long as this says true
-///   void on_exemption(BodyIndex, const View&) whom the Reprieve rule spared from starving, once or more often in a procedure
-///   void between_ticks(Simulation&, bool last)  for who saves the run itself: after on_tick of each tick, and once more, as the
-///                                            last, before on_end
+/// An object that observes a run through any subset of the hooks:
+///   void on_start(const RunDescription&, const View&)      before the first event of a call of run_until
+///   void on_event(const Event&, const View&)               births, activations, tag switches, catches, deaths, in order
+///   void on_tick(const View&)                              after the rules of each tick
+///   void on_end(const View&)                               after the last tick
+///   void on_failure(std::string_view what)                 instead of on_end, if the simulation or an observer threw
+///   bool keep_running()                                    called after each tick; false ends the run early, cleanly
+///   bool cancels_tick()                                    called between the control steps of a tick, which may take
+///                                                          seconds; true ends the run in its state after the tick before
+///   void on_frame(const Frame&)                            the poses of all bodies: at the start, before the rules of each
+///                                                          tick, and at the rate of frame_hz in between
+///   double frame_hz()                                      frames a simulated second; 0: never
+///   void on_decision(const DecisionRecord&, const View&)   inputs, outputs and decision of each brain, robot by robot
+///   bool wants_decisions()                                 whether on_decision is called
+///   void on_exemption(BodyIndex, const View&)              a hunter that is exempt from starving, once or more in a
+///                                                          starvation procedure
+///   void between_ticks(Simulation&, bool last)             for observers that save the run: after on_tick of each tick, and
+///                                                          once more, with last = true, before on_end
 template <class O>
 concept Observer = detail::CheckObserver<O>::ok;
 

@@ -19,11 +19,11 @@
 
 namespace trophic::observe {
 
-/// Shows on stderr, where that is a terminal, how far a set of runs is, as much of it as fits one line; writes a line to `out`
-/// for each that ends. For calls from several threads at once.
+/// Shows the progress of a set of runs on stderr if that is a terminal, as much of it as fits one line. Writes a line to `out`
+/// for each run that ends. May be called from several threads at once.
 class JointProgress {
  public:
-  /// `runs` are to be watched; `clock_s` is how long each of them is.
+  /// Watches `runs` runs; `clock_s` is the duration of each.
   JointProgress(std::size_t runs, double clock_s, std::ostream& out, bool show = stderr_is_terminal())
       : runs_{runs}, clock_s_{clock_s}, out_{out}, show_{show} {}
 
@@ -65,7 +65,7 @@ class JointProgress {
     Tally tally_;
   };
 
-  /// What the run of this name is to be watched by; no longer than this lives.
+  /// The observer of the run of this name; must not outlive this object.
   [[nodiscard]] Part watch(std::string name) { return {*this, std::move(name)}; }
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A progress line with rate and time left, and the closing summary. The only place that reads the wall clock.
+// A progress line with rate and remaining time, and the closing summary. The only reader of the wall clock, except for
+// FasterMode.
 #pragma once
 
 #include <chrono>
@@ -15,7 +16,7 @@
 
 namespace trophic::observe {
 
-/// Wall time since it was made, seconds.
+/// Wall time since construction, seconds.
 class Stopwatch {
  public:
   [[nodiscard]] double elapsed_s() const {
@@ -26,14 +27,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A duration for people: "45 s", "3 min 20 s", "2 h 5 min".
+/// A duration for readers: "45 s", "3 min 20 s", "2 h 5 min".
 [[nodiscard]] std::string duration_text(double seconds);
 
 /// A number with one decimal, or none from 100 on.
 [[nodiscard]] std::string short_text(double number);
 
-/// Shows on stderr, where that is a terminal, how far the run is, as much of it as fits one line; counts for the summary
-/// everywhere.
+/// Shows the progress of the run on stderr if that is a terminal, as much of it as fits one line. Always counts for the
+/// summary.
 class Progress {
  public:
   explicit Progress(bool show = stderr_is_terminal()) : show_{show} {}
@@ -50,7 +51,7 @@ class Progress {
   void on_end(const View&) { clear(); }
   void on_failure(std::string_view) { clear(); }
 
-  /// Simulated over wall time, the engine's remarks, births, deaths by cause, who is alive.
+  /// Simulated over wall time, the engine's remarks, births, deaths by cause, living individuals.
   void summary(std::ostream& out, const View& view) const;
 
   [[nodiscard]] double elapsed_s() const { return watch_.elapsed_s(); }

@@ -10,10 +10,10 @@
 
 namespace trophic::observe {
 
-/// From the first one made on, SIGINT, SIGTERM, SIGXCPU (of batch systems) and (unless it was ignored, as nohup does) SIGHUP no
-/// longer kill the program: runs that this observer watches end with complete files, after the last whole tick. The one in hand
-/// is given up where it may take long. A second signal changes nothing; a third one kills as usual. A pipe whose reader is gone
-/// and a file above the system's limit no longer kill it either: writing to them fails.
+/// Once one exists, SIGINT, SIGTERM, SIGXCPU (of batch systems) and SIGHUP (unless it was ignored, as by nohup) do not kill the
+/// program. Runs with this observer end with complete files after the last whole tick; a tick that may take long is cancelled.
+/// A second signal changes nothing; a third one kills as usual. Writing to a closed pipe, or to a file above the system's size
+/// limit, fails instead of killing the program.
 class StopOnSignal {
  public:
   StopOnSignal() {
@@ -29,7 +29,7 @@ class StopOnSignal {
   [[nodiscard]] bool keep_running() const { return caught() == 0; }
   [[nodiscard]] bool cancels_tick() const { return caught() != 0; }
 
-  /// The signal that came, 0 for none.
+  /// The first signal, 0 for none.
   [[nodiscard]] static int caught() { return signal_; }
 
  private:
@@ -43,12 +43,12 @@ class StopOnSignal {
     ::sigaction(signal, &action, nullptr);
   }
 
-  /// Does only what a signal handler may.
+  /// Async-signal-safe.
   static void remember(int signal) {
     const int before = count_++;
     if (before == 0) {
       signal_ = signal;
-      constexpr std::string_view text = "\nstopping: what has been done is kept\n";
+      constexpr std::string_view text = "\nstopping: finished work is kept\n";
       [[maybe_unused]] const auto ignore = ::write(STDERR_FILENO, text.data(), text.size());
     } else if (before > ignored) {
       std::signal(signal, SIG_DFL);

@@ -10,7 +10,7 @@
 
 namespace trophic::observe {
 
-/// What has happened so far. Founders count as births.
+/// Counts so far. Founders count as births.
 class Tally {
  public:
   void on_event(const Event& event, const View&) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values as bytes and back: one function for both ways, so that what is written and what is read cannot differ.
+// Values as bytes and back. One function writes and reads, so that both formats are the same.
 #pragma once
 
 #include <array>
@@ -60,19 +60,20 @@ inline constexpr bool is_plain_number = std::is_arithmetic_v<T> && !std::same_as
 
 }  // namespace detail
 
-/// What an Archive writes and reads: numbers, enumerations, texts, optionals, vectors, arrays, pairs and shared pointers of what
-/// can be saved, and structs that list every member in fields() or saved(), or have persist(Archive&).
+/// The values that an Archive writes and reads: numbers, enumerations, texts, optionals, vectors, arrays, pairs and shared
+/// pointers to savable values, and structs that list every member in fields() or saved(), or have persist(Archive&).
 template <class T>
 concept Savable = detail::is_savable<T>;
 
-/// Writes values to bytes or reads them from bytes, whichever it was made for. `archive(a, b, c)` does either. Numbers keep their
-/// bits; what several shared pointers share is written once and shared again. Reading throws std::invalid_argument for bytes that
-/// end too early or are no such values, before it takes more memory than the bytes can account for.
+/// Writes values to bytes or reads them from bytes, depending on the constructor. `archive(a, b, c)` does either. Numbers keep
+/// their bits. A value that several shared pointers share is written once and shared again after reading. Throws
+/// std::invalid_argument while reading if the bytes end too early or are not such values, before it takes more memory than the
+/// bytes can account for.
 class Archive {
  public:
-  /// To write.
+  /// Writes.
   Archive() = default;
-  /// To read these bytes, which must outlive it.
+  /// Reads these bytes, which must outlive the archive.
   explicit Archive(std::string_view bytes) : left_{bytes}, reads_{true} {}
 
   [[nodiscard]] bool reads() const { return reads_; }
@@ -82,19 +83,19 @@ class Archive {
     (exchange(values), ...);
   }
 
-  /// What has been written.
+  /// The written bytes.
   [[nodiscard]] const std::string& bytes() const& { return written_; }
   [[nodiscard]] std::string bytes() && { return std::move(written_); }
 
-  /// Whether all bytes have been read.
+  /// Returns true if all bytes have been read.
   [[nodiscard]] bool at_end() const { return left_.empty(); }
 
-  /// Throws std::invalid_argument if bytes were not read.
+  /// Throws std::invalid_argument if bytes are left unread.
   void finish() const {
     if (reads_ && !left_.empty()) throw std::invalid_argument{std::to_string(left_.size()) + " bytes too many"};
   }
 
-  /// Throws std::invalid_argument with what is wrong with a value that was read.
+  /// Throws std::invalid_argument with a description of a value that was read and is wrong.
   static void require(bool good, std::string_view what) {
     if (!good) throw std::invalid_argument{std::string{what}};
   }
@@ -115,7 +116,7 @@ class Archive {
     if constexpr (std::same_as<T, bool>) {
       std::uint8_t byte = value ? 1 : 0;
       raw(&byte, 1);
-      require(byte <= 1, "a switch that is neither on nor off");
+      require(byte <= 1, "a switch that is neither true nor false");
       value = byte == 1;
     } else if constexpr (std::is_arithmetic_v<T>) {
       raw(&value, sizeof(T));
@@ -137,9 +138,9 @@ class Archive {
     }
   }
 
-  // Inlined into loops over arrays, g++ 12 warns of a write beyond them that is none.
+  // Inlined into loops over arrays, g++ 12 warns of a write beyond them that does not happen.
   [[gnu::noinline]] void raw(void* value, std::size_t size) {
-    if (size == 0) return;  // of an empty vector, which has no address to copy from or to
+    if (size == 0) return;  // an empty vector has no address to copy from or to
     if (!reads_) {
       written_.append(static_cast<const char*>(value), size);
       return;
@@ -159,7 +160,7 @@ class Archive {
     value = static_cast<E>(number);
   }
 
-  /// A number of elements, each of which takes at least a byte.
+  /// A number of elements, each of which takes at least one byte.
   [[nodiscard]] std::size_t count(std::size_t elements) {
     std::uint64_t number = elements;
     raw(&number, sizeof(number));
@@ -212,7 +213,7 @@ class Archive {
     exchange(values.second);
   }
 
-  /// 0 for none, k for the k-th one that was met; one that was not met before follows its number.
+  /// 0 for a null pointer, k for the k-th object; a new object follows its number.
   template <class T>
   void container(std::shared_ptr<T>& value) {
     std::uint64_t number = 0;
@@ -222,9 +223,9 @@ class Archive {
       value.reset();
       return;
     }
-    require(number <= shared_.size() + 1, "a reference to what does not exist");
+    require(number <= shared_.size() + 1, "a reference to a missing object");
     if (number <= shared_.size()) {
-      require(shared_type_[number - 1] == type_of<T>(), "a reference to something else");
+      require(shared_type_[number - 1] == type_of<T>(), "a reference to an object of another type");
       value = std::static_pointer_cast<T>(shared_[number - 1]);
       return;
     }
@@ -234,7 +235,7 @@ class Archive {
     exchange(*value);
   }
 
-  /// A number of its own for each type.
+  /// A different number for each type.
   template <class T>
   [[nodiscard]] static const void* type_of() {
     static const char own = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several structs of numbers in one, each under a name: what a policy that is made of policies is set by.
+// Several structs of numbers in one, each under a name: the numbers of a policy that is made of policies.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ struct GroupMember {
 
 }  // namespace detail
 
-/// `Ps...` one after the other. `Names::names[i]`, a std::string_view, is the name of the i-th:
-/// "rules.sensors.NAME.full_scale_m". An aggregate, so that its numbers are listed, checked and set as those of any Params.
+/// `Ps...` in order. `Names::names[i]`, a std::string_view, is the name of the i-th, as in "rules.sensors.NAME.full_scale_m".
+/// An aggregate: its numbers are listed, checked and set as those of any Params.
 template <class Names, class Indices, class... Ps>
 struct Group;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers as (path, value) pairs: what configuration files set and manifests echo.
+// Numbers as (path, value) pairs, for configuration files and manifests.
 #pragma once
 
 #include <concepts>
@@ -15,7 +15,7 @@
 
 namespace trophic {
 
-/// One number, switch or text of a run with the path by which it is set, e.g. "rules.mutation.sd".
+/// One number, switch or text of a run with its path, e.g. "rules.mutation.sd".
 struct NamedParam {
   std::string path;
   std::variant<bool, std::int64_t, double, std::string> value;
@@ -24,7 +24,7 @@ struct NamedParam {
 };
 using NamedParams = std::vector<NamedParam>;
 
-/// The value as text: numbers in their shortest exact form, texts as they are.
+/// The value as text: numbers in their shortest exact form, texts unchanged.
 [[nodiscard]] std::string value_text(const NamedParam& param);
 
 namespace detail {

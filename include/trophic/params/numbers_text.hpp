@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every number of a value, whatever it is made of: what fingerprints of models are made from.
+// Every number of a value of any type, for the fingerprints of models.
 #pragma once
 
 #include <concepts>
@@ -21,7 +21,7 @@ concept MatrixLike = requires(T matrix) {
   matrix.data();
 };
 
-/// Coefficients stand for it: a quaternion.
+/// A quaternion is represented by its coefficients.
 template <class T>
 concept HasCoefficients = requires(T value) {
   value.coeffs().data();
@@ -36,8 +36,8 @@ concept OptionalLike = requires(T value) {
 }  // namespace detail
 
 /// Calls `visit(number)` for each number in `value`, in a fixed order: structs by their fields(), then optionals, ranges,
-/// matrices and quaternions by their elements. How many elements there are is a number, too, but a constant one. Texts and names
-/// say nothing about how a model moves and are passed over.
+/// matrices and quaternions by their elements. The number of elements is visited too, unless it is a constant. Texts and names
+/// are skipped, as they do not affect how a model moves.
 template <class T, class Visitor>
 void for_each_number(T& value, Visitor&& visit) {
   using Plain = std::remove_const_t<T>;
@@ -67,7 +67,7 @@ void for_each_number(T& value, Visitor&& visit) {
   }
 }
 
-/// Every number of a value as text: equal texts mean equal numbers, bit for bit but for NaN.
+/// Every number of a value as text: equal texts mean bitwise equal numbers, except for NaN.
 template <class T>
 [[nodiscard]] std::string numbers_text(const T& value) {
   std::string text;

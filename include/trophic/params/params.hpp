@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a rule: each Params struct lists its fields once, with bounds; validation, configuration files and manifests read
+// Numbers of a rule. Each Params struct lists its fields once, with bounds; validation, configuration files and manifests read
 // that list.
 #pragma once
 
@@ -45,7 +45,7 @@ struct Bound {
   return between(0.0, 9007199254740992.0);
 }
 
-/// What is said of a member of a Params struct. `help` is the line that `--print-config` shows beside it.
+/// Description of a member of a Params struct. `help` is the line that `--print-config` prints next to it.
 struct FieldText {
   std::string_view name;
   Bound bound = {};
@@ -86,8 +86,8 @@ struct AnyVisitor {
 
 }  // namespace detail
 
-/// A struct that calls `visit(FieldText, member)` for each of its members itself: one that is another for each rule table, of
-/// which a list would be compiled for each.
+/// A struct that itself calls `visit(FieldText, member)` for each of its members. Used for structs that differ between rule
+/// tables, for which fields() would be compiled once per table.
 template <class P>
 concept VisitsFields = requires(P& params, detail::AnyVisitor visit) {
   P::visit_fields(params, visit);
@@ -96,17 +96,18 @@ concept VisitsFields = requires(P& params, detail::AnyVisitor visit) {
 template <class P>
 concept HasFields = ListsFields<P> || VisitsFields<P>;
 
-/// What a policy's Params must be: empty, or with every number listed, so that no number can be missing from a manifest.
+/// Requirements on the Params of a policy: empty, or with every number listed, so that no number can be missing from a
+/// manifest.
 template <class P>
 concept Parameters = std::is_empty_v<P> || HasFields<P>;
 
 namespace detail {
 
-/// `members` is how many a struct has, `listed` how many fields() lists: both stand in the compiler's message.
+/// `members` is the number of members, `listed` the number of entries of fields(); the compiler's message contains both.
 template <std::size_t members, std::size_t listed>
 concept AllListed = members == listed;
 
-/// Whether fields() lists no member and no name twice.
+/// Whether fields() lists each member and each name at most once.
 template <class P>
 [[nodiscard]] consteval bool listed_once() {
   if constexpr (ListsFields<P>) {
@@ -128,7 +129,7 @@ inline constexpr std::size_t fields_of = 0;
 template <ListsFields P>
 inline constexpr std::size_t fields_of<P> = std::tuple_size_v<decltype(P::fields())>;
 
-/// As many as are listed where fields() is missing or P is no aggregate: both have sentences of their own.
+/// The number of listed fields if fields() is missing or P is not an aggregate: both have error messages of their own.
 template <class P>
 inline constexpr std::size_t members_of = fields_of<P>;
 template <ListsFields P>
@@ -145,13 +146,13 @@ concept NamedEnum = std::is_enum_v<E> && requires(E e) {
   enum_names(e).size();
 };
 
-/// The name of an enumerator, as written in configuration files.
+/// The name of an enumerator, as in configuration files.
 template <NamedEnum E>
 [[nodiscard]] constexpr std::string_view enum_name(E value) {
   return enum_names(value).at(static_cast<std::size_t>(value));
 }
 
-/// Calls `visit(field, value)` for each field in its order; nothing for an empty struct.
+/// Calls `visit(field, value)` for each field in order; does nothing for an empty struct.
 template <class P, class Visitor>
 constexpr void for_each_field(P& params, Visitor&& visit) {
   using Plain = std::remove_const_t<P>;
@@ -176,14 +177,14 @@ requires std::is_arithmetic_v<Number>
   return {buffer.data(), result.ptr};
 }
 
-/// The condition that a bound states, as text: "must be > 0 and <= 1".
+/// The condition of a bound as text: "must be > 0 and <= 1".
 [[nodiscard]] std::string bound_text(const Bound& bound);
 
 [[nodiscard]] std::string join_path(std::string_view prefix, std::string_view name);
 
 namespace detail {
 
-/// Not for a number that is not finite either.
+/// Returns false for numbers that are not finite.
 [[nodiscard]] constexpr bool within(double value, const Bound& bound) {
   const bool above_lower = bound.lower_excluded ? value > bound.lower : value >= bound.lower;
   return above_lower && value <= bound.upper && value - value == 0.0;
@@ -223,7 +224,7 @@ void validate(const P& params, std::string_view path) {
   for_each_field(params, detail::Validate{path});
 }
 
-/// The path of the first number, nested ones included, in which two Params differ; empty if there is none.
+/// The path of the first number, nested ones included, in which two Params differ; empty if they are equal.
 template <class P>
 [[nodiscard]] std::string first_difference(const P& a, const P& b, std::string_view path = "") {
   std::string found;

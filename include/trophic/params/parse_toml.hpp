@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The only way to the TOML parser: what would break it, or take more memory or stack than there is, does not reach it.
+// The only access to the TOML parser. Texts that would crash it, or exhaust memory or stack, are rejected first.
 #pragma once
 
-// Of toml++ 3.3.0, as in Debian 12: a debug build's assertion ends the program on "[# a]". Without it the parser says what is
-// wrong.
+// For toml++ 3.3.0, as in Debian 12: an assertion of a debug build ends the program on "[# a]". Without it the parser reports
+// the error.
 #ifndef TOML_ASSERT
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #endif
@@ -17,7 +17,7 @@
 
 namespace trophic {
 
-/// What is wrong with a TOML text, and where. `line` and `column` count from 1.
+/// An error in a TOML text, with its position. `line` and `column` count from 1.
 class TomlError : public std::invalid_argument {
  public:
   TomlError(std::size_t line, std::size_t column, const std::string& what)
@@ -30,13 +30,13 @@ class TomlError : public std::invalid_argument {
   std::size_t column_;
 };
 
-/// The table that a text says. Throws TomlError for a text that is malformed or that TOML allows but nobody writes: more than 16
-/// MiB, a line of more than 1 MiB, a key of more than 32 parts, values more than 64 deep, a quote in a word that begins with a
-/// digit or a sign, two numbers with a blank between them (a date and a time may have T there), and a character that is not ASCII
-/// outside of texts and comments or behind a backslash and blanks.
+/// Returns the table in a text. Throws TomlError for malformed texts, and for these, which TOML allows: more than 16 MiB, a
+/// line of more than 1 MiB, a key of more than 32 parts, values nested more than 64 deep, a quote in a word that begins with a
+/// digit or a sign, two numbers separated by a blank (a date and a time may be separated by T), and a non-ASCII character
+/// outside texts and comments or after a backslash and blanks.
 [[nodiscard]] toml::table parse_toml(std::string_view text);
 
-/// The same of a file. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, where it cannot be read, "FILE: ...".
+/// Returns the table in a file. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, if it cannot be read, "FILE: ...".
 [[nodiscard]] toml::table parse_toml_file(const std::string& path);
 
 }  // namespace trophic

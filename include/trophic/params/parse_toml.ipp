@@ -19,7 +19,7 @@ inline constexpr std::size_t most_toml_line = std::size_t{1} << 20U;
 inline constexpr std::size_t most_key_parts = 32;
 inline constexpr std::size_t most_toml_depth = 64;
 
-/// Goes once over a text, knows what is inside quotes and comments, and throws TomlError for what the parser must not see.
+/// Scans a text once, keeps track of quotes and comments, and throws TomlError for texts that the parser must not be given.
 class TomlFence {
  public:
   explicit TomlFence(std::string_view text) : text_{text} {}
@@ -61,7 +61,7 @@ class TomlFence {
   }
 
   void skip_quoted(char quote) {
-    if (in_number_) fail("a quote stands in a word that begins with a digit or a sign");
+    if (in_number_) fail("a quote in a word that begins with a digit or a sign");
     const std::string three(3, quote);
     const bool is_long = text_.substr(at_).starts_with(three);
     for (int i = 0; i < (is_long ? 3 : 1); ++i) step();
@@ -79,22 +79,23 @@ class TomlFence {
     }
   }
 
-  /// A backslash and what it escapes, or all blanks and line ends behind it: the parser looks for them with the function that
-  /// breaks on a character that is not ASCII.
+  /// A backslash and the character that it escapes, or all blanks and line ends after it: the parser searches them with the
+  /// function that fails on a non-ASCII character.
   void skip_escape() {
     step();
     const std::size_t begin = at_;
     while (at_ < text_.size() && is_one_of(blanks, text_[at_])) step();
-    if (at_ < text_.size() && !is_ascii(text_[at_])) fail("a character that is not ASCII stands behind a backslash");
+    if (at_ < text_.size() && !is_ascii(text_[at_])) fail("a non-ASCII character after a backslash");
     if (at_ < text_.size() && at_ == begin) step();
   }
 
-  /// The parser reads all that is joined to a number as part of it, quotes too, and behind a date and a blank even a line's end.
+  /// The parser reads everything that is joined to a number as part of it, including quotes, and after a date and a blank even
+  /// a line end.
   void check_number(char c) {
     constexpr std::string_view digits_and_signs = "0123456789+-";
     const bool begins = at_ == 0 || is_one_of(blanks, text_[at_ - 1]) || is_one_of("=,[{", text_[at_ - 1]);
     if (c == ' ' && in_number_ && at_ + 1 < text_.size() && is_one_of(digits_and_signs, text_[at_ + 1])) {
-      fail("two numbers stand with nothing but a blank between them");
+      fail("two numbers separated only by a blank");
     }
     if (is_one_of(blanks, c) || is_one_of(",]}", c)) {
       in_number_ = false;
@@ -104,10 +105,10 @@ class TomlFence {
   }
 
   void plain(char c) {
-    if (!is_ascii(c)) fail("a character that is not ASCII stands outside of quotes");
+    if (!is_ascii(c)) fail("a non-ASCII character outside quotes");
     check_number(c);
     if (c == '[' || c == '{') {
-      if (++depth_ > most_toml_depth) fail("more than 64 brackets within each other");
+      if (++depth_ > most_toml_depth) fail("brackets nested more than 64 deep");
     } else if (c == ']' || c == '}') {
       depth_ = depth_ == 0 ? 0 : depth_ - 1;
     }

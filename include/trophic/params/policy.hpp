@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a policy is made from its numbers.
+// Construction of policies from their numbers.
 #pragma once
 
 #include <concepts>
@@ -32,13 +32,13 @@ struct params_of<Policy> {
 
 }  // namespace detail
 
-/// The numbers of a policy: its nested Params, or none.
+/// The numbers of a policy: its nested Params, or NoParams.
 template <class Policy>
 using ParamsOf = typename detail::params_of<Policy>::type;
 
 namespace detail {
 
-/// Without numbers a policy needs a default constructor; with numbers it must be made from them.
+/// A policy without numbers needs a default constructor; one with numbers must be constructible from them.
 template <class Policy>
 concept HasNumbers = !std::is_empty_v<ParamsOf<Policy>>;
 template <class Policy>
@@ -62,20 +62,20 @@ template <class Policy>
 
 namespace detail {
 
-/// Throws RuleError: the policy in this slot, if it is in one, holds another number under `path` than it was made from.
+/// Throws RuleError: the policy (in this slot, if given) holds another number under `path` than it was made from.
 [[noreturn]] void reject_policy(std::string_view policy, std::string_view slot, const std::string& path);
 
 }  // namespace detail
 
-/// Where a policy comes from: its `static constexpr std::string_view source`, which it may leave out.
+/// The source of a policy: its optional `static constexpr std::string_view source`.
 template <class Policy>
 [[nodiscard]] constexpr std::string_view source_of() {
   if constexpr (requires { std::string_view{Policy::source}; }) return Policy::source;
   return {};
 }
 
-/// A policy with these numbers. Throws RuleError if it has a public member `params` that holds other numbers afterwards: what
-/// runs would not be what the manifest claims.
+/// Returns a policy with these numbers. Throws RuleError if its public member `params` then holds other numbers, because the
+/// manifest would not match the run.
 template <class Policy>
 [[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params, [[maybe_unused]] std::string_view slot = {}) {
   if constexpr (detail::HasNumbers<Policy>) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers from TOML files and from "path=value" texts, into any Params; unknown keys are errors.
+// Reads numbers from TOML files and from "path=value" texts into any Params; unknown keys are errors.
 #pragma once
 
 #include <cmath>
@@ -67,13 +67,13 @@ void read_value(T& target, const toml::node& node, const std::string& path) {
 template <class P>
 void read_table(P& params, const toml::table& table, const std::string& prefix);
 
-/// What reads the numbers of a table by itself: `path` is the table's, for errors.
+/// Reads the numbers of a table itself; `path` is the path of the table, for errors.
 template <class T>
 concept ReadsNumbers = requires(T& value, const toml::table& table, const std::string& path) {
   value.read_numbers(table, path);
 };
 
-/// Sets the field that has the name `key`.
+/// Sets the field with the name `key`.
 struct ReadField {
   std::string_view key;
   const toml::node& node;
@@ -114,14 +114,13 @@ void read_table(P& params, const toml::table& table, const std::string& prefix) 
 }  // namespace detail
 
 /// Sets the fields that a table names. Throws std::invalid_argument "PATH: unknown key ..." or "PATH = VALUE: must be ...".
-/// Bounds are not checked here but by `validate`.
+/// Bounds are checked by `validate`, not here.
 template <class P>
 void read_numbers(P& params, const toml::table& table) {
   detail::read_table(params, table, "");
 }
 
-/// The choice that a configuration file makes under `key`, removed from it; the numbers are left. Throws
-/// std::invalid_argument where it is no text.
+/// Removes the choice under `key` from a configuration file and returns it. Throws std::invalid_argument if it is not a text.
 [[nodiscard]] inline std::optional<std::string> take_choice(toml::table& table, std::string_view key) {
   const toml::node* node = table.get(key);
   if (node == nullptr) return std::nullopt;
@@ -131,8 +130,8 @@ void read_numbers(P& params, const toml::table& table) {
   return name;
 }
 
-/// The table that "rules.mutation.sd=0.1" means. A value that is no TOML value is taken as a text: "ecology.robot=gecko".
-/// Throws std::invalid_argument for what is no assignment.
+/// Returns the table of an assignment such as "rules.mutation.sd=0.1". A value that is not a TOML value is read as text:
+/// "ecology.robot=gecko". Throws std::invalid_argument if the text is not an assignment.
 [[nodiscard]] inline toml::table read_assignment(std::string_view assignment) {
   const auto equals = assignment.find('=');
   const auto bad = [&] {

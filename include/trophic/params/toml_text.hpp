@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of TOML as texts.
+// TOML values as texts.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace trophic {
 
-/// The shortest TOML float that reads back as the same number, bit for bit. toml++ 3.3 writes 0.1 as 0.10000000000000001, which
-/// is the same number in a form that nobody wants to edit.
+/// The shortest TOML float that reads back as the same number, bit for bit. toml++ 3.3 writes 0.1 as 0.10000000000000001, the
+/// same number in a form that is hard to edit.
 [[nodiscard]] inline std::string toml_float(double value) {
   const std::string text = number_text(value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// A value on one line, for a sentence about it. toml++ 3.3 cannot do it: of a list with a fraction below 1 it casts a negative
+/// A value on one line, for error messages. toml++ 3.3 fails to do this: in a list with a fraction below 1 it casts a negative
 /// number to an unsigned one.
 [[nodiscard]] inline std::string toml_text(const toml::node& value) {
   if (const auto number = value.value_exact<double>()) return toml_float(*number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whom an individual watches: the closest opponent that it perceives.
+// The adversary of an individual: the closest opponent that it perceives.
 #pragma once
 
 #include <concepts>
@@ -11,9 +11,9 @@
 
 namespace trophic::perception {
 
-/// The adversary of `self`: "the closest observable robot of the opposite species" (Sec. "Inputs"); with more than two
-/// species, of any species that eats its own or that its own eats. `perceives(self, other)` is the run's Visibility rule. On
-/// equal distance the lower body index. `horizon`: whom at most self perceives.   Random draws: those of the Visibility rule.
+/// The adversary of `self`: "the closest observable robot of the opposite species" (Sec. "Inputs"); with more than two species,
+/// of any species that eats its own or that its own eats. `perceives(self, other)` is the run's Visibility rule. On equal
+/// distance the lower body index. `horizon`: bounds on what self perceives.   Random draws: those of the Visibility rule.
 template <std::predicate<BodyIndex, BodyIndex> Sees>
 [[nodiscard]] std::optional<Sighting> adversary(BodyIndex self, const View& view, const Sees& perceives,
                                                 const Horizon& horizon = {}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which species exist and who eats whom.
+// The species and the feeding links between them.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Feeding {
 /// Any number of species and the feeding links between them. Small and immutable.
 class FoodWeb {
  public:
-  /// @throws std::invalid_argument for a link to a species that has no name.
+  /// @throws std::invalid_argument for a link to a species without a name.
   FoodWeb(std::vector<std::string> names, std::vector<Feeding> links) : names_{std::move(names)}, links_{std::move(links)} {
     for (const Feeding& link : links_) {
       if (link.hunter >= names_.size() || link.victim >= names_.size()) {
@@ -41,7 +41,7 @@ class FoodWeb {
   [[nodiscard]] bool eats(Species hunter, Species victim) const {
     return std::ranges::any_of(links_, [&](const Feeding& l) { return l.hunter == hunter && l.victim == victim; });
   }
-  /// One eats the other, either way round.
+  /// Whether either species eats the other.
   [[nodiscard]] bool opponents(Species a, Species b) const { return eats(a, b) || eats(b, a); }
   [[nodiscard]] bool hunts(Species species) const {
     return std::ranges::any_of(links_, [&](const Feeding& l) { return l.hunter == species; });
@@ -49,7 +49,7 @@ class FoodWeb {
   [[nodiscard]] bool is_hunted(Species species) const {
     return std::ranges::any_of(links_, [&](const Feeding& l) { return l.victim == species; });
   }
-  /// The first species that `hunter` eats; none for a species that hunts nobody.
+  /// The first species that `hunter` eats; none for a species that does not hunt.
   [[nodiscard]] std::optional<Species> first_victim(Species hunter) const {
     const auto link = std::ranges::find(links_, hunter, &Feeding::hunter);
     return link == links_.end() ? std::nullopt : std::optional{link->victim};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who lives in a body: genome, species, tag, ages, ancestry.
+// The individual in a body: genome, species, tag, ages, ancestry.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ namespace trophic {
 /// Index of a robot body; bodies live for the whole run.
 using BodyIndex = std::size_t;
 
-/// Number of an individual (a controller in a body), unique in a run, in order of birth from 0.
+/// Number of an individual (the controller in a body), unique in a run, in order of birth from 0.
 using IndividualId = std::uint64_t;
 
-/// Whether a genome was drawn at random or taken from a parent. `inherited` is the rule's label: see GenomeSource.
+/// Whether a genome was drawn at random or copied from a parent. `inherited` is the rule's label: see GenomeSource.
 enum class Origin { random, inherited };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Origin) {
   return {"random", "inherited"};
@@ -33,14 +33,14 @@ enum class Cause { caught, starved, sacrificed, senescence };
   return {"caught", "starved", "sacrificed", "senescence"};
 }
 
-/// The weights of a brain. Held by shared_ptr: whether parent and offspring share one genome is a rule (Heredity).
+/// The weights of a brain. Held by shared_ptr: the Heredity rule decides whether parent and offspring share one genome.
 struct Genome {
   std::uint64_t id = 0;  ///< unique in a run; a shared genome keeps its id through mutations
   std::vector<double> weights;
   static constexpr auto saved() { return std::tuple{&Genome::id, &Genome::weights}; }
 };
 
-/// Somebody an offspring can descend from; may be dead by now.
+/// An individual that offspring can descend from, possibly dead.
 struct Ancestor {
   IndividualId id = 0;
   Species species = 0;
@@ -49,7 +49,7 @@ struct Ancestor {
   static constexpr auto saved() { return std::tuple{&Ancestor::id, &Ancestor::species, &Ancestor::genome}; }
 };
 
-/// One living individual. The `Population` holds one per body and is the only one who changes it.
+/// One living individual. The `Population` holds one per body and is its only writer.
 struct Individual {
   IndividualId id = 0;
   std::optional<IndividualId> parent;
@@ -60,11 +60,11 @@ struct Individual {
 
   bool active = true;  ///< a newborn of a hunted species is inactive: it cannot be caught and hunters do not perceive it
   double born_s = 0.0;
-  double age_from_s = 0.0;    ///< its age counts from here: birth, or activation where the rule says so
+  double age_from_s = 0.0;    ///< start of its age: birth, or activation if the rule restarts it
   std::int64_t fed_tick = 0;  ///< tick of birth or of its last catch
 
   int tag = 0;               ///< one of the brain's tags
-  double tag_since_s = 0.0;  ///< start of the running tag clock: birth or where TagSwitch restarted it
+  double tag_since_s = 0.0;  ///< start of the current tag clock: birth, or the last restart by TagSwitch
 
   std::optional<BodyIndex> adversary;                                      ///< closest perceivable opponent at the last tick
   double adversary_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN without adversary

@@ -12,11 +12,11 @@
 
 namespace trophic {
 
-/// The parts of a policy that is made of policies, for it to derive from. Such a policy is a template of the types of its parts
-/// and of nothing else. It has `static constexpr std::array<std::string_view, N> part_names` and Params with one member for each
-/// part, both in the same order, and `static constexpr bool parts_fit`: whether each part fits the contract of that part. Its
-/// parts keep their own states: the population treats each as a rule of its own, under the name SLOT.PART. One part is swapped by
-/// `with_part` (rules/with_part.hpp).
+/// Base class of a policy that is made of policies. Such a policy is a template with the types of its parts as its only
+/// parameters. It has `static constexpr std::array<std::string_view, N> part_names` and Params with one member for each part,
+/// both in the same order, and `static constexpr bool parts_fit`: whether each part satisfies its contract. Parts keep their
+/// own states: the population treats each as a rule of its own, under the name SLOT.PART. `with_part` (rules/with_part.hpp)
+/// swaps one part.
 template <class... Ps>
 class Parts {
  public:
@@ -30,7 +30,7 @@ class Parts {
   }
 
  protected:
-  /// Parts with the numbers that `Params` has for each.
+  /// Constructs the parts from their numbers in `Params`.
   template <class Params>
   explicit Parts(const Params& numbers) : Parts{numbers, std::index_sequence_for<Ps...>{}} {}
 
@@ -51,7 +51,7 @@ concept MadeOfParts = requires {
 
 namespace detail {
 
-/// The words "PART: POLICY, PART: POLICY" of the parts that are not of the type `LeftOut`.
+/// Lists the parts that are not of the type `LeftOut`, as in: PART: POLICY, PART: POLICY.
 template <class LeftOut, class Names, class... Ps>
 struct PartWords {
   static constexpr auto words = [] {

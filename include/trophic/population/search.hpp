@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whom a search for the closest robot need not look at.
+// Bounds for a search for the closest robot.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace trophic {
 
-/// Marks of individuals, a bit for each species, tag and activity. Different ones may share a bit: who lacks a mark is not
-/// searched, who has it must still be asked.
+/// Marks of individuals, a bit for each species, tag and activity. Several may share a bit: an individual without the mark is
+/// skipped, one with it must still be tested.
 using Marks = std::uint64_t;
 inline constexpr Marks every_mark = ~Marks{0};
 
@@ -24,7 +24,7 @@ inline constexpr Marks every_mark = ~Marks{0};
   return mark_of(individual.species, individual.tag, individual.active);
 }
 
-/// All marks of a species, or of those of it that show one tag or are active.
+/// All marks of a species, or only those of a given tag or of active individuals.
 [[nodiscard]] constexpr Marks marks_of(Species species, std::optional<int> tag = {}, bool only_active = false) {
   Marks marks = 0;
   for (int any = 0; any < 4; ++any) {
@@ -35,8 +35,8 @@ inline constexpr Marks every_mark = ~Marks{0};
   return marks;
 }
 
-/// The bounds of a search. Nobody farther away is found. Nobody without one of the marks may be acceptable: it is for the asker
-/// to know.
+/// The bounds of a search. Individuals farther away are not found. The caller guarantees that no acceptable individual lacks
+/// all of the marks.
 struct Search {
   double within_m = std::numeric_limits<double>::infinity();
   Marks among = every_mark;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the closest robot without looking at all of them, however rare it is whom one looks for.
+// Finds the closest robot without visiting all of them, however rare acceptable robots are.
 #pragma once
 
 #include <algorithm>
@@ -15,20 +15,20 @@
 
 namespace trophic {
 
-/// A grid of robots under squares of two times two cells, four times four, ..., each of which knows the marks of those who stand
-/// in it. A search goes into the nearest squares first and passes over those that are too far or lack the marks: its cost grows
-/// with the logarithm of the number of robots. Gives exactly what looking at every robot gives, ties included. Keeps positions
-/// cell by cell, as robots that stand together are far apart in memory.
+/// A grid of robots under squares of two times two cells, four times four, ..., each of which holds the marks of the robots in
+/// it. A search visits the nearest squares first and skips those that are too far or lack the marks: its cost grows with the
+/// logarithm of the number of robots. It gives exactly the result of visiting every robot, ties included. Positions are stored
+/// cell by cell, because neighbouring robots are far apart in memory.
 class SearchTree {
  public:
   SearchTree() = default;
   SearchTree(std::span<const GroundPose> poses, std::span<const Individual> robots);
 
-  /// Somebody else lives in a body, or shows another tag, or is active now. Must be told before the next search.
+  /// Updates a body whose occupant, tag or activity changed. Must be called before the next search.
   void mark(BodyIndex body, const GroundPose& pose, const Individual& robot);
 
-  /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, itself excluded; on equal distance the
-  /// lower index.
+  /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, excluding itself; on equal distance
+  /// the lower index.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, const GroundPose& pose, Accepts&& accepts,
                                                  const Search& search = {}) const {
@@ -57,10 +57,10 @@ class SearchTree {
   };
   struct Standing {
     GroundPose pose;
-    Marks marks;  ///< since the tree was made: it never loses one
+    Marks marks;  ///< since construction: marks are never removed
     BodyIndex body;
   };
-  /// Who searches, and from where.
+  /// The searching body and its position.
   struct Home {
     BodyIndex self;
     const GroundPose& pose;
@@ -88,7 +88,7 @@ class SearchTree {
       }
       return;
     }
-    // The square that is nearest to home first, so that the others are often too far.
+    // The square nearest to the searching body first, so that the others are often too far.
     const auto nearest = [&](std::ptrdiff_t place, std::ptrdiff_t first) {
       return std::clamp(place >> (level - 1), first, first + 1);
     };
@@ -104,7 +104,7 @@ class SearchTree {
 
   SpatialGrid grid_;
   std::vector<Standing> standing_;  ///< cell by cell
-  std::vector<Level> levels_;       ///< the first of cells, the last of one square
+  std::vector<Level> levels_;       ///< from single cells to one square
 };
 
 }  // namespace trophic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an individual perceives of its adversary.
+// An individual's perception of its adversary.
 #pragma once
 
 #include <trophic/population/individual.hpp>

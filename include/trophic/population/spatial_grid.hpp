@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds near robots without looking at all of them.
+// Finds nearby robots without visiting all of them.
 #pragma once
 
 #include <algorithm>
@@ -20,18 +20,18 @@ class SpatialGrid {
   SpatialGrid() = default;
   explicit SpatialGrid(std::span<const GroundPose> poses);
 
-  /// Cells in a row, and where a robot's is; beyond the box it is the closest.
+  /// Cells in a row, and the cell of a robot; outside the box the closest cell.
   [[nodiscard]] std::ptrdiff_t side() const { return cells_; }
   [[nodiscard]] std::ptrdiff_t column(const GroundPose& pose) const { return cell_of(pose.x_m - low_x_m_); }
   [[nodiscard]] std::ptrdiff_t row(const GroundPose& pose) const { return cell_of(pose.y_m - low_y_m_); }
-  /// Who stands in a cell, ascending.
+  /// The bodies in a cell, ascending.
   [[nodiscard]] std::span<const BodyIndex> bodies_in(std::ptrdiff_t column, std::ptrdiff_t row) const {
     const std::size_t cell = index(column, row);
     return std::span{bodies_}.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
-  /// How many stand in the cells before it.
+  /// Number of bodies in the cells before this one.
   [[nodiscard]] std::size_t first_in(std::ptrdiff_t column, std::ptrdiff_t row) const { return starts_[index(column, row)]; }
-  /// False only if everybody in the square of `cells` x `cells` cells, the one of these numbers, is farther than `distance_m`.
+  /// Returns false only if every body in the given square of `cells` x `cells` cells is farther than `distance_m`.
   [[nodiscard]] bool may_reach(const GroundPose& from, double distance_m, std::ptrdiff_t column, std::ptrdiff_t row,
                                std::ptrdiff_t cells) const {
     const double square_m = static_cast<double>(cells) * cell_m_;
@@ -69,9 +69,9 @@ class SpatialGrid {
   double low_x_m_ = std::numeric_limits<double>::infinity();
   double low_y_m_ = std::numeric_limits<double>::infinity();
   double cell_m_ = 1.0;
-  double rounding_m_ = 0.0;  ///< more than what rounding does to the edge of a square
+  double rounding_m_ = 0.0;  ///< exceeds the rounding error at the edge of a square
   std::ptrdiff_t cells_ = 0;
-  std::vector<std::size_t> starts_;  ///< bodies_[starts_[c]] to bodies_[starts_[c + 1]] stand in cell c, ascending
+  std::vector<std::size_t> starts_;  ///< bodies_[starts_[c]] to bodies_[starts_[c + 1]] are in cell c, ascending
   std::vector<BodyIndex> bodies_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colours by which species are told apart in every picture: page, film, window, saved worlds.
+// The colours of species in every picture: page, film, window, saved worlds.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace trophic {
 
-/// Okabe and Ito's colours, which people with any colour vision tell apart, in the order of species; then they begin again.
+/// Okabe and Ito's colours, which colour-blind readers can distinguish, in the order of species; they repeat after the last.
 [[nodiscard]] constexpr Colour species_colour(Species species) {
   constexpr std::array<std::array<float, 3>, 7> colours{
       {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}, {122, 92, 0}}};
@@ -17,7 +17,7 @@ namespace trophic {
   return {c[0] / 255.0F, c[1] / 255.0F, c[2] / 255.0F};
 }
 
-/// Of a newborn that hunters neither perceive nor catch yet.
+/// The colour of a newborn that hunters neither perceive nor catch yet.
 inline constexpr Colour inactive_colour{0.6F, 0.63F, 0.66F};
 
 }  // namespace trophic

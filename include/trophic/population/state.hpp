@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules with a state: what a policy keeps for each body, what a newborn starts with, and when it changes.
+// Rules with a state: the data that a policy keeps for each body, its value for a newborn, and the hooks that change it.
 #pragma once
 
 #include <concepts>
@@ -17,26 +17,26 @@
 #include <utility>
 #include <vector>
 
-/// A rule with a state is a policy with a nested `struct State { ... };` that lists its members by `fields()` as Params do. The
-/// population keeps one State for each body and slot. Policies stay const: the population hands a policy its own state.
+/// A rule with a state is a policy with a nested `struct State { ... };` that lists its members by `fields()`, as Params do.
+/// The population keeps one State for each body and slot. Policies stay const: the population passes a policy its own state.
 ///
 ///   State born(const Individual& newborn, const State* parent, const State& body) const
 ///
-/// is what a newborn starts with; a policy with a State must have it. The newborn has no genome yet. `parent` is the state of its
-/// living parent; null for founders, random newcomers, offspring of the dead and where Heredity passes nothing on. `body` is the
-/// state of the body's last owner; State{} for founders. `return {};` resets it, `return body;` keeps it with the body,
-/// `return parent ? *parent : State{};` inherits it.
+/// returns the state of a newborn; a policy with a State must have it. The newborn has no genome yet. `parent` is the state of
+/// its living parent; null for founders, random newcomers, offspring of the dead, and if Heredity passes nothing on. `body` is
+/// the state of the body's previous occupant; State{} for founders. `return {};` resets it, `return body;` keeps it with the
+/// body, `return parent ? *parent : State{};` inherits it.
 ///
-/// A checkpoint holds all states, so that a run goes on as if it had not been cut off: that is why a State may hold no more than
-/// what rule_states.hpp allows.
+/// A checkpoint holds all states, so that a resumed run gives the same bytes. A State may therefore hold only the types that
+/// rule_states.hpp allows.
 ///
-/// The question of a slot that is about one body may take `const State& own` as its last argument, one about the whole population
-/// or about a parent `std::span<const State> states`, by body: see the slot's contract. A brain's decide and a mutation take
-/// `State& own`.
+/// A contract function about one body may take `const State& own` as its last argument, one about the whole population or about
+/// a parent `std::span<const State> states`, by body: see the slot's contract. A brain's decide and a mutation take `State&
+/// own`.
 ///
-/// Any of these hooks changes the state `own` of whoever lives in the body `self`; each is called where it stands in a tick:
+/// Each of these hooks changes the state `own` of the individual in the body `self`, at its moment in a tick:
 ///   void on_walk(State& own, BodyIndex self, double distance_m, const View&) const
-///     after the bodies have moved: the straight distance between the places at this tick and the last
+///     after the bodies have moved: the straight distance between the positions at this tick and the last
 ///   void on_catch(State& own, BodyIndex self, BodyIndex victim, const View&) const
 ///     self catches victim, which is still in the view
 ///   void on_caught(State& own, BodyIndex self, BodyIndex hunter, const View&) const
@@ -52,7 +52,7 @@
 
 namespace trophic {
 
-/// A policy that keeps something for each body.
+/// A policy with a State.
 template <class P>
 concept Stateful = requires {
   typename P::State;
@@ -81,7 +81,7 @@ inline constexpr bool is_state_member<std::optional<T>> = is_state_member<T>;
 template <class T>
 inline constexpr bool is_state_member<std::vector<T>> = std::is_arithmetic_v<T>;
 
-/// Whether every listed member, nested ones included, can be written down.
+/// Whether every listed member, nested ones included, can be saved.
 template <class State>
 [[nodiscard]] consteval bool only_state_members() {
   if constexpr (HasFields<State>) {
@@ -110,8 +110,7 @@ struct answers_for_species<P> {
   using type = typename P::OfOneSpecies;
 };
 
-// A name is ambiguous in a class that inherits it twice: so `&Probe::on_walk` is ill-formed exactly if the policy has an on_walk
-// of any kind.
+// A name is ambiguous in a class that inherits it twice: `&Probe::on_walk` is ill-formed exactly if the policy has any on_walk.
 #define TROPHIC_PROBE_HOOK(hook, Happened, signature)                                                                            \
   struct StateHas_##hook {                                                                                                       \
     int hook;                                                                                                                    \
@@ -129,7 +128,7 @@ struct answers_for_species<P> {
 TROPHIC_STATE_HOOKS(TROPHIC_PROBE_HOOK)
 #undef TROPHIC_PROBE_HOOK
 
-/// A policy with a State can tell what a newborn starts with.
+/// A policy with a State that has `born`.
 template <class P>
 concept BornWithState = requires(const typename answers_for_species<P>::type& policy, const Individual& newborn,
                                  const typename P::State* parent, const typename P::State& body) {
@@ -150,7 +149,7 @@ struct CheckStateHooks {
   static constexpr bool ok = true;
 };
 
-/// In a struct: fails to compile, with one sentence about `who`, if a policy's State is not what is asked for above.
+/// In a struct: fails to compile, with one sentence about `who`, if a policy's State violates the requirements above.
 #define TROPHIC_CHECK_STATE_OF(Policy, who)                                                                                   \
   static_assert(                                                                                                              \
       !Stateful<Policy> ||                                                                                                    \
@@ -168,15 +167,15 @@ struct CheckStateHooks {
 
 }  // namespace detail
 
-/// What a policy keeps for each body: its nested State, or nothing.
+/// The State of a policy, or NoState.
 template <class P>
 using StateOf = typename detail::state_of<P>::type;
 
-/// The type of the policy that answers for a species: the policy itself, unless its numbers differ by species.
+/// The policy type that applies to a species: the policy itself, unless its numbers differ by species.
 template <class P>
 using AnswersForSpecies = typename detail::answers_for_species<P>::type;
 
-/// The policy that answers for a species: the policy itself, unless its numbers differ by species (rules/by_species.hpp).
+/// The policy that applies to a species: the policy itself, unless its numbers differ by species (rules/by_species.hpp).
 template <class P>
 [[nodiscard]] const AnswersForSpecies<P>& for_species(const P& policy, [[maybe_unused]] Species species) {
   if constexpr (std::same_as<AnswersForSpecies<P>, P>) {
@@ -200,8 +199,8 @@ struct all_states_of<Whole<Ps...>> {
 
 }  // namespace detail
 
-/// The states of all bodies, as a question about the whole population is given them: `std::span<const State>`, by body; for a
-/// policy made of parts (population/parts.hpp) a std::tuple of those of its parts.
+/// The states of all bodies, as contract functions about the whole population get them: `std::span<const State>`, by body; for
+/// a policy made of parts (population/parts.hpp) a std::tuple with those of its parts.
 template <class P>
 using AllStates = typename detail::all_states_of<P>::type;
 
@@ -215,7 +214,7 @@ template <class State>
   return none;
 }
 
-/// The states of one slot, by body. Nothing at all for a policy without State.
+/// The states of one slot, by body. Empty for a policy without State.
 template <class P>
 class BodyStates {
  public:
@@ -236,7 +235,7 @@ class BodyStates<P> {
   [[nodiscard]] std::span<const State> all() const { return states_; }
   void push_back(State state) { states_.push_back(std::move(state)); }
 
-  /// Nothing of a State that cannot be saved: that has been reported above.
+  /// Does nothing for a State that cannot be saved, which is reported above.
   template <class Archive>
   void persist(Archive& archive) {
     if constexpr (detail::SavableState<P>) archive(states_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a rule may read: a snapshot of the population and of where everybody stands. Read-only, engine-free.
+// All that a rule may read: a snapshot of the population and its positions. Read-only, engine-free.
 #pragma once
 
 #include <algorithm>
@@ -19,31 +19,31 @@
 namespace trophic {
 
 /// The world as rules see it at one tick. `robots` and `poses` have one element per body, in the same order. Spans refer to the
-/// ecology's own data: within a tick a view shows each birth and death as soon as it has happened.
+/// ecology's own data: within a tick a view shows each birth and death at once.
 struct View {
   double time_s = 0.0;          ///< the ecology's clock
   std::int64_t tick = 0;        ///< number of this decision step; 0 at the start
-  double tick_s = 2.0;          ///< length of a decision step
+  double tick_s = 2.0;          ///< length of a tick
   double robot_radius_m = 0.0;  ///< of the circle around a standing robot
   const FoodWeb& web;
   const Arena& arena;
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
-  const SearchTree* tree = nullptr;           ///< over the poses; without one, searches look at everybody
-  std::span<const std::size_t> members = {};  ///< of each species; where there are none, they are counted
+  const SearchTree* tree = nullptr;           ///< over the poses; without one, searches visit every robot
+  std::span<const std::size_t> members = {};  ///< of each species; if empty, they are counted
 
   [[nodiscard]] std::size_t count(Species species) const {
     if (!members.empty()) return species < members.size() ? members[species] : 0;
     return static_cast<std::size_t>(std::ranges::count(robots, species, &Individual::species));
   }
-  /// Number of individuals whose species eats somebody (the paper's p, the number of predators).
+  /// Number of individuals whose species hunts (the paper's p, the number of predators).
   [[nodiscard]] std::size_t count_hunters() const {
     std::size_t hunters = 0;
     for (Species species = 0; species < web.size(); ++species) hunters += web.hunts(species) ? count(species) : 0;
     return hunters;
   }
   [[nodiscard]] double distance_m(BodyIndex a, BodyIndex b) const { return trophic::distance_m(poses[a], poses[b]); }
-  /// The marks of all whose species `accepts`: of everybody, of those who show one tag, of the active ones.
+  /// The marks of all whose species `accepts`: of all of them, of those with one tag, or of the active ones.
   template <std::predicate<Species> Accepts>
   [[nodiscard]] Marks marks(Accepts&& accepts, std::optional<int> tag = {}, bool only_active = false) const {
     Marks all = 0;
@@ -51,12 +51,12 @@ struct View {
     return all;
   }
   [[nodiscard]] double age_s(const Individual& individual) const { return time_s - individual.age_from_s; }
-  /// Ticks since birth or last catch (Sec. "Predator Death").
+  /// Ticks since birth or the last catch (Sec. "Predator Death").
   [[nodiscard]] std::int64_t hunger_ticks(const Individual& individual) const { return tick - individual.fed_tick; }
 
-  /// The body closest to `self` among those for which `accepts(individual)` or `accepts(body)` holds, itself excluded; on equal
-  /// distance the lower index. None if nobody within the bounds of the search is accepted. A rule that states those bounds looks
-  /// at a few in a large ecology, where one that does not looks at all before it finds that there is nobody.
+  /// The body closest to `self` for which `accepts(individual)` or `accepts(body)` holds, excluding itself; on equal distance
+  /// the lower index. None if no body within the bounds of the search is accepted. With bounds a search in a large ecology
+  /// visits few robots; without them it visits all before it returns none.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, Accepts&& accepts, const Search& search = {}) const {
     if constexpr (std::predicate<Accepts&, const Individual&>) {

@@ -39,7 +39,7 @@ struct by_species_params<Policy, Community, std::index_sequence<species...>> {
   using type = GroupOf<SpeciesNames<Community>, One<species>...>;
 };
 
-/// What every form of by_species is: its name, the policy that answers for one species, and that policy's State.
+/// Common to every form of by_species: its name, the policy that applies to one species, and that policy's State.
 template <class Policy>
 struct BySpecies {
   static_assert(!MadeOfParts<Policy>, "rules::by_species takes a policy that is not made of parts; give each part its own");
@@ -65,9 +65,9 @@ concept NamesSpecies = requires {
 
 /// A policy with numbers for each species: `with_mutation<Paper, by_species<NormalMutation>>` has `rules.mutation.prey.sd` and
 /// `rules.mutation.predator.sd`. In a rule table it takes the species of the table's community, which lists their names:
-/// `static constexpr std::array<std::string_view, N> species_names`. For the slots that the list of slots (rules/slots.hpp) marks
-/// as asking about one individual or species, and for parts of their policies: there whoever is asked about has the numbers of
-/// its species. Reads and random draws: the policy's.
+/// `static constexpr std::array<std::string_view, N> species_names`. For slots that rules/slots.hpp marks as being about one
+/// individual or species, and for parts of their policies: each individual has the numbers of its species. Reads and random
+/// draws: the policy's.
 template <class Policy>
 class by_species<Policy, void> : public detail::BySpecies<Policy> {};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a table of rules must be: each mistake in it is one compile error, a sentence.
+// The requirements on a rule table: each violation is one compile error, a sentence.
 #pragma once
 
 #include <concepts>
@@ -24,7 +24,8 @@ class by_species;
 
 namespace detail {
 
-/// What a table says of each slot: `stated_<member><Rules>::type`, the neutral policy of a slot that it leaves out.
+/// The policy that a table states for each slot: `stated_<member><Rules>::type`, the neutral policy of a slot that it leaves
+/// out.
 #define TROPHIC_STATED(Slot, member, kind, Contract, Neutral, ...) \
   template <class Rules>                                           \
   struct stated_##member {                                         \
@@ -40,7 +41,7 @@ namespace detail {
 TROPHIC_RULE_SLOTS(TROPHIC_STATED)
 #undef TROPHIC_STATED
 
-/// A policy as it is in a table: one whose numbers differ by species has those of the table's community.
+/// A policy in a table: if its numbers differ by species, it has the species of the table's community.
 template <class Policy, class Rules>
 struct in_table {
   using type = Policy;
@@ -55,10 +56,10 @@ struct in_table<Whole<Ps...>, Rules> {
   using type = Whole<typename in_table<Ps, Rules>::type...>;
 };
 
-/// The first thing wrong with what a slot holds. What comes after it is not looked at, so that one mistake is one error.
+/// The first error in a slot. Later ones are not checked, so that one mistake is one error.
 enum class Fault { none, missing, by_species, part, contract, name, fields, open, listed, twice, made, made_from_nothing };
 
-/// Whether each part of a policy fits the contract of that part.
+/// Whether each part of a policy satisfies the contract of that part.
 template <class Policy>
 [[nodiscard]] consteval bool parts_fit() {
   if constexpr (MadeOfParts<Policy>) return Policy::parts_fit;
@@ -93,8 +94,8 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
   }
 }
 
-/// A slot of a table: `type` is its policy, `stated` that policy as the table states it, before in_table. `slot_<member><Rules>`
-/// is the same by name.
+/// A slot of a table: `type` is its policy, `stated` that policy as written in the table, before in_table.
+/// `slot_<member><Rules>` is the same by name.
 template <class Rules, RuleSlot slot>
 struct policy_in;
 #define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                                   \
@@ -119,7 +120,7 @@ concept StatesParams = requires {
   requires std::same_as<decltype(Rules::params()), TableParams<Rules>>;
 };
 
-/// Whether nothing is wrong with a table.
+/// Whether a table is valid.
 template <class Rules>
 [[nodiscard]] consteval bool has_no_fault() {
   bool none = Final<Rules> && Named<Rules> && StatesParams<Rules>;
@@ -127,10 +128,10 @@ template <class Rules>
   return none;
 }
 
-/// Fails to compile, with one sentence, unless Rules is final, has a name and numbers, and has a policy that fits the contract in
-/// every slot, but those with a neutral policy, which it may leave out. A misspelt name of such a slot in a table written out is
-/// the one mistake that cannot be seen here: C++ does not list the members of a class. with_<slot> and numbers for the slot find
-/// it.
+/// Fails to compile, with one sentence, unless Rules is final, has a name and numbers, and has a policy that satisfies the
+/// contract in every slot, except in those with a neutral policy, which it may leave out. A misspelt name of such a slot in a
+/// table written out is the one mistake that cannot be detected here: C++ does not list the members of a class. with_<slot> and
+/// numbers for the slot detect it.
 template <class Rules>
 struct CheckRules {
   static_assert(Final<Rules>,
@@ -145,9 +146,9 @@ struct CheckRules {
   using Slot = typename slot_##member<Rules>::type;                                                                          \
   static constexpr Fault member##_fault = policy_in<Rules, RuleSlot::member>::fault;                                         \
   static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot                \
-                                                  " = ...;` or make it of a complete table with with_" #member);             \
+                                                  " = ...;` or make it from a complete table with with_" #member);           \
   static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                         \
-                                                     " asks about no single individual or species, so its policy's "         \
+                                                     " is not about a single individual or species, so its policy's "        \
                                                      "numbers cannot differ by_species");                                    \
   static_assert(member##_fault != Fault::part,                                                                               \
                 "a part of the policy in Rules::" #Slot " does not fit the contract of that part; see the policy's header"); \
@@ -181,12 +182,12 @@ struct CheckRules {
 template <class Rules, RuleSlot slot>
 using PolicyIn = typename detail::policy_in<Rules, slot>::type;
 
-/// Whether a slot of a table holds its neutral policy, so that there is no such rule.
+/// Whether a slot of a table holds its neutral policy, so that the table has no such rule.
 template <class Rules, RuleSlot slot>
 inline constexpr bool is_neutral = detail::policy_in<Rules, slot>::is_neutral;
 
-/// Whether a type is a table of rules: final, with a name and its numbers, and a fitting policy in each slot that it states. One
-/// that is not is refused by RuleParams, and so by every experiment, with a sentence for what is wrong.
+/// Whether a type is a rule table: final, with a name and its numbers, and a valid policy in each slot that it states.
+/// RuleParams, and therefore every experiment, rejects other types with a sentence about the error.
 template <class Rules>
 inline constexpr bool is_rule_table = detail::has_no_fault<Rules>();
 

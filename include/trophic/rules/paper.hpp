@@ -37,18 +37,18 @@
 
 namespace trophic::rules {
 
-/// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots": which rule stands in each
-/// slot, where the paper says so, and every number. Nobody dies of age: the slot Senescence is left out. "silent" marks what the
-/// text leaves open. The policy explains each such choice; docs/open-choices.md lists all of them with their alternatives and
-/// what they change.
+/// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots": the rule in each slot,
+/// the section of the paper that it is from, and every number. The paper has no natural death: the slot Senescence is left out.
+/// "silent" marks choices that the text leaves open. The policy explains each such choice; docs/open-choices.md lists all of
+/// them with their alternatives and effects.
 ///
-/// One choice turns the evolution of prey round: the parent when a predator starves. Sec. "Reproduction" says "any prey". Sec.
+/// One choice reverses the evolution of prey: the parent when a predator starves. Sec. "Reproduction" has "any prey". Sec.
 /// "Prey Death" calls the newborn's state "a state of inactivity", and a draft's comment in Sec. "Birth" denies that a newborn
 /// "can immediately interact with other robots". So the table takes the closest active prey; `with_parent_after<Paper,
 /// Cause::starved, NearestVictim>` is the other reading.
 ///
-/// The robot's own gait is the one published with the paper. Its text would allow another one evolved by its fitness
-/// (`spider_paper`); the published one is what the paper's robots walked with, it is faster, and it turns to both sides alike
+/// The robot's own gait is the one published with the paper. The text would also allow another one evolved by its fitness
+/// (`spider_paper`). The paper's robots walked with the published one; it is faster, and it turns equally to both sides
 /// (models/README.md has the figures).
 struct Paper final {
   static constexpr std::string_view name = "paper";

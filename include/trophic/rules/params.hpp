@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a table of rules: those that it states, and those that an experiment runs with.
+// The numbers of a rule table: those that it states, and those that an experiment runs with.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -9,9 +9,9 @@
 
 namespace trophic {
 
-/// What a table states of its numbers: one member per slot, each a policy's Params at the policy's own defaults. A table gives
-/// one by designated initialisers, so that a misspelt slot or number does not compile:
-/// `static TableParams<Mine> params() { return TableParams<Mine>{.tag_switch = {.cool_down_s = 20.0}}; }`.
+/// The numbers that a table states: one member per slot, each a policy's Params with the policy's own defaults. A table
+/// initialises it by designated initialisers, so that a misspelt slot or number does not compile: `static TableParams<Mine>
+/// params() { return TableParams<Mine>{.tag_switch = {.cool_down_s = 20.0}}; }`.
 template <class Rules>
 struct TableParams {
 #define TROPHIC_NUMBERS(Slot, member, ...) ParamsOf<typename detail::slot_##member<Rules>::type> member{};
@@ -21,7 +21,7 @@ struct TableParams {
 
 namespace detail {
 
-/// What a table states; the policies' defaults for a table that states nothing, which `CheckRules` refuses.
+/// The numbers of a table; the policies' defaults for a table that states none, which `CheckRules` rejects.
 template <class Rules>
 [[nodiscard]] TableParams<Rules> stated_params() {
   if constexpr (StatesParams<Rules>) return Rules::params();
@@ -30,10 +30,10 @@ template <class Rules>
 
 }  // namespace detail
 
-/// The numbers of an experiment's rules, one member per slot. Each starts at what the table states.
+/// The numbers of an experiment's rules, one member per slot. Each defaults to the table's number.
 template <class Rules>
 struct RuleParams {
-  static_assert(sizeof(detail::CheckRules<Rules>) > 0);  // says what is wrong with the table
+  static_assert(sizeof(detail::CheckRules<Rules>) > 0);  // reports the error in the table
 #define TROPHIC_NUMBERS(Slot, member, ...) \
   ParamsOf<typename detail::slot_##member<Rules>::type> member = detail::stated_params<Rules>().member;
   TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of rules as a table for readers: which policy stands in each slot, with which numbers, and where that comes from.
+// Prints a rule table for readers: the policy in each slot, with its numbers and source.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct PrintedRule {
   std::string slot;
   std::string policy;
   std::string numbers;  ///< "cool_down_s = 50, ...", floating-point numbers to six digits; manifests have them exactly
-  std::string source;   ///< the policy's own `source`; empty where it names none
+  std::string source;   ///< the policy's own `source`, if any
 };
 
 namespace detail {
@@ -45,7 +45,7 @@ template <class Params>
   return text;
 }
 
-/// `text` with each character of `special` replaced by what `escape` gives for it.
+/// Returns `text` with each character of `special` replaced by `escape` of it.
 template <class Escape>
 [[nodiscard]] std::string escaped(std::string_view text, std::string_view special, Escape&& escape) {
   std::string result;
@@ -59,12 +59,12 @@ template <class Escape>
   return result;
 }
 
-/// Text as Markdown shows it letter by letter.
+/// Escapes a text for Markdown.
 [[nodiscard]] inline std::string markdown_text(std::string_view text) {
   return escaped(text, "\\`*_<>[]|~", [](char letter) { return std::string{'\\', letter}; });
 }
 
-/// Text as LaTeX shows it letter by letter; quotation marks open and close.
+/// Escapes a text for LaTeX; quotation marks open and close.
 [[nodiscard]] inline std::string latex_text(std::string_view text) {
   bool open = false;
   return escaped(text, "\\{}$&#%_^~<>|\"", [&](char letter) -> std::string {
@@ -100,8 +100,8 @@ template <class Text>
 
 }  // namespace detail
 
-/// One line for each slot of a table that holds another policy than its neutral one, then one for ecology and one for physics,
-/// with the numbers given or the table's own.
+/// One line for each slot of a table with a policy other than its neutral one, then one for ecology and one for physics, with
+/// the given numbers or the table's own.
 template <class Rules>
 [[nodiscard]] std::vector<PrintedRule> printed_rules(const RuleParams<Rules>& params = {},
                                                      const EcologyParams& ecology = Rules::ecology(),
@@ -130,7 +130,7 @@ template <class Rules>
   return text;
 }
 
-/// The table as a LaTeX tabular that needs no package.
+/// The table as a LaTeX tabular that requires no package.
 template <class Rules>
 [[nodiscard]] std::string latex_table(const RuleParams<Rules>& params = {}, const EcologyParams& ecology = Rules::ecology(),
                                       const Physics& physics = Rules::physics()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules as the paper's released code plays them.
+// The rules of the paper's released code.
 #pragma once
 
 #include <numbers>
@@ -25,15 +25,15 @@
 
 namespace trophic::rules {
 
-/// What the released code does, rule by rule. Read off the code at the commits of the published runs (22 and 23 June 2023).
+/// The released code, rule by rule, read off the code at the commits of the published runs (22 and 23 June 2023).
 /// `rules::differences<Paper, Released>()` lists the slots and numbers in which it differs from the text.
 ///
-/// Not done:
-/// - ticks of 2.007 s on average, with what happens within a tick taking wall time: a wall clock cannot be reproduced;
+/// Not reproduced:
+/// - ticks of 2.007 s on average, with wall time between the actions within a tick: a wall clock cannot be reproduced;
 /// - control calls on the grid of the physics, 12 or 24 ms apart, while the CPG always integrates 1/60 s: same mean rate;
 /// - the genome's five biases, which mutate and are never added: they have no effect;
 /// - an activated newborn's age counts from the tick before; no rule reads the age of prey.
-/// Of its analysis: published velocities include adversaries stored while a robot was blind (metric velocity_stored).
+/// Its analysis: published velocities include adversaries stored while a robot perceived none (metric velocity_stored).
 struct Released final {
   static constexpr std::string_view name = "released";
 
@@ -89,7 +89,7 @@ struct Released final {
   }
 
   /// All timers of the released code ran on the wall clock, about 1.2 simulated seconds per second. The gait is the published
-  /// one, the robot's own, as in `Paper`. Control is first asked for after one control period.
+  /// one, the robot's own, as in `Paper`. Control starts after one control period.
   static EcologyParams ecology() {
     return {.robots = 30,
             .duration_s = 6500.0,

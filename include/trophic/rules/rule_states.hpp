@@ -16,7 +16,7 @@ namespace trophic {
 
 namespace detail {
 
-/// Fails to compile, with one sentence, if a part of a policy has a State that is not what population/state.hpp asks for.
+/// Fails to compile, with one sentence, if the State of a part of a policy violates population/state.hpp.
 template <class Part>
 struct CheckPartState {
   TROPHIC_CHECK_STATE_OF(AnswersForSpecies<Part>, "a part of a policy")
@@ -34,7 +34,7 @@ template <class P>
   return true;
 }
 
-/// Fails to compile, with one sentence, if a policy with a State is not what population/state.hpp asks for.
+/// Fails to compile, with one sentence, if a policy with a State violates population/state.hpp.
 template <class Rules>
 struct CheckStates {
 #define TROPHIC_CHECK_STATE(Slot, member, ...)                         \
@@ -89,7 +89,7 @@ void visit_named_states(const std::string& path, const BodyStates<P>& states, co
 
 }  // namespace detail
 
-/// The states of all rules of a table, one member per slot. The population writes them, others read.
+/// The states of all rules of a table, one member per slot. Only the population writes them.
 template <class Rules>
 struct RuleStates {
   static_assert(detail::CheckStates<Rules>::ok);

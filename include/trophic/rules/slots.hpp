@@ -38,13 +38,13 @@
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <utility>
 
-/// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). The one list that tables,
-/// numbers, with_<slot>, checks and manifests are made from; a contract's concept and sentence are in
+/// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). Tables, numbers,
+/// with_<slot>, checks and manifests are generated from this list. A contract's concept and sentence are in
 /// trophic/KIND/SLOT/contract.hpp.
 ///
-/// A table may leave out a slot that has a neutral policy, under which there is no such rule. Neither manifest nor fingerprint
-/// nor printed table names a slot that holds its neutral policy. A table that lacks a slot without one (NoPolicy) does not
-/// compile. Slots whose question is about one individual or species take `by_species<Policy>` (rules/by_species.hpp): true.
+/// A table may leave out a slot that has a neutral policy; it then has no such rule. Manifests, fingerprints and printed tables
+/// omit a slot that holds its neutral policy. A table that lacks a slot without one (NoPolicy) does not compile. Slots about
+/// one individual or species take `by_species<Policy>` (rules/by_species.hpp): true.
 #define TROPHIC_RULE_SLOTS(SLOT)                                                                                     \
   SLOT(Community, community, initialization, Community, detail::NoPolicy, false)                                     \
   SLOT(Placement, placement, initialization, Placement, detail::NoPolicy, false)                                     \
@@ -88,7 +88,7 @@ namespace rules {
 inline constexpr std::array slot_names{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_NAME)};
 #undef TROPHIC_SLOT_NAME
 
-/// The kinds of rules that the slots are of, in order.
+/// The kind of rules of each slot, in order.
 #define TROPHIC_SLOT_KIND(Slot, member, kind, ...) std::string_view{#kind},
 inline constexpr std::array slot_kinds{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_KIND)};
 #undef TROPHIC_SLOT_KIND

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of rules at work: one object of each of its policies.
+// The policies of a rule table as objects.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace trophic {
 
-/// One object of each policy of a rule table, ready to be asked.
+/// One object of each policy of a rule table.
 template <class Rules>
 struct Policies {
 #define TROPHIC_POLICY(Slot, member, ...) typename detail::slot_##member<Rules>::type member;
@@ -31,7 +31,7 @@ template <class Rules>
   (std::make_index_sequence<rules::slot_names.size()>{});
 }
 
-/// Calls `visit(slot_name, policy_name)` for each slot that holds another policy than its neutral one.
+/// Calls `visit(slot_name, policy_name)` for each slot with a policy other than its neutral one.
 template <class Rules, class Visitor>
 void for_each_rule(Visitor&& visit) {
   for_each_slot([&]<RuleSlot slot>() {
@@ -39,7 +39,7 @@ void for_each_rule(Visitor&& visit) {
   });
 }
 
-/// The name of a rule table: its own, and what was swapped in it: "paper with mutation = uniform_mutation".
+/// The name of a rule table: its own, with its swapped rules: "paper with mutation = uniform_mutation".
 template <class Rules>
 [[nodiscard]] std::string table_name() {
   return std::string{detail::policy_name<Rules>()};

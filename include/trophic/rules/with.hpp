@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table made of another one: with one rule swapped, with other numbers, in another ecology, under a name of its own.
+// Tables derived from another one: with one rule swapped, other numbers, another ecology, or another name.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct SlotAliases {
 #undef TROPHIC_ALIAS
 };
 
-/// The policies that a table states, and the same with another one in a slot.
+/// The policies that a table states, and the same with another one in one slot.
 template <class Rules>
 struct Stated {
   template <RuleSlot slot>
@@ -38,14 +38,14 @@ struct Swapped {
   using in = std::conditional_t<slot == swapped, std::type_identity<Policy>, typename Stated<Rules>::template in<slot>>;
 };
 
-/// All that a table made of another one takes over as it is.
+/// The members that a derived table takes over unchanged.
 template <class Rules>
 struct OfTable : SlotAliases<Stated<Rules>::template in> {
   static auto ecology() { return Rules::ecology(); }
   static auto physics() { return Rules::physics(); }
 };
 
-/// The numbers of one table as those of another with the same policies.
+/// The numbers of one table for another one with the same policies.
 template <class Table, class Rules>
 [[nodiscard]] TableParams<Table> same_params(const TableParams<Rules>& from) {
   TableParams<Table> own;
@@ -55,7 +55,7 @@ template <class Table, class Rules>
 
 }  // namespace detail
 
-/// A table with the rule of one slot swapped, that rule at the policy's own numbers. Written with_<slot><Rules, Policy>.
+/// A table with the rule of one slot swapped, with the policy's own numbers. Written with_<slot><Rules, Policy>.
 template <class Rules, RuleSlot swapped, class Policy>
 struct with_rule final : detail::SlotAliases<detail::Swapped<Rules, swapped, Policy>::template in> {
   /// "paper with mutation = uniform_mutation".
@@ -86,12 +86,12 @@ struct with_rule final : detail::SlotAliases<detail::Swapped<Rules, swapped, Pol
 TROPHIC_RULE_SLOTS(TROPHIC_WITH)
 #undef TROPHIC_WITH
 
-// A kind of rules is no slot: with_death names none of the slots of death.
+// A kind of rules is not a slot: with_death does not compile.
 #define TROPHIC_NO_SLOT(kind, slots)                                                                                \
   namespace detail {                                                                                                \
   template <class Rules>                                                                                            \
   struct kind##_is_no_slot {                                                                                        \
-    static_assert(std::is_void_v<Rules>, #kind " is no slot but a kind of rules; its slots are swapped by " slots); \
+    static_assert(std::is_void_v<Rules>, #kind " is a kind of rules, not a slot; its slots are swapped by " slots); \
     using type = Rules;                                                                                             \
   };                                                                                                                \
   }                                                                                                                 \
@@ -104,8 +104,8 @@ TROPHIC_NO_SLOT(reproduction, "with_initial_genome, with_genome_source, with_par
 TROPHIC_NO_SLOT(death, "with_activation, with_capture, with_floor, with_starvation, with_minimum_predators and with_senescence")
 #undef TROPHIC_NO_SLOT
 
-/// A table with other numbers: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as a table
-/// does whose numbers are set at run time; a manifest lists them.
+/// A table with other numbers: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as does a
+/// table whose numbers are set at run time; a manifest lists them.
 template <class Rules, auto change>
 struct with_params final : detail::OfTable<Rules> {
   static constexpr std::string_view name = detail::policy_name<Rules>();
@@ -116,7 +116,7 @@ struct with_params final : detail::OfTable<Rules> {
   }
 };
 
-/// A table in another ecology: `with_ecology<Paper, [](auto& ecology) { ecology.robots = 60; }>`. It keeps its name, too.
+/// A table in another ecology: `with_ecology<Paper, [](auto& ecology) { ecology.robots = 60; }>`. It also keeps its name.
 template <class Rules, auto change>
 struct with_ecology final : detail::OfTable<Rules> {
   static constexpr std::string_view name = detail::policy_name<Rules>();
@@ -135,7 +135,7 @@ struct TableName {
   consteval TableName(const char (&from)[size]) { std::copy_n(from, size, text); }
 };
 
-/// A table under a name of its own: `named<with_senescence<Paper, OldAge>, "ageing">`.
+/// A table under another name: `named<with_senescence<Paper, OldAge>, "ageing">`.
 template <class Rules, TableName own_name>
 struct named final : detail::OfTable<Rules> {
   static constexpr std::string_view name{own_name.text};

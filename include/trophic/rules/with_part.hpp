@@ -77,7 +77,7 @@ struct swap_part<Rules, slot, place, Policy> {
 
 }  // namespace detail
 
-/// A table with one part of a policy swapped, at the new part's own numbers; the other parts keep the table's numbers.
+/// A table with one part of a policy swapped, with the new part's own numbers; the other parts keep the table's numbers.
 template <class Rules, RuleSlot slot, std::size_t place, class Policy>
 using with_part = typename detail::swap_part<Rules, slot, place, Policy>::type;
 
@@ -86,8 +86,8 @@ using with_part = typename detail::swap_part<Rules, slot, place, Policy>::type;
 template <class Rules, Cause cause, class Policy>
 using with_parent_after = with_part<Rules, RuleSlot::parent, static_cast<std::size_t>(cause), Policy>;
 
-/// The table with another rule of when starvation procedures are held, who is exempt, or who dies. Its Starvation must be a
-/// Procedure.
+/// The table with another rule for the interval between starvation procedures, the exemption, or the choice of victims. Its
+/// Starvation must be a Procedure.
 template <class Rules, class Policy>
 using with_starvation_interval = with_part<Rules, RuleSlot::starvation, 0, Policy>;
 template <class Rules, class Policy>

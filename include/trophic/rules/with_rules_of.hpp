@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One table with some slots of another, and what the two differ in.
+// Combines slots of two tables, and lists their differences.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct SlotSet {
 };
 static_assert(slot_names.size() <= 64);
 
-/// The slots of these names. A name that is none does not compile.
+/// The slots with these names. An unknown name does not compile.
 [[nodiscard]] consteval SlotSet slots(std::initializer_list<std::string_view> names) {
   SlotSet set;
   for (const std::string_view name : names) {
@@ -58,7 +58,7 @@ struct SlotsOf {
 
 }  // namespace detail
 
-/// Base with the policies and numbers that Other has in the slots of a set; ecology and physics are those of Base.
+/// Base with the policies and numbers of Other in the slots of a set; ecology and physics are those of Base.
 template <class Base, class Other, SlotSet set>
 struct with_rules_of final : trophic::detail::SlotAliases<detail::SlotsOf<Base, Other, set>::template in> {
   /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; numbers are in the manifest.
@@ -99,7 +99,7 @@ struct with_rules_of final : trophic::detail::SlotAliases<detail::SlotsOf<Base, 
   static auto physics() { return Base::physics(); }
 };
 
-/// Base with one part of a policy, and its numbers, as Other has it.
+/// Base with one part of a policy, and its numbers, from Other.
 template <class Base, class Other, RuleSlot slot, std::size_t place>
 struct with_part_of final
     : trophic::detail::OfTable<with_part<Base, slot, place, typename PolicyIn<Other, slot>::template Part<place>>> {
@@ -132,14 +132,14 @@ void append_differences(std::string_view path, const P& here, const P& there, st
   }
 }
 
-/// Whether two policies are made of the same parts, each of one policy or another.
+/// Whether two policies have the same parts, each with any policy.
 template <class Here, class There>
 inline constexpr bool alike_in_parts = false;
 template <template <class...> class Whole, class... Here, class... There>
 requires MadeOfParts<Whole<Here...>> && MadeOfParts<Whole<There...>>
 inline constexpr bool alike_in_parts<Whole<Here...>, Whole<There...>> = true;
 
-/// What differs between two policies of one slot, or between their parts.
+/// The differences between two policies of one slot, or between their parts.
 template <class Here, class There, class ParamsHere, class ParamsThere>
 void append_policy_differences(const std::string& path, const ParamsHere& here, const ParamsThere& there,
                                std::vector<RuleDifference>& differences) {
@@ -160,8 +160,8 @@ void append_policy_differences(const std::string& path, const ParamsHere& here, 
 
 }  // namespace detail
 
-/// All slots, parts and numbers in which two tables differ, in their order; numbers of policies that differ go with these, and
-/// duration is no rule.
+/// All slots, parts and numbers in which two tables differ, in order. Numbers of policies that differ are omitted, as is the
+/// duration, which is not a rule.
 template <class Base, class Other>
 [[nodiscard]] std::vector<RuleDifference> differences() {
   const RuleParams<Base> here;

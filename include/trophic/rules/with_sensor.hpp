@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One sensor of a table swapped.
+// A table with one sensor swapped.
 #pragma once
 
 #include <trophic/rules/table.hpp>
@@ -16,7 +16,7 @@ struct swap_sensor {
 
 }  // namespace detail
 
-/// The table with the sensor New in the place of Old, the numbers of its sensors at their own defaults.
+/// The table with the sensor New in place of Old, and the numbers of its sensors at their own defaults.
 template <class Table, class Old, class New>
 using with_sensor = with_sensors<Table, typename detail::swap_sensor<typename Table::Sensors, Old, New>::type>;
 

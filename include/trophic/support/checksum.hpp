@@ -8,7 +8,7 @@
 
 namespace trophic {
 
-/// CRC-32 as in zlib, PNG and Python's zlib.crc32: of `bytes`, or of what has the sum `before` and these bytes after it.
+/// CRC-32 as in zlib, PNG and Python's zlib.crc32. `before` is the checksum of the preceding bytes, if any.
 [[nodiscard]] std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace trophic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of two ways to do the same is faster at present. Reads the wall clock, and decides nothing but speed.
+// Chooses the faster of two modes. Reads the wall clock, and affects only speed.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace trophic {
 
-/// Chooses for each job one of two ways that give the same result, by how long jobs took lately, and tries the other one again
-/// from time to time: the more rarely, the slower it was, so that trying costs about a thirtieth. Begins with the first. A job in
-/// which the machine slept, or the program was stopped, counts as any slow one.
+/// For each job, chooses one of two modes that give the same result, by recent durations. The other mode is tried from time to
+/// time, the more rarely the slower it was, so that trials cost about a thirtieth. Starts with the first mode. A job during
+/// which the machine slept, or the program was stopped, counts as an ordinary slow one.
 class FasterMode {
  public:
-  /// One job, from when it was made to its end.
+  /// One job, timed from construction to destruction.
   class Trial {
    public:
     Trial(FasterMode& modes, bool first, std::size_t size)
@@ -34,7 +34,7 @@ class FasterMode {
     std::chrono::steady_clock::time_point began_;
   };
 
-  /// The way for the next job, of this size.
+  /// The mode for the next job, of this size.
   [[nodiscard]] Trial next(std::size_t size) {
     bool first = !(second_.seconds < first_.seconds && second_.known);
     if (++since_other_ >= until_other()) {
@@ -44,7 +44,7 @@ class FasterMode {
     return {*this, first, std::max<std::size_t>(size, 1)};
   }
 
-  /// A job was done the first or the second way, in so many seconds for one of its size.
+  /// Records a job in the first or the second mode, with its duration in seconds per unit of size.
   void note(bool first, double seconds) {
     seconds = std::max(seconds, shortest_s);
     Mode& mode = first ? first_ : second_;
@@ -58,11 +58,11 @@ class FasterMode {
 
  private:
   struct Mode {
-    double seconds = 0.0;  ///< of late, for a job of size one
+    double seconds = 0.0;  ///< recent duration of a job of size one
     bool known = false;
   };
 
-  /// How many jobs pass until the other way is tried. An odd number, as kinds of jobs may alternate.
+  /// Number of jobs until the other mode is tried. An odd number, because kinds of jobs may alternate.
   [[nodiscard]] std::uint64_t until_other() const {
     if (!first_.known || !second_.known) return 31;
     const double slower = std::max(first_.seconds, second_.seconds) / std::min(first_.seconds, second_.seconds);
@@ -70,9 +70,10 @@ class FasterMode {
   }
 
   static constexpr double weight = 0.125;
-  /// What a job takes at least, as a clock may stand still or go back.
+  /// Lower bound for the duration of a job, as a clock may stand still or go back.
   static constexpr double shortest_s = 1e-12;
-  /// Times the faster way, beyond which nothing counts as slower, so that a pause is made up for in some thousand jobs.
+  /// Upper bound for the slower mode, as a multiple of the faster one, so that the effect of a pause fades within some thousand
+  /// jobs.
   static constexpr double slowest = 64.0;
 
   Mode first_;

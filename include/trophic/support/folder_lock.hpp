@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One program at a time in a folder.
+// Gives one program at a time access to a folder.
 #pragma once
 
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 
 namespace trophic {
 
-/// Locks what was opened by a name. False where another program has it, or has meanwhile taken its name away.
+/// Locks an open file. Returns false if another program holds the lock, or has removed or replaced the name meanwhile.
 [[nodiscard]] inline bool lock_named(int file, const std::filesystem::path& name) {
   if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   struct stat opened {};
@@ -24,13 +24,13 @@ namespace trophic {
          opened.st_ino == there.st_ino;
 }
 
-/// While it lives, no other FolderLock on the folder can be made, in this program or another; the system drops it when a program
-/// dies. A file system without locks, as some of networks, gives none: then nobody is kept out.
+/// While it lives, no other FolderLock on the folder can be made, in this program or another. The system releases it when a
+/// program dies. Some network file systems have no locks; there it locks nothing.
 class FolderLock {
  public:
-  /// Throws std::runtime_error if the folder cannot be opened, is locked, or has just been removed by who had it.
+  /// Throws std::runtime_error if the folder cannot be opened, is locked, or has just been removed by the program that held it.
   explicit FolderLock(const std::filesystem::path& folder) : file_{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
-    if (file_ < 0) throw std::runtime_error{folder.string() + ": is not a folder that can be opened"};
+    if (file_ < 0) throw std::runtime_error{folder.string() + ": cannot open it as a folder"};
     if (!lock_named(file_, folder)) {
       ::close(file_);
       throw std::runtime_error{folder.string() + ": another program is running in it"};

@@ -9,7 +9,7 @@
 
 namespace trophic {
 
-/// Empty where the system does not tell.
+/// Empty if the system does not report it.
 [[nodiscard]] inline std::string host_name() {
   std::array<char, 256> name{};
   ::gethostname(name.data(), name.size() - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words joined to one text at compile time.
+// Joins words to one text at compile time.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace trophic {
 
-/// `Words::words`, an array of std::string_view, with `Words::separator` between.
+/// `Words::words`, an array of std::string_view, joined by `Words::separator`.
 template <class Words>
 struct JoinedText {
   static constexpr std::size_t length = [] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON, read and written in one place: what nlohmann-json makes of its templates is compiled once.
+// Reads and writes JSON in one place, so that the templates of nlohmann-json are compiled once.
 #pragma once
 
 #include <concepts>
@@ -17,18 +17,18 @@ namespace trophic {
 /// Objects keep the order of their keys, in files as in memory.
 using Json = nlohmann::ordered_json;
 
-/// What a text says. Throws Json::exception where it is no JSON, or of more than 64 brackets within each other.
+/// Parses a text. Throws Json::exception if it is not JSON, or if brackets are nested more than 64 deep.
 [[nodiscard]] Json parse_json(std::string_view text);
 
-/// The same, but null where it is no JSON.
+/// Parses a text; returns null if it is not JSON.
 [[nodiscard]] Json parse_json_or_null(std::string_view text);
 
-/// As text on one line or, with an indent >= 0, on a line for each value. What is no UTF-8, as in the name of a folder, becomes
-/// U+FFFD.
+/// As text on one line or, with an indent >= 0, with one value a line. Bytes that are not UTF-8, as in the name of a folder,
+/// become U+FFFD.
 [[nodiscard]] std::string json_text(const Json& json, int indent = -1);
 
-/// The whole number at a key, which a plain `get` would make of -1 and of 1e300, too. Throws Json::exception where the key is
-/// missing, std::invalid_argument "KEY = VALUE: must be a whole number from LEAST to MOST".
+/// The whole number at a key; a plain `get` would also convert -1 and 1e300. Throws Json::exception if the key is missing,
+/// std::invalid_argument "KEY = VALUE: must be a whole number from LEAST to MOST".
 template <std::integral Number>
 [[nodiscard]] Number whole_number(const Json& object, const std::string& key,
                                   Number least = std::numeric_limits<Number>::lowest(),

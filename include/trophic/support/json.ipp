@@ -10,8 +10,8 @@ namespace trophic {
 
 namespace detail {
 
-/// A text up to the bracket that is nested deeper than any of ours: no JSON then. The library copies and takes apart what is
-/// nested by functions that call themselves.
+/// Returns the text up to the first bracket that is nested too deep, which is then not JSON. The library copies and destroys
+/// nested values by recursion.
 [[nodiscard]] TROPHIC_INLINE std::string_view as_deep_as_ours(std::string_view text) {
   constexpr std::size_t most_depth = 64;
   std::size_t depth = 0;

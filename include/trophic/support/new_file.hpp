@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that has its name only once it is whole: who is killed half-way leaves none that looks complete.
+// A file that gets its name only when it is complete: a killed program leaves no file that looks complete.
 #pragma once
 
 #include <filesystem>
@@ -8,23 +8,23 @@
 
 namespace trophic {
 
-/// A new file in the making, as "PATH.part"; what a killed program left there is made anew. Errors are std::runtime_error naming
-/// the file.
+/// A new file that is written as "PATH.part". The remains of a killed program are overwritten. Errors are std::runtime_error
+/// naming the file.
 class NewFile {
  public:
-  /// Throws if something has the name already, if the system makes no file beside it, or if another program is making it.
+  /// Throws if the name exists, if the system cannot create a file in the folder, or if another program is writing it.
   explicit NewFile(std::filesystem::path path);
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
-  /// What was not finished goes.
+  /// Removes a file that was not finished.
   ~NewFile();
 
-  /// Its name.
+  /// The final name.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Where to write until then: an empty file.
+  /// The name to write to until then; the file is empty.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
 
-  /// Puts what was written onto the disk and gives it its name.
+  /// Flushes the written bytes to the disk and renames the file.
   void finish();
 
  private:
@@ -33,7 +33,7 @@ class NewFile {
   int file_ = -1;
 };
 
-/// Writes a text as a new file, whole or not at all. Throws as NewFile.
+/// Writes a text as a new file, completely or not at all. Throws as NewFile.
 void write_new_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace trophic

@@ -21,7 +21,8 @@ namespace trophic {
 
 namespace detail {
 
-/// Opens a file and locks it. -1, with errno, where the system refuses; EWOULDBLOCK where another program has it.
+/// Opens a file and locks it. Returns -1, with errno, if the system refuses; errno is EWOULDBLOCK if another program holds the
+/// lock.
 [[nodiscard]] inline int open_locked(const std::filesystem::path& path, int more_flags) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | more_flags, 0666);
   if (file < 0 || lock_named(file, path)) return file;
@@ -35,12 +36,12 @@ namespace detail {
 TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(path)}, part_{path_.string() + ".part"} {
   const auto refuse = [&](const std::string& why) { throw std::runtime_error{"cannot create " + path_.string() + ": " + why}; };
   const auto reason = [] {
-    return errno == EWOULDBLOCK || errno == EEXIST ? "another program is making it" : std::strerror(errno);
+    return errno == EWOULDBLOCK || errno == EEXIST ? "another program is writing it" : std::strerror(errno);
   };
   if (std::filesystem::exists(std::filesystem::symlink_status(path_))) refuse("it exists");
   const int left = detail::open_locked(part_, 0);
   if (left < 0) refuse(reason());
-  // Not the file itself: a program that a killed one had started may still write into it.
+  // Not the file itself: a child of a killed program may still write to it.
   if (::unlink(part_.c_str()) == 0) file_ = detail::open_locked(part_, O_EXCL);
   const std::string why = file_ < 0 ? reason() : "";
   ::close(left);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replaces a file as a whole: a reader, or a program that dies meanwhile, sees the old text or the new one.
+// Replaces a file as a whole: readers see the old text or the new one, also if the program dies.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace trophic {
 
-/// Writes `text` to "PATH.part", then renames it. Both the text and the name are on the disk when this returns, so that a power
-/// failure leaves the old file or the new one, too. Throws std::runtime_error naming the file; the old one then stands. The old
-/// file is kept under the name `predecessor`, if that is not empty; a program that dies may leave only this one.
+/// Writes `text` to "PATH.part", then renames it. When this returns, both the text and the name are on the disk, so that a
+/// power failure also leaves the old file or the new one. Throws std::runtime_error naming the file, and keeps the old one. If
+/// `predecessor` is not empty, the old file is kept under that name; a program that dies may leave only this one.
 void replace_file(const std::filesystem::path& path, std::string_view text, const std::filesystem::path& predecessor = {});
 
 }  // namespace trophic

@@ -19,7 +19,7 @@ namespace trophic {
 
 namespace detail {
 
-/// Writes a new file and sees that it is on the disk. False, with errno, if the system refuses.
+/// Writes a new file and flushes it to the disk. Returns false, with errno, if the system refuses.
 [[nodiscard]] inline bool write_onto_disk(const std::string& path, std::string_view text) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666);
   if (file < 0) return false;
@@ -50,7 +50,7 @@ TROPHIC_INLINE void replace_file(const std::filesystem::path& path, std::string_
   require(detail::write_onto_disk(temporary, text));
   if (!predecessor.empty()) require(std::rename(path.c_str(), predecessor.c_str()) == 0 || errno == ENOENT);
   require(std::rename(temporary.c_str(), path.c_str()) == 0);
-  // The new name is an entry of the folder. Some file systems cannot sync a folder: then the system does it in its own time.
+  // The new name is an entry of the folder. Some file systems cannot sync a folder; the system then writes it later.
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path{"."};
   if (const int entry = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entry >= 0) {
     static_cast<void>(::fsync(entry));

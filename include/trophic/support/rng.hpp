@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counter-based random numbers: a stream is named by (seed, purpose, individual, event), never by who drew before.
+// Counter-based random numbers: a stream is named by (seed, purpose, individual, event) and does not depend on earlier draws.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace trophic {
 
-/// What a stream is drawn for. Each rule has its own, so that an extra draw in one rule never shifts another's.
+/// The purpose of a stream. Each rule has its own, so that an extra draw in one rule never shifts the draws of another.
 enum class Stream : std::uint64_t {
   placement,
   newborn_tag,
@@ -25,30 +25,29 @@ enum class Stream : std::uint64_t {
   sacrifice,
   senescence,
   replicate,
-  null_model = 11,  // 10 was taken once: numbers do not move, or evolved gaits would
+  null_model = 11,  // 10 stays unused: renumbering would change evolved gaits
   gait_founder,
   gait_selection,
   gait_variation,
   visibility,
   sensors,
-  user = 1'000'000,  ///< first number free for a user's own rules
+  user = 1'000'000,  ///< first number for rules of users
 };
 
 namespace detail {
 
-/// Four times 64 random bits: Philox 4x64 with 10 rounds at this counter.
+/// Four 64-bit random words: Philox 4x64 with 10 rounds at this counter.
 [[nodiscard]] std::array<std::uint64_t, 4> philox(const std::array<std::uint64_t, 4>& counter,
                                                   const std::array<std::uint64_t, 2>& key);
 
 }  // namespace detail
 
-/// A stream of random numbers (Philox 4x64, 10 rounds [salmon2011]).
-/// The same names give the same bits and uniform numbers on every platform, and normal ones up to the last bit of the C library's
-/// log and cos; both are the library's own transforms because those of `<random>` differ between standard libraries. Cheap to
-/// make, copy and throw away. Not for cryptography.
+/// A stream of random numbers (Philox 4x64, 10 rounds [salmon2011]). Equal names give equal bits and uniform numbers on every
+/// platform, and normal ones up to the last bit of the C library's log and cos. Both transforms are the library's own because
+/// those of `<random>` differ between standard libraries. Cheap to construct and copy. Not for cryptography.
 class Rng {
  public:
-  /// `other` tells streams of one individual and event apart: whom it looks at, which of its sensors.
+  /// `other` distinguishes streams of one individual and event: the observed individual, the index of a sensor.
   Rng(std::uint64_t seed, Stream purpose, std::uint64_t individual = 0, std::uint64_t event = 0, std::uint64_t other = 0)
       : key_{seed, static_cast<std::uint64_t>(purpose)}, counter_{0, individual, event, other} {}
 

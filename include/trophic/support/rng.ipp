@@ -4,7 +4,7 @@
 
 #include <trophic/support/rng.hpp>
 
-// Philox needs no vector instructions: without them Random123 does not include 37,000 lines of intrinsics.
+// Philox needs no vector instructions; this saves Random123's include of 37,000 lines of intrinsics.
 #ifndef R123_USE_SSE
 #define R123_USE_SSE 0
 #define R123_USE_X86INTRIN_H 0

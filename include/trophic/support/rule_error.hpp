@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a policy returned and must not: an error that names its slot, the value and the bound.
+// The error for an invalid return value of a policy, with its slot, the value and the bound.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace trophic {
 
-/// A policy returned something that does not exist or is against its contract: a mistake in the rule, not in its numbers.
+/// A policy returned a value that does not exist or violates its contract: an error in the rule, not in its numbers.
 class RuleError : public std::logic_error {
  public:
   explicit RuleError(const std::string& sentence) : std::logic_error{sentence} {}
@@ -29,7 +29,7 @@ inline void check_index(std::string_view slot, std::string_view what, std::size_
   if (value >= size) detail::reject_index(slot, what, value, size);
 }
 
-/// Throws RuleError unless a brain lists one tag at least and none twice.
+/// Throws RuleError unless a brain lists at least one tag and each tag once.
 void check_tags(std::span<const int> tags);
 
 /// Throws RuleError unless `tag` is one of the brain's tags.

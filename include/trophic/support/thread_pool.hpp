@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fixed set of threads that share out the items of one job at a time.
+// A fixed set of threads that process the items of one job at a time.
 #pragma once
 
 #include <atomic>
@@ -18,25 +18,24 @@
 
 namespace trophic {
 
-/// `threads` workers in all, the calling thread being one of them. Items are handed out in their order, one at a time, so the
-/// longest should come first. Not for calls from several threads at once. Which thread does what, and how many help, decides
-/// nothing but speed.
+/// `threads` workers in total, including the calling thread. Items are assigned in order, one at a time, so the longest should
+/// come first. Must not be called from several threads at once. The assignment of items to threads, and the number of helpers,
+/// affect only speed.
 ///
-/// Nobody waits for a helper that has not begun: on a machine with other programs it may come when the caller has done everything
-/// itself. Where helping does not pay, because helpers are often taken off their processor in the middle of an item, most jobs
-/// are done by the caller alone, until it pays again.
+/// The caller does not wait for a helper that has not started: on a busy machine the caller may finish all items alone. If
+/// helpers are often descheduled in the middle of an item, the caller processes most jobs alone, until helping pays again.
 ///
-/// Why no library: a job of the MuJoCo backend is the 0.2 ms of a control step. oneTBB 2021.8 wakes its threads too late for such
-/// jobs and gains nothing over one thread; OpenMP's spin long where cores are taken. Wall seconds of 60 s of 30 robots on two
-/// threads of two free cores, and beside eight busy programs: oneTBB 0.91 and 2.4, OpenMP 0.51 and 16, this pool before it knew
-/// of helpers that have not begun 0.50 and 4.9 (one thread: 0.78).
+/// A job of the MuJoCo backend is one control step, 0.2 ms. That is too short for general libraries: oneTBB 2021.8 wakes its
+/// threads too late and gains nothing over one thread; OpenMP spins long if cores are taken. Wall seconds of 60 s of 30 robots
+/// on two threads of two free cores, and next to eight busy programs: oneTBB 0.91 and 2.4, OpenMP 0.51 and 16, a pool that
+/// waits for helpers 0.50 and 4.9 (one thread: 0.78).
 class ThreadPool {
  public:
-  /// Fewer where the system gives no more threads.
+  /// Starts fewer threads if the system refuses more.
   explicit ThreadPool(std::size_t threads) {
     try {
       for (std::size_t i = 1; i < threads; ++i) helpers_.emplace_back([this, i] { serve(i); });
-    } catch (const std::system_error&) {  // the helpers that there are will do
+    } catch (const std::system_error&) {  // fewer helpers suffice
     } catch (...) {
       dismiss();
       throw;
@@ -50,7 +49,7 @@ class ThreadPool {
 
   [[nodiscard]] std::size_t threads() const { return helpers_.size() + 1; }
 
-  /// Calls `work(item, thread)` once for each item < `items`; returns when all are done. The first exception is thrown on.
+  /// Calls `work(item, thread)` once for each item < `items`; returns when all are done. Rethrows the first exception.
   void run(std::size_t items, const std::function<void(std::size_t item, std::size_t thread)>& work) {
     if (items >= closed) throw std::invalid_argument{"items = " + std::to_string(items) + ": must be < 4294967295"};
     if (items == 1) return work(0, 0);
@@ -64,10 +63,10 @@ class ThreadPool {
   }
 
  private:
-  /// About half a millisecond: long enough to bridge the serial part between two jobs and the end of the longest item, without
-  /// the tens of microseconds that waking a thread takes.
+  /// About half a millisecond: enough to bridge the serial part between two jobs and the end of the longest item, without the
+  /// tens of microseconds of waking a thread.
   static constexpr int spins = 20000;
-  /// As the next item: there is none, and the next job is not ready.
+  /// Marks the next item if there is none and the next job is not ready.
   static constexpr std::uint64_t closed = 0xffffffff;
 
   void dismiss() {
@@ -78,7 +77,7 @@ class ThreadPool {
     for (std::thread& helper : helpers_) helper.join();
   }
 
-  /// Tells the processor that this is a waiting loop.
+  /// Hints to the processor that this is a waiting loop.
   static void relax() {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
@@ -99,7 +98,7 @@ class ThreadPool {
   }
 
   void run_together(std::size_t items, const std::function<void(std::size_t, std::size_t)>& work) {
-    // Whoever still looks at the last job must find nothing in it before the numbers of the next are written.
+    // A helper that still reads the last job must find no item in it before the data of the next job are written.
     place_.fetch_or(closed);
     items_.store(items);
     work_.store(&work);
@@ -127,7 +126,7 @@ class ThreadPool {
       const std::uint64_t item = place & closed;
       if (item >= items_.load()) return;
       const auto* work = work_.load();
-      // Succeeds only in the job that `place` was read in: its numbers were read in between and so are its own.
+      // Succeeds only in the job in which `place` was read; its data were read in between and belong to it.
       if (!place_.compare_exchange_weak(place, place + 1)) continue;
       try_item(*work, item, thread);
       if (unfinished_.fetch_sub(1, std::memory_order_acq_rel) == 1) unfinished_.notify_one();
@@ -148,7 +147,7 @@ class ThreadPool {
     std::uint32_t served = 0;
     for (;;) {
       wait_while(job_number_, [served](std::uint32_t number) { return number == served; });
-      // In this order: who reads the number of the end sees that it is one, and does not wait for another.
+      // In this order: a helper that reads the number of the end recognises it and does not wait for another.
       served = job_number_.load(std::memory_order_acquire);
       if (stopping_) return;
       take_items(thread);

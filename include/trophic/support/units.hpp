@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units and frames, said once for the whole library; the few geometric types that every part shares.
+// Units and frames of the whole library, and the geometric types that every part shares.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace trophic {
 /// Time is simulated time. `time_s` in rules and logs is the ecology's clock, which runs `EcologyParams::clock_scale` times
 /// slower than the physics (1 in the paper's rules).
 
-/// Where a robot stands on the floor and which way it faces; all that perception, birth and death rules read of a body.
+/// Position and heading of a robot on the floor; all that perception, birth and death rules read of a body.
 struct GroundPose {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -21,7 +21,7 @@ struct GroundPose {
   static constexpr auto saved() { return std::tuple{&GroundPose::x_m, &GroundPose::y_m, &GroundPose::heading_rad}; }
 };
 
-/// The angle in (-pi, pi] that differs from `angle_rad` by whole turns.
+/// Wraps an angle into (-pi, pi] by whole turns.
 [[nodiscard]] inline double wrap_angle(double angle_rad) {
   const double wrapped = std::remainder(angle_rad, 2.0 * std::numbers::pi);
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;

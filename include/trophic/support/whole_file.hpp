@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of a file, without waiting for what is no file.
+// Reads the text of a regular file; never blocks on other kinds of files.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace trophic {
 
-/// More than any file of trophic's that is read as a whole.
+/// Larger than any file that trophic reads as a whole.
 inline constexpr std::uint64_t largest_whole_file = std::uint64_t{256} << 20U;
 
-/// Everything in a file. Throws std::invalid_argument "PATH: ..." where nothing can be read, where it is no regular file (a pipe
-/// would be waited for) and where it is larger than `most_bytes`.
+/// Returns the content of a file. Throws std::invalid_argument "PATH: ..." if it cannot be read, is not a regular file (reading
+/// a pipe could block) or is larger than `most_bytes`.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes = largest_whole_file);
 
 }  // namespace trophic

@@ -25,7 +25,7 @@ TROPHIC_INLINE std::string read_whole_file(const std::filesystem::path& path, st
       if (file >= 0) ::close(file);
     }
   };
-  // O_NONBLOCK: opening a pipe that nobody writes to would wait.
+  // O_NONBLOCK: opening a pipe without a writer would block.
   const Opened opened{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (opened.file < 0) refuse("cannot be read: " + std::string{std::strerror(errno)});
   struct stat status {};

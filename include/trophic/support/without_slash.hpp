@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Folders that are named with a slash at their end.
+// Names of folders without a trailing slash.
 #pragma once
 
 #include <filesystem>
 
 namespace trophic {
 
-/// "runs/a" for "runs/a/" and "runs/a": what something can be put behind.
+/// "runs/a" for "runs/a/" and "runs/a", so that a suffix can be appended.
 [[nodiscard]] inline std::filesystem::path without_slash(const std::filesystem::path& folder) {
   return folder.has_filename() ? folder : folder.parent_path();
 }

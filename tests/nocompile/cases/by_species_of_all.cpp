@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A rule about the whole population has no species whose numbers could count.
-// expect: Rules::MinimumPredators asks about no single individual or species, so its policy's numbers cannot differ by_species
+// expect: Rules::MinimumPredators is not about a single individual or species, so its policy's numbers cannot differ by_species
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
 

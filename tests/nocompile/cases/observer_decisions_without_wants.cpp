@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An observer of deliberations that does not say whether it wants them would be told of none.
-// expect: an observer with on_decision needs bool wants_decisions(), whether it is to be told now
+// expect: an observer with on_decision needs bool wants_decisions(), and one with
 #include <trophic/ecology/simulation.hpp>
 
 struct Listener {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a final class has a hook of a wrong signature could not be told.
+// The signatures of the hooks of a final class could not be checked.
 // expect: an observer must not be final
 #include <trophic/ecology/simulation.hpp>
 

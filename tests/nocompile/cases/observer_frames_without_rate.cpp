@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An observer of frames that does not say how often would see none.
-// expect: an observer with on_frame needs double frame_hz(), how often
+// expect: an observer with on_frame needs double frame_hz(), and one with frame_hz
 #include <trophic/ecology/simulation.hpp>
 
 struct Watcher {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // death is a kind of rules, with six slots.
-// expect: death is no slot but a kind of rules; its slots are swapped by with_activation
+// expect: death is a kind of rules, not a slot; its slots are swapped by with_activation
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>
 

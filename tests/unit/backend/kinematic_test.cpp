@@ -35,7 +35,7 @@ const double forward_rad = std::numbers::pi / 4.0;
 
 }  // namespace
 
-TEST_CASE("without a target angle a robot walks straight along its forward axis") {
+TEST_CASE("kinematic: no target angle -> straight walk along the forward axis") {
   Kinematic backend = world({standing(1.0, 2.0, -forward_rad)});
   backend.advance_to(20.0);
   const GroundPose at = ground_pose(backend.pose(0), forward_rad);
@@ -45,7 +45,7 @@ TEST_CASE("without a target angle a robot walks straight along its forward axis"
   CHECK(backend.pose(0).position_m.z() == load_robot("spider").rest_height_m);
 }
 
-TEST_CASE("a positive target angle turns right on an exact circle") {
+TEST_CASE("kinematic: positive target angle -> right turn on an exact circle") {
   const double rate_rad_s = 0.2 * 0.5;
   const double radius_m = 0.05 / rate_rad_s;
   Kinematic backend = world({standing(0.0, 0.0, -forward_rad)}, {.turn_scale = 2.0});
@@ -60,7 +60,7 @@ TEST_CASE("a positive target angle turns right on an exact circle") {
   }
 }
 
-TEST_CASE("left and right are mirror images") {
+TEST_CASE("kinematic: left and right turns -> mirror images") {
   Kinematic backend = world({standing(0.0, 0.0, -forward_rad), standing(0.0, 0.0, -forward_rad)});
   backend.set_target_angle(0, 0.7);
   backend.set_target_angle(1, -0.7);
@@ -72,27 +72,26 @@ TEST_CASE("left and right are mirror images") {
   CHECK(left.y_m == doctest::Approx(-right.y_m).epsilon(1e-12));
 }
 
-TEST_CASE("walls stop a robot a radius away and it slides along them") {
+TEST_CASE("kinematic: wall -> robot stops a radius away and slides along it") {
   Kinematic backend = world({standing(9.8, 0.0, 0.0)}, {.speed_scale = 2.0, .radius_m = 0.15});
   backend.advance_to(10.0);
   CHECK(backend.pose(0).position_m.x() == 9.85);
   CHECK(backend.pose(0).position_m.y() == doctest::Approx(0.1 * 10.0 / std::numbers::sqrt2));
 }
 
-TEST_CASE("the heading follows the robot's own forward axis") {
+TEST_CASE("kinematic: forward axis of the robot -> heading") {
   Kinematic gecko = world({standing(0.0, 0.0, 0.3)}, {}, slow, "gecko");
   gecko.advance_to(10.0);
   const Eigen::Vector3d at = gecko.pose(0).position_m;
   CHECK(std::atan2(at.y(), at.x()) == doctest::Approx(0.3));
 }
 
-TEST_CASE("bad numbers name field, value and bound") {
+TEST_CASE("kinematic: bad number -> error with field, value and bound") {
   const std::vector<Pose> one{standing(0.0, 0.0, 0.0)};
   CHECK(message_of<std::invalid_argument>([&] { world(one, {.speed_scale = -1.0}); }) ==
         "kinematic.speed_scale = -1: must be >= 0 and <= 100");
-  CHECK(
-      message_of<std::invalid_argument>([&] { world(one, {}, {}); }) ==
-      "robot spider: walk.speed_m_s = 0: must be > 0 where robots walk without joints; trophic measure-gait --walk measures it");
+  CHECK(message_of<std::invalid_argument>([&] { world(one, {}, {}); }) ==
+        "robot spider: walk.speed_m_s = 0: must be > 0 for a backend without joints; trophic measure-gait --walk measures it");
   CHECK(message_of<std::invalid_argument>([&] { world(one, {.timestep_s = 0.0}); }) ==
         "kinematic.timestep_s = 0: must be > 0 and <= 10");
   CHECK(message_of<std::invalid_argument>([&] { world(one, {.radius_m = 10.0}); }) ==
@@ -111,7 +110,7 @@ TEST_CASE("bad numbers name field, value and bound") {
         }) == "state.bodies.size() = 0: must be 1");
 }
 
-TEST_CASE("the rule tables' robots walk as their files say") {
+TEST_CASE("kinematic: robots of the rule tables -> walk of their files") {
   for (const char* name : {"spider", "spider_released"}) {
     const RobotModel robot = load_robot(name);
     Kinematic backend = world({standing(0.0, 0.0, -robot.forward_rad)}, {}, robot.walk, name);
@@ -123,7 +122,7 @@ TEST_CASE("the rule tables' robots walk as their files say") {
   }
 }
 
-TEST_CASE("6000 s of 30 steered robots end in the same bits everywhere") {
+TEST_CASE("kinematic: 6000 s of 30 steered robots -> same bits on every platform") {
   std::vector<Pose> starts;
   for (int i = 0; i < 30; ++i) starts.push_back(standing(0.6 * i - 9.0, 8.0 - 0.5 * i, 0.2 * i));
   Kinematic backend = world(starts);

@@ -31,13 +31,13 @@ constexpr std::array nothing{0.0, 0.0, 0.0};
 
 }  // namespace
 
-TEST_CASE("cognitive brain: 3-3-2 without biases has 15 weights, each other input three more, and there are two tags") {
+TEST_CASE("cognitive brain: 3-3-2 without biases -> 15 weights, three more per input, two tags") {
   CHECK(CognitiveBrain{}.genome_size(3, 2) == 15);
   CHECK(CognitiveBrain{}.genome_size(5, 2) == 21);
   CHECK(CognitiveBrain{}.tags() == std::vector<int>{-1, 1});
 }
 
-TEST_CASE("cognitive brain: each weight where the genome's layout puts it") {
+TEST_CASE("cognitive brain: genome layout -> position of each weight") {
   const CognitiveBrain brain;
   const std::array inputs{-1.0, 0.25, 0.5};
   for (std::size_t row = 0; row < 3; ++row) {
@@ -51,7 +51,7 @@ TEST_CASE("cognitive brain: each weight where the genome's layout puts it") {
   }
 }
 
-TEST_CASE("cognitive brain: a whole network, computed by hand") {
+TEST_CASE("cognitive brain: network computed by hand -> same outputs") {
   // hidden = tanh(1 * 1 + 0.5 * 0.2, 0, -1 * 0.2) = tanh(1.1, 0, -0.2); out = tanh(0.5 h0 - h2, h0 + 2 h2)
   const auto weights = genome({{0, 1.0},
                                {1, 0.5},
@@ -65,7 +65,7 @@ TEST_CASE("cognitive brain: a whole network, computed by hand") {
   CHECK(out[1] == doctest::Approx(0.3848567272).epsilon(1e-9));
 }
 
-TEST_CASE("cognitive brain: the signs of the outputs decide") {
+TEST_CASE("cognitive brain: signs of the outputs -> target angle and tag") {
   const CognitiveBrain brain;
   const auto decide = [&](double angle_weight, double tag_weight) {
     return brain.decide(std::array{1.0, 0.0, 0.0},
@@ -79,14 +79,14 @@ TEST_CASE("cognitive brain: the signs of the outputs decide") {
   CHECK(decide(0.1, -1e-9).tag == -1);
 }
 
-TEST_CASE("cognitive brain: outputs of 0, as of inputs of 0, turn left, or right where they count as positive, and show -1") {
+TEST_CASE("cognitive brain: outputs of 0 -> left turn, or right in the zero-right brain, and tag -1") {
   CHECK(CognitiveBrain{}.decide(nothing, genome({{0, 1.0}, {output_weight, 1.0}})).target_angle_rad == -0.7);
   CHECK(CognitiveBrainZeroRight{}.decide(nothing, genome({})).target_angle_rad == 0.7);
   CHECK(CognitiveBrain{}.decide(nothing, genome({})).tag == -1);
   CHECK(CognitiveBrainZeroRight{}.decide(nothing, genome({})).tag == -1);
 }
 
-TEST_CASE("cognitive brain: without biases the network is odd, so an adversary on the other side turns the robot the other way") {
+TEST_CASE("cognitive brain: inputs with opposite sign -> opposite turn") {
   CHECK(rc::check([](std::uint64_t seed) {
     Rng rng{seed, Stream::user};
     const CognitiveBrain brain;
@@ -100,7 +100,7 @@ TEST_CASE("cognitive brain: without biases the network is odd, so an adversary o
   }));
 }
 
-TEST_CASE("cognitive brain: the brain with biases turns the same way at zero, and each of the four has its name") {
+TEST_CASE("cognitive brain: brain with biases -> same turn at zero, four distinct names") {
   CHECK(CognitiveBrain::name == "cognitive_brain");
   CHECK(CognitiveBrainZeroRight::name == "cognitive_brain_zero_right");
   CHECK(CognitiveBrain::WithBiases::name == "cognitive_brain_with_biases");

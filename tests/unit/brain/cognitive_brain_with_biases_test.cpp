@@ -32,11 +32,11 @@ constexpr std::array no_inputs{0.0, 0.0, 0.0};
 
 }  // namespace
 
-TEST_CASE("cognitive brain with biases: 3-3-2 has 20 weights") {
+TEST_CASE("cognitive brain with biases: 3-3-2 -> 20 weights") {
   CHECK(CognitiveBrainWithBiases{}.genome_size(3, 2) == 20);
 }
 
-TEST_CASE("cognitive brain with biases: each weight where the genome's layout puts it") {
+TEST_CASE("cognitive brain with biases: genome layout -> position of each weight") {
   const CognitiveBrainWithBiases brain;
   const std::array inputs{-1.0, 0.25, 0.5};
   for (std::size_t row = 0; row < 3; ++row) {
@@ -57,7 +57,7 @@ TEST_CASE("cognitive brain with biases: each weight where the genome's layout pu
   CHECK(out[1] == doctest::Approx(std::tanh(-0.6)).epsilon(1e-15));
 }
 
-TEST_CASE("cognitive brain with biases: a whole network, computed by hand") {
+TEST_CASE("cognitive brain with biases: network computed by hand -> same outputs") {
   // hidden = tanh(1 * 1 + 0.5 * 0.2 + 0.1, 0, -1 * 0.2) = tanh(1.2, 0, -0.2); out = tanh(0.5 h0 - h2 - 0.1, h0 + 2 h2 + 0)
   const auto weights = biased_genome({{0, 1.0},
                                       {1, 0.5},
@@ -73,7 +73,7 @@ TEST_CASE("cognitive brain with biases: a whole network, computed by hand") {
   CHECK(out[1] == doctest::Approx(0.4127355303).epsilon(1e-9));
 }
 
-TEST_CASE("cognitive brain with biases: the signs of the outputs decide") {
+TEST_CASE("cognitive brain with biases: signs of the outputs -> target angle and tag") {
   const CognitiveBrainWithBiases brain;
   const auto decide = [&](double angle_output, double tag_output) {
     return brain.decide(no_inputs, biased_genome({{output_bias, angle_output}, {output_bias + 1, tag_output}}));
@@ -96,7 +96,7 @@ TEST_CASE(
   CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(no_inputs, biased_genome({})).tag == -1);
 }
 
-TEST_CASE("cognitive brain with biases: another size of the turn") {
+TEST_CASE("cognitive brain with biases: another turn angle -> target angles of that size") {
   CHECK(
       CognitiveBrainWithBiases{{.turn_angle_rad = 0.2}}.decide(no_inputs, biased_genome({{output_bias, 1.0}})).target_angle_rad ==
       0.2);
@@ -105,7 +105,7 @@ TEST_CASE("cognitive brain with biases: another size of the turn") {
             .target_angle_rad == -0.2);
 }
 
-TEST_CASE("cognitive brain with biases: outputs lie within +-1 and are odd in everything but the biases' sign") {
+TEST_CASE("cognitive brain with biases: any inputs -> outputs within +-1, odd if biases change sign too") {
   CHECK(rc::check([](std::uint64_t seed) {
     Rng rng{seed, Stream::user};
     const CognitiveBrainWithBiases brain;

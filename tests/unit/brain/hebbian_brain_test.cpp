@@ -56,7 +56,7 @@ struct Lives {
 
 }  // namespace
 
-TEST_CASE("hebbian brain: its first decision is the cognitive brain's, and without a rate all are") {
+TEST_CASE("hebbian brain: first decision, or rate 0 -> the cognitive brain's") {
   const CognitiveBrain fixed;
   HebbianBrain::State own;
   CHECK((HebbianBrain{}.decide(inputs, weights, own) == fixed.decide(inputs, weights)));
@@ -66,7 +66,7 @@ TEST_CASE("hebbian brain: its first decision is the cognitive brain's, and witho
   CHECK(still.learnt == std::vector<double>(15, 0.0));
 }
 
-TEST_CASE("hebbian brain: one step of Oja's rule, computed by hand") {
+TEST_CASE("hebbian brain: one decision -> one step of Oja's rule, computed by hand") {
   HebbianBrain::State own;
   static_cast<void>(HebbianBrain{{.rate = 0.1}}.decide(inputs, weights, own));
   const double h0 = std::tanh(0.5 * 1.0 - 0.3 * 0.25 - 0.8 * 0.5);
@@ -79,7 +79,7 @@ TEST_CASE("hebbian brain: one step of Oja's rule, computed by hand") {
   CHECK(own.learnt[13] == doctest::Approx(0.1 * out1 * (h1 - out1 * 0.2)));
 }
 
-TEST_CASE("hebbian brain: it decides by the genome's weights and what was learnt together") {
+TEST_CASE("hebbian brain: decision -> sum of the genome's and the learnt weights") {
   const HebbianBrain brain{{.rate = 0.1}};
   HebbianBrain::State own;
   static_cast<void>(brain.decide(inputs, weights, own));
@@ -89,13 +89,13 @@ TEST_CASE("hebbian brain: it decides by the genome's weights and what was learnt
   CHECK(brain.outputs(inputs, weights, own) != HebbianBrain::Network::neurons(inputs, weights).out);
 }
 
-TEST_CASE("hebbian brain: an output of exactly 0 is none above 0: to the left, tag -1") {
+TEST_CASE("hebbian brain: output of exactly 0 -> left turn, tag -1") {
   HebbianBrain::State own;
   const control::Decision decision = HebbianBrain{}.decide(inputs, std::vector<double>(15, 0.0), own);
   CHECK((decision == control::Decision{.target_angle_rad = -0.7, .tag = -1}));
 }
 
-TEST_CASE("hebbian brain: weights stay bounded however long it learns") {
+TEST_CASE("hebbian brain: many decisions -> bounded weights") {
   const HebbianBrain brain{{.rate = 0.1}};
   HebbianBrain::State own;
   for (int i = 0; i < 20'000; ++i) {
@@ -105,7 +105,7 @@ TEST_CASE("hebbian brain: weights stay bounded however long it learns") {
   for (std::size_t i = 0; i < weights.size(); ++i) CHECK(std::abs(weights[i] + own.learnt[i]) < 3.0);
 }
 
-TEST_CASE("hebbian brain: what is learnt ends with a life, and genomes are inherited as they were") {
+TEST_CASE("hebbian brain: birth -> nothing learnt, genome inherited unchanged") {
   Kinematics::Params params{.seed = 4};
   params.rules.mutation.sd = 0.0;
   Kinematics ecology{params, backend::Kinematic::Params{}};

@@ -45,7 +45,7 @@ Gait random_gait(std::uint64_t seed, Eigen::Index hinges) {
 
 }  // namespace
 
-TEST_CASE("the weight matrix is laid out as documented") {
+TEST_CASE("cpg: weight matrix -> documented layout") {
   Gait gait = random_gait(1, 2);
   gait.internal << 2.0, 3.0;
   gait.coupling(0, 1) = 0.5;
@@ -58,7 +58,7 @@ TEST_CASE("the weight matrix is laid out as documented") {
   CHECK(Cpg{gait}.weights() == expected);
 }
 
-TEST_CASE("one oscillator turns at its weight: x(t) = sin(w t + pi/4)") {
+TEST_CASE("cpg: one oscillator -> x(t) = sin(w t + pi/4)") {
   const double weight = 2.0;
   const Cpg cpg{one_hinge(weight)};
   Eigen::MatrixXd states = cpg.initial_states();
@@ -70,7 +70,7 @@ TEST_CASE("one oscillator turns at its weight: x(t) = sin(w t + pi/4)") {
   }
 }
 
-TEST_CASE("the exact step is a rotation: no amplitude drift in 6000 s") {
+TEST_CASE("cpg: exact steps, 6000 s -> no amplitude drift") {
   const Cpg cpg{load_gait("spider_published")};
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(8, 8);
   CHECK((cpg.propagator() * cpg.propagator().transpose() - identity).norm() < 1e-14);
@@ -79,7 +79,7 @@ TEST_CASE("the exact step is a rotation: no amplitude drift in 6000 s") {
   CHECK(states.norm() == doctest::Approx(2.0).epsilon(1e-9));
 }
 
-TEST_CASE("rk4 drifts slowly, and agrees with exact and with fine integration over short times") {
+TEST_CASE("cpg: rk4 -> slow drift, agrees with exact and fine integration over short times") {
   const Gait gait = load_gait("spider_published");
   const Cpg exact{gait};
   const Cpg rk4{gait, {.integration = CpgIntegration::rk4}};
@@ -101,7 +101,7 @@ TEST_CASE("rk4 drifts slowly, and agrees with exact and with fine integration ov
   CHECK((a - b).norm() < 1e-6);
 }
 
-TEST_CASE("rk4 is classical Runge-Kutta") {
+TEST_CASE("cpg: rk4 -> classical Runge-Kutta step") {
   const Cpg cpg{random_gait(7, 3), {.integration = CpgIntegration::rk4, .step_s = 0.1}};
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(6, -1.0, 2.0);
   const auto f = [&](const Eigen::VectorXd& state) -> Eigen::VectorXd { return cpg.weights() * state; };
@@ -114,7 +114,7 @@ TEST_CASE("rk4 is classical Runge-Kutta") {
   CHECK((states.col(0) - (x + 0.1 / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4))).norm() < 1e-14);
 }
 
-TEST_CASE("outputs are the x states, which the servos clip") {
+TEST_CASE("cpg: outputs -> x states, unclipped") {
   const Cpg cpg{load_gait("spider_published")};
   Eigen::MatrixXd states = Eigen::MatrixXd::Zero(8, 2);
   states.col(1) << 0.5, -1.5, 1.25, -0.25, 9, 9, 9, 9;
@@ -123,14 +123,14 @@ TEST_CASE("outputs are the x states, which the servos clip") {
   CHECK(targets_rad == std::vector<double>{0.5, -1.5, 1.25, -0.25});
 }
 
-TEST_CASE("bad numbers are rejected by name") {
+TEST_CASE("cpg: bad number -> error with its name") {
   CHECK(test::message_of<std::invalid_argument>([] {
           Cpg{one_hinge(1.0), {.step_s = 0.0}};
         }) == "cpg.step_s = 0: must be > 0 and <= 1");
   CHECK(test::message_of<std::invalid_argument>([] { Cpg{one_hinge(std::nan(""))}; }) == "gait one: weights must be finite");
 }
 
-TEST_CASE("any gait: exact steps are orthogonal and a robot's states do not depend on its neighbours' columns") {
+TEST_CASE("cpg: any gait -> orthogonal exact steps, columns independent") {
   CHECK(rc::check([] {
     const auto hinges = *rc::gen::inRange<Eigen::Index>(1, 9);
     const Cpg cpg{random_gait(*rc::gen::arbitrary<std::uint64_t>(), hinges)};

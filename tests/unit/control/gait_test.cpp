@@ -40,7 +40,7 @@ const std::string two = "name = \"g\"\nrobot = \"r\"\nhinges = [\"a\", \"b\"]\ni
 
 }  // namespace
 
-TEST_CASE("the published gait has the weights of the released code") {
+TEST_CASE("gait: published gait -> weights of the released code") {
   const Gait gait = load_gait("spider_published");
   const std::vector<double> internal{-1.0000, -1.0000, 0.9749, 0.9748};
   const std::vector<std::vector<double>> coupling{
@@ -54,7 +54,7 @@ TEST_CASE("the published gait has the weights of the released code") {
   }
 }
 
-TEST_CASE("the published gait is its CPPN at the spider's grid positions, to full precision") {
+TEST_CASE("gait: published gait -> its CPPN at the spider's grid positions") {
   const Gait gait = load_gait("spider_published");
   const RobotModel robot = load_robot("spider");
   REQUIRE_NOTHROW(check_fit(gait, robot));
@@ -73,7 +73,7 @@ TEST_CASE("the published gait is its CPPN at the spider's grid positions, to ful
   CHECK_NOTHROW(check_fit(gait, load_robot("spider_released")));
 }
 
-TEST_CASE("save and load give the same gait, bit for bit") {
+TEST_CASE("gait: saved and loaded -> same bits") {
   const TemporaryFolder folder;
   Gait gait = load_gait("gecko_paper");
   gait.name = "quotes \" and \\ and\nlines";
@@ -84,16 +84,16 @@ TEST_CASE("save and load give the same gait, bit for bit") {
   CHECK(std::signbit(again.internal[5]));
 }
 
-TEST_CASE("a gait file is never overwritten") {
+TEST_CASE("gait: file exists -> error, not overwritten") {
   const TemporaryFolder folder;
   const std::string file = folder.file("gait.toml", "");
   const Gait gait = load_gait("spider_published");
-  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, file); }) == file + ": exists, not overwritten");
+  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, file); }) == file + ": exists, and is never overwritten");
   CHECK(message_of<std::runtime_error>([&] { save_gait(gait, "/no/such/folder/gait.toml"); }) ==
         "cannot write /no/such/folder/gait.toml: No such file or directory");
 }
 
-TEST_CASE("bad gait files name key and value") {
+TEST_CASE("gait: bad file -> error with key and value") {
   CHECK(complaint(two + "speed = 1\n") ==
         ": speed: unknown key; known here: coupling, cppn, evolution, hinges, internal, name, provenance, robot");
   CHECK(complaint("name = \"g\"\n") == ": robot: missing");
@@ -115,7 +115,7 @@ TEST_CASE("bad gait files name key and value") {
         ": coupling[0].weight = inf: must be finite");
 }
 
-TEST_CASE("a gait that does not fit a robot says where") {
+TEST_CASE("gait: does not fit the robot -> error with the hinge") {
   CHECK(misfit([](Gait&) {}).empty());
   CHECK(misfit([](Gait& g) { g.hinges[1] = "tail"; }) ==
         "gait spider_published does not fit robot spider: hinge 1 is \"tail\", the robot's is \"back\"");
@@ -126,5 +126,5 @@ TEST_CASE("a gait that does not fit a robot says where") {
   far.coupling(0, 2) = 1.0;
   far.coupling(2, 0) = -1.0;
   CHECK(message_of<std::invalid_argument>([&] { check_fit(far, load_robot("gecko")); }) ==
-        "gait gecko_paper does not fit robot gecko: \"back\" and \"back.front.front.front.left\" are coupled but no neighbours");
+        "gait gecko_paper does not fit robot gecko: \"back\" and \"back.front.front.front.left\" are coupled but not neighbours");
 }

@@ -50,7 +50,7 @@ TEST_CASE("locomotion: a state saved in the idle steps -> restored, the same tar
   CHECK(first.targets_after(7) == second.targets_after(7));
 }
 
-TEST_CASE("locomotion: reset -> the gait of a robot starts anew") {
+TEST_CASE("locomotion: reset -> the gait of a robot restarts") {
   Walker walker{0};
   const auto first = walker.targets_after(1);
   CHECK(walker.targets_after(30) != first);

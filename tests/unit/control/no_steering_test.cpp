@@ -13,7 +13,7 @@
 using namespace trophic;
 using control::steering::NoSteering;
 
-TEST_CASE("no steering: any target angle -> joint targets stay as they are") {
+TEST_CASE("no steering: any target angle -> joint targets unchanged") {
   const std::vector<Side> sides{Side::right, Side::left, Side::middle};
   for (const double target_angle_rad : {-0.7, 0.0, 0.7, 4.0}) {
     std::vector<double> targets_rad{1.0, -0.5, 0.25};
@@ -22,7 +22,7 @@ TEST_CASE("no steering: any target angle -> joint targets stay as they are") {
   }
 }
 
-TEST_CASE("no steering: a backend with joints -> accepted, as the rule says that it does not steer") {
+TEST_CASE("no steering: backend with joints -> accepted, because of `steers = false`") {
   CHECK_NOTHROW(locomotion::check_steerable(load_robot("spider"), NoSteering{}));
   Experiment<with_steering<rules::Paper, NoSteering>> experiment{.seed = 1};
   CHECK_NOTHROW(Ecology<with_steering<rules::Paper, NoSteering>>{experiment, test::ToyBackend::Params{}});

@@ -65,34 +65,33 @@ std::string ecology_refusal(RobotModel robot, Experiment<Rules> params = {}) {
 
 }  // namespace
 
-TEST_CASE("steerable: the shipped robots are") {
+TEST_CASE("steerable: shipped robots -> accepted") {
   for (const char* name : {"spider", "gecko"}) {
     CHECK(refusal([&] { check_steerable(load_robot(name), TargetedSteering{}); }) == "");
   }
 }
 
-TEST_CASE("steerable: a robot whose hinges are all in the middle is not, unless the steering needs no sides") {
-  CHECK(
-      refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
-      "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered, a turn to the right and one to the left "
-      "move the hinges alike (0 left, 0 right, 6 middle)");
+TEST_CASE("steerable: all hinges in the middle -> rejected, unless the steering needs no sides") {
+  CHECK(refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
+        "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered: right and left turns move the hinges "
+        "equally (0 left, 0 right, 6 middle)");
   CHECK(refusal([] { check_steerable(snake(), Leans{}); }) == "");
 }
 
-TEST_CASE("steerable: hinges on one side are enough") {
+TEST_CASE("steerable: hinges on one side only -> accepted") {
   RobotModel robot = snake();
   robot.hinges.front().grid_position = {2, 1, 0};
   CHECK(refusal([&] { check_steerable(robot, TargetedSteering{}); }) == "");
 }
 
-TEST_CASE("steerable: a steering that changes nothing, or the same for both turns, steers no robot") {
+TEST_CASE("steerable: steering with no effect, or the same for both turns -> rejected") {
   const RobotModel gecko = load_robot("gecko");
   CHECK(refusal([&] { check_steerable(gecko, TargetedSteering{{.exponent = 0.0}}); }).find("cannot be steered") !=
         std::string::npos);
   CHECK(refusal([&] { check_steerable(gecko, SlowsAll{}); }).find("rules.steering = slows_all") != std::string::npos);
 }
 
-TEST_CASE("steerable: an ecology of jointed robots refuses before the run") {
+TEST_CASE("steerable: ecology with jointed robots -> error before the run") {
   CHECK(ecology_refusal<rules::Paper>(load_robot("gecko")) == "");
   CHECK(ecology_refusal<rules::Paper>(snake()).starts_with("ecology.robot = snake with rules.steering = targeted_steering"));
   CHECK(ecology_refusal<with_steering<rules::Paper, Leans>>(snake()) == "");

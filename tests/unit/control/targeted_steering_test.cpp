@@ -10,16 +10,16 @@
 using namespace trophic;
 using namespace trophic::control::steering;
 
-TEST_CASE("spider: x - y < 0 is left, x - y > 0 right") {
+TEST_CASE("sides: spider -> x - y < 0 left, x - y > 0 right") {
   CHECK(sides_of(load_robot("spider")) == std::vector<Side>{Side::right, Side::left, Side::left, Side::right});
 }
 
-TEST_CASE("gecko: legs by their place on the robot, the spine on no side") {
+TEST_CASE("sides: gecko -> legs by their position, spine in the middle") {
   CHECK(sides_of(load_robot("gecko")) ==
         std::vector<Side>{Side::middle, Side::middle, Side::right, Side::left, Side::left, Side::right});
 }
 
-TEST_CASE("delta = ((pi - |alpha|) / pi)^2") {
+TEST_CASE("targeted steering: target angle alpha -> delta = ((pi - |alpha|) / pi)^2") {
   const TargetedSteering steering;
   CHECK(steering.slowing(0.0) == 1.0);
   CHECK(steering.slowing(0.7) == doctest::Approx(0.6040135393274385).epsilon(1e-14));
@@ -31,7 +31,7 @@ TEST_CASE("delta = ((pi - |alpha|) / pi)^2") {
   CHECK(fourth.slowing(0.7) == doctest::Approx(0.6040135393274385 * 0.6040135393274385).epsilon(1e-14));
 }
 
-TEST_CASE("a positive target angle slows down the right side, a negative one the left, 0 none") {
+TEST_CASE("targeted steering: positive target angle -> right side slower, negative -> left, 0 -> none") {
   const TargetedSteering steering;
   const std::vector<Side> sides{Side::right, Side::left, Side::middle, Side::right};
   const std::vector<double> walk{1.0, -0.5, 0.25, -1.0};

@@ -19,7 +19,7 @@ using namespace trophic;
 using initialization::community::PredatorPrey;
 using rules::by_species;
 
-TEST_CASE("by species: each species has its own numbers, set and shown under its name") {
+TEST_CASE("by species: numbers -> one set per species, under its name") {
   using Rules = with_mutation<rules::Paper, by_species<reproduction::mutation::NormalMutation>>;
   CHECK(table_name<Rules>() == "paper with mutation = normal_mutation_by_species");
   Ecology<Rules>::Params params{.seed = 8};
@@ -45,7 +45,7 @@ TEST_CASE("by species: each species has its own numbers, set and shown under its
   CHECK(births.predators > 5);
 }
 
-TEST_CASE("by species: who looks, who dies and which species is asked about says whose numbers count") {
+TEST_CASE("by species: perception, death and floor -> numbers of the species concerned") {
   const test::HandPopulation robots{{{.species = test::prey}, {.species = test::predator, .x_m = 4.0}}};
   Rng rng{1, Stream::user};
   const NoState none;
@@ -65,7 +65,7 @@ TEST_CASE("by species: who looks, who dies and which species is asked about says
   CHECK_FALSE(death::ask::may_die(Floor{floors}, PredatorPrey::predator, robots.view()));
 }
 
-TEST_CASE("by species: a rule with a state keeps it, each individual's by the numbers of its species") {
+TEST_CASE("by species: rule with a state -> state per body, numbers of its species") {
   using Store = by_species<death::senescence::EnergyStore, PredatorPrey>;
   Store::Params numbers;
   numbers.get<PredatorPrey::prey>() = {.start_J = 7.0, .walking_J_per_m = 1.0, .resting_W = 0.0, .grazing_W = 0.0};
@@ -87,7 +87,7 @@ TEST_CASE("by species: a rule with a state keeps it, each individual's by the nu
   CHECK(ecology.states().senescence[29].energy_J == 9.0);
 }
 
-TEST_CASE("by species: every slot about one individual or species takes it, and with equal numbers the run is the same") {
+TEST_CASE("by species: every suitable slot with equal numbers -> same run") {
   using Rules = with_parent_after<
       with_mutation<
           with_activation<with_tag_switch<with_floor<with_visibility<rules::Paper, by_species<perception::visibility::SameTag>>,
@@ -107,7 +107,7 @@ TEST_CASE("by species: every slot about one individual or species takes it, and 
   }
 }
 
-TEST_CASE("by species: numbers are those of the table's own community") {
+TEST_CASE("by species: another community -> numbers for its species") {
   using Chain = with_mutation<with_community<rules::Paper, initialization::community::FoodChain>,
                               by_species<reproduction::mutation::NormalMutation>>;
   std::vector<std::string> paths;

@@ -107,7 +107,7 @@ TROPHIC_REFUSES(minimum_predators, death::MinimumPredators, TROPHIC_ALONE, std::
                 Rng&)
 TROPHIC_REFUSES(senescence, death::Senescence, TROPHIC_ALONE, bool, dies, const Individual&, const View&, Rng&)
 
-TEST_CASE("contracts: what is refused is refused when this compiles") {
+TEST_CASE("contracts: invalid policies -> rejected at compile time") {
   // a policy of one slot fits no other
   CHECK_FALSE(death::Floor<senescence::Keeps>);
   CHECK_FALSE(death::starvation::Choice<exemption::Keeps>);

@@ -77,7 +77,7 @@ Listener listen(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("deliberations: every brain once a tick, as robots turn and switch, and nothing else changes") {
+TEST_CASE("decision records: any run -> one a brain and tick, consistent with turns and switches, run unchanged") {
   for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}}) {
     const Listener paper = listen<rules::Paper>(seed);
     CHECK(paper.denied > 0);
@@ -90,10 +90,10 @@ TEST_CASE("deliberations: every brain once a tick, as robots turn and switch, an
   }
 }
 
-TEST_CASE("deliberations: a brain that learns shows what it decides by, before it learns from it") {
+TEST_CASE("decision records: learning brain -> outputs before learning") {
   CHECK(listen<with_brain<rules::Paper, control::brain::HebbianBrain>>(3).asked > 0);
 }
 
-TEST_CASE("deliberations: where nobody is exempt no exemption is told of") {
+TEST_CASE("decision records: no exemption rule -> no on_exemption") {
   CHECK(listen<with_starvation_exemption<rules::Paper, death::starvation::exemption::NoExemption>>(3).exemptions == 0);
 }

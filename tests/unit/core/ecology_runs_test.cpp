@@ -159,7 +159,7 @@ std::vector<std::string> record(typename Kinematics<Rules>::Params params, doubl
 
 }  // namespace
 
-TEST_CASE("runs: the paper's rules keep their balances and floors for 6000 s") {
+TEST_CASE("runs: paper's rules, 6000 s -> balances and floors hold") {
   for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
     Kinematics<rules::Paper> ecology{{.seed = seed}, backend::Kinematic::Params{}};
@@ -178,7 +178,7 @@ TEST_CASE("runs: the paper's rules keep their balances and floors for 6000 s") {
   }
 }
 
-TEST_CASE("runs: the released rules keep their balances and floors for 6000 s") {
+TEST_CASE("runs: released rules, 6000 s -> balances and floors hold") {
   for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
     Kinematics<rules::Released> ecology{{.seed = seed}, backend::Kinematic::Params{}};
@@ -195,7 +195,7 @@ TEST_CASE("runs: the released rules keep their balances and floors for 6000 s") 
   }
 }
 
-TEST_CASE("runs: under the paper's rules procedures come 25 - p ticks apart, p as left by the one before") {
+TEST_CASE("runs: paper's rules -> starvation procedures 25 - p ticks apart, p after the last one") {
   using Rules =
       with_starvation_exemption<rules::Paper, death::starvation::exemption::NoExemption>;  // so that each procedure has a victim
   Kinematics<Rules> ecology{{.seed = 4}, backend::Kinematic::Params{}};
@@ -218,7 +218,7 @@ TEST_CASE("runs: under the paper's rules procedures come 25 - p ticks apart, p a
   CHECK(intervals.size() >= 3);
 }
 
-TEST_CASE("runs: under the released rules a predator starves once 50 - 2 p seconds have passed, p of this tick and above 7") {
+TEST_CASE("runs: released rules -> a predator starves after 50 - 2 p seconds, p of this tick and above 7") {
   Kinematics<rules::Released> ecology{{.seed = 5}, backend::Kinematic::Params{}};
   Auditor audit{30};
   audit.cool_down_s = 100.0;
@@ -237,7 +237,7 @@ TEST_CASE("runs: under the released rules a predator starves once 50 - 2 p secon
   CHECK(starved > 100);
 }
 
-TEST_CASE("runs: the same seed gives the same run to the last bit, another seed another") {
+TEST_CASE("runs: same seed -> same bits, another seed -> another run") {
   const auto paper = record<rules::Paper>({.seed = 6}, 1000.0);
   CHECK(record<rules::Paper>({.seed = 6}, 1000.0) == paper);
   CHECK(record<rules::Paper>({.seed = 7}, 1000.0) != paper);
@@ -247,7 +247,7 @@ TEST_CASE("runs: the same seed gives the same run to the last bit, another seed 
   CHECK(paper != released);
 }
 
-TEST_CASE("runs: observers and pauses do not change the run") {
+TEST_CASE("runs: observers and pauses -> same run") {
   const auto alone = record<rules::Paper>({.seed = 8}, 800.0);
   Kinematics<rules::Paper> ecology{{.seed = 8}, backend::Kinematic::Params{}};
   test::Recorder recorder;
@@ -272,7 +272,7 @@ TEST_CASE("runs: observers and pauses do not change the run") {
   CHECK(unobserved.view().poses[7].x_m == ecology.view().poses[7].x_m);
 }
 
-TEST_CASE("runs: when an observer throws, all are told, none hears of an end, and the exception goes on") {
+TEST_CASE("runs: observer throws -> on_failure for all, no on_end, exception rethrown") {
   struct Thrower {
     void on_tick(const View& view) {
       if (view.tick == 5) throw std::runtime_error{"disk full"};
@@ -293,7 +293,7 @@ TEST_CASE("runs: when an observer throws, all are told, none hears of an end, an
   CHECK_FALSE(other.ended);
 }
 
-TEST_CASE("runs: an observer that says stop ends the run after that tick, cleanly") {
+TEST_CASE("runs: observer stops -> clean end after that tick") {
   struct Stop {
     void on_tick(const View& view) { last = view.tick; }
     [[nodiscard]] bool keep_running() const { return last < 10; }
@@ -324,7 +324,7 @@ struct Pasture {
 
 }  // namespace
 
-TEST_CASE("runs: a food chain of three species lives by both rule sets") {
+TEST_CASE("runs: food chain of three species -> survives under both rule tables") {
   const auto live = [](auto ecology) {
     Auditor audit{30};
     const auto& clock = ecology->params().rules.tag_switch;

@@ -113,7 +113,7 @@ Lines at_tick(std::int64_t tick, const Lines& lines) {
 
 }  // namespace
 
-TEST_CASE("ecology: births, then at tick 0 activation before catches, each with its death and birth") {
+TEST_CASE("ecology: start -> births, then at tick 0 activation before catches, each with death and birth") {
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
   CHECK(events<Scene>(params, 0.0) == Lines{"0 birth body 0 id 0 species 0", "0 birth body 1 id 1 species 1",
@@ -121,7 +121,7 @@ TEST_CASE("ecology: births, then at tick 0 activation before catches, each with 
                                             "0 death body 0 id 0 species 0 caught other 1", "0 birth body 0 id 2 species 1"});
 }
 
-TEST_CASE("ecology: starvation, then minimum_predators, then perception in the same tick") {
+TEST_CASE("ecology: one tick -> starvation, then minimum predators, then perception") {
   auto params = scene<Scene>({{.x_m = 9.0, .y_m = 9.0}, {.x_m = -9.0, .y_m = -9.0}, {.x_m = -9.0, .y_m = 9.0}});
   params.rules.community.predators = 2;
   params.rules.minimum_predators.below = 2;
@@ -148,7 +148,7 @@ TEST_CASE("ecology: starvation, then minimum_predators, then perception in the s
   for (std::int64_t tick = 1; tick < 23; ++tick) CHECK(at_tick(tick, recorder.events).empty());
 }
 
-TEST_CASE("ecology: a catch feeds the hunter and is remembered in the victim's body") {
+TEST_CASE("ecology: catch -> hunter fed, victim's body remembers its killer") {
   using Rules = with_parent_after<with_parent_after<Scene, Cause::starved, reproduction::parent::LastSeenVictim>,
                                   Cause::sacrificed, reproduction::parent::LastKiller>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
@@ -214,7 +214,7 @@ std::string rule_error(Act&& act) {
 
 }  // namespace
 
-TEST_CASE("ecology: the tags that the brain lists are told, and refused before the run if there is none or one is twice") {
+TEST_CASE("ecology: tags of the brain -> in the description, none or duplicates -> error before the run") {
   using Rules = with_brain<Scene, ScriptedTags>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
@@ -244,7 +244,7 @@ struct ThreeTags {
 
 }  // namespace
 
-TEST_CASE("ecology: a brain may list three tags") {
+TEST_CASE("ecology: brain with three tags -> all can be shown") {
   using Rules = with_newborn_tag<with_brain<rules::Paper, ThreeTags>, perception::newborn_tag::RandomTag>;
   struct Tags {
     void on_tick(const View& view) {
@@ -265,7 +265,7 @@ TEST_CASE("ecology: a brain may list three tags") {
   CHECK(ecology.describe(1.0).tags == std::vector<int>{5, 6, 7});
 }
 
-TEST_CASE("ecology: a body is caught once in a tick, whatever the policy returns") {
+TEST_CASE("ecology: policy returns a victim twice -> one catch") {
   using Rules = with_capture<Scene, Scripted>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 0.9}, {.x_m = -0.9}});
   params.rules.community.predators = 3;
@@ -276,7 +276,7 @@ TEST_CASE("ecology: a body is caught once in a tick, whatever the policy returns
               "death body 0 id 0 species 0 caught other 1", "birth body 0 id 4 species 1"});
 }
 
-TEST_CASE("ecology: a policy that returns what does not exist is named") {
+TEST_CASE("ecology: policy returns a value that does not exist -> RuleError with its slot") {
   using Rules = with_capture<Scene, Scripted>;
   const auto message = [](std::vector<death::Capture> captures) {
     auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
@@ -319,7 +319,7 @@ struct Nobody {
 
 }  // namespace
 
-TEST_CASE("ecology: nobody is given up who was born of the same minimum_predators") {
+TEST_CASE("ecology: policy sacrifices a victim twice -> its newborn is not sacrificed") {
   using Rules = with_minimum_predators<Scene, TwiceTheSame>;
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
@@ -328,7 +328,7 @@ TEST_CASE("ecology: nobody is given up who was born of the same minimum_predator
   CHECK(std::ranges::count_if(lines, [](const std::string& line) { return line.starts_with("death"); }) == 1);
 }
 
-TEST_CASE("ecology: founders and places are as many as robots, and places are somewhere") {
+TEST_CASE("ecology: wrong number of founders or places, or a place that is not finite -> RuleError") {
   using Few = with_community<Scene, Short>;
   const auto few = scene<Few>({{.x_m = 0.0}, {.x_m = 0.5}});
   CHECK(rule_error([&] {
@@ -344,10 +344,10 @@ TEST_CASE("ecology: founders and places are as many as robots, and places are so
   Places::poses[1].y_m = std::numeric_limits<double>::quiet_NaN();
   CHECK(rule_error([&] {
           Kinematics<Scene>{params, still};
-        }) == "the policy in rules.placement returned a place of body 1 that is not finite");
+        }) == "the policy in rules.placement returned the place of body 1: must be finite");
 }
 
-TEST_CASE("ecology: a parent without a genome is named") {
+TEST_CASE("ecology: parent without a genome -> RuleError with its id") {
   using Rules = with_parent_after<with_capture<Scene, Scripted>, Cause::caught, Nobody>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
@@ -358,7 +358,7 @@ TEST_CASE("ecology: a parent without a genome is named") {
         }) == "the policy in rules.parent returned individual 0 as a parent: must have a genome of 15 weights");
 }
 
-TEST_CASE("ecology: only the brain's tags are shown") {
+TEST_CASE("ecology: newborn or brain tag that is not listed -> RuleError") {
   using Rules = with_newborn_tag<Scene, ScriptedTag>;
   auto params = scene<Rules>({{.x_m = 0.0}});
   params.rules.community.predators = 0;
@@ -370,7 +370,7 @@ TEST_CASE("ecology: only the brain's tags are shown") {
         }) == "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
 }
 
-TEST_CASE("ecology: who has been caught in this tick does not catch any more") {
+TEST_CASE("ecology: hunter caught earlier in the tick -> no more catches") {
   // the hunter is 0.2 m from the grazer, which is 0.7 m from the plant: the closer pair comes first
   const auto params = scene<ChainScene>({{.x_m = 0.9}, {.x_m = 0.2}, {.x_m = 0.0}});
   CHECK(at_tick(0, events<ChainScene>(params, 0.0)) ==
@@ -385,7 +385,7 @@ TEST_CASE("ecology: who has been caught in this tick does not catch any more") {
   CHECK(lines[8] == "catch body 2 id 2 species 2 other 1");
 }
 
-TEST_CASE("ecology: the floor stops catches within a tick") {
+TEST_CASE("ecology: floor reached within a tick -> no more catches") {
   for (const std::size_t floor : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     auto params = scene<Scene>({{.x_m = 0.3}, {.x_m = 0.5}, {.x_m = 0.0}});
     params.rules.community.predators = 1;
@@ -397,7 +397,7 @@ TEST_CASE("ecology: the floor stops catches within a tick") {
   }
 }
 
-TEST_CASE("ecology: the floor stops sacrifices") {
+TEST_CASE("ecology: floor reached -> no sacrifices") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}, {.x_m = 0.0}});
   params.rules.community.predators = 0;
   params.rules.minimum_predators.below = 3;
@@ -409,7 +409,7 @@ TEST_CASE("ecology: the floor stops sacrifices") {
   CHECK(ecology.view().count(test::predator) == 2);
 }
 
-TEST_CASE("ecology: everybody perceives the same moment, before the first tag changes") {
+TEST_CASE("ecology: together -> all perceive the tags before the first change") {
   using Rules = with_starvation_exemption<with_brain<Scene, AlwaysMinus>, death::starvation::exemption::NearRememberedAdversary>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
@@ -430,7 +430,7 @@ TEST_CASE("ecology: everybody perceives the same moment, before the first tag ch
   CHECK(lines[4] == "tag_switch body 1 id 1 species 1");
 }
 
-TEST_CASE("ecology: in turn, who decides later sees the tags that earlier ones have just taken") {
+TEST_CASE("ecology: in turn -> later robots see tags chosen earlier in the tick") {
   using Rules = with_brain<Scene, AlwaysMinus>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
   params.rules.community.predators = 1;
@@ -443,7 +443,7 @@ TEST_CASE("ecology: in turn, who decides later sees the tags that earlier ones h
   CHECK(ecology.view().robots[1].tag == -1);
 }
 
-TEST_CASE("ecology: a sampled tag's clock starts again without a switch, a cool-down's does not") {
+TEST_CASE("ecology: no switch -> tag clock restarts with sampling, not with cool-down") {
   using Brain = with_brain<Scene, AlwaysMinus>;
   const auto clocks = [](auto rules, double until_s) {
     using Rules = typename decltype(rules)::type;
@@ -460,7 +460,7 @@ TEST_CASE("ecology: a sampled tag's clock starts again without a switch, a cool-
   CHECK(clocks(std::type_identity<Brain>{}, 250.0) == 50.0);
 }
 
-TEST_CASE("ecology: nothing happens before the first tick of the rules") {
+TEST_CASE("ecology: before first_tick_s -> no events") {
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
   params.rules.community.predators = 1;
   params.ecology.first_tick_s = 2.0;
@@ -470,7 +470,7 @@ TEST_CASE("ecology: nothing happens before the first tick of the rules") {
   CHECK(at_tick(1, lines)[1] == "catch body 1 id 1 species 1 other 0");
 }
 
-TEST_CASE("ecology: the heading that rules see is the table's") {
+TEST_CASE("ecology: heading rule of the table -> headings in the view") {
   using Rules = with_heading<Scene, Backwards>;
   auto params = scene<Rules>({{.x_m = 0.0, .heading_rad = 0.25}});
   params.rules.community.predators = 0;
@@ -479,7 +479,7 @@ TEST_CASE("ecology: the heading that rules see is the table's") {
   CHECK(ecology.view().poses[0].heading_rad == doctest::Approx(wrap_angle(3.25)));
 }
 
-TEST_CASE("ecology: a remembered prey is renewed only when another body becomes the closest") {
+TEST_CASE("ecology: memory of the last seen prey -> changes only when another body becomes the closest") {
   using Ageing = with_senescence<Scene, death::senescence::OldAge>;
   using Rules = with_parent_after<Ageing, Cause::starved, reproduction::parent::LastSeenVictim>;
   auto params = scene<Rules>({{.x_m = 3.0}, {.x_m = 0.0}});
@@ -514,7 +514,7 @@ TEST_CASE("ecology: no target perceived -> the brain decides, or the last decisi
   CHECK(kept.view().robots[0].tag == 1);
 }
 
-TEST_CASE("ecology: death of old age leaves the body to its species") {
+TEST_CASE("ecology: death of old age -> body stays with its species") {
   using Rules = with_senescence<Scene, death::senescence::OldAge>;
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
@@ -528,7 +528,7 @@ TEST_CASE("ecology: death of old age leaves the body to its species") {
                                     "death body 1 id 3 species 1 senescence", "birth body 1 id 5 species 1"});
 }
 
-TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species or none") {
+TEST_CASE("ecology: prey die of age -> prey, with a parent of their species or none") {
   using Ageing = with_senescence<Scene, death::senescence::OldAge>;
   using Nearest = with_parent_after<Ageing, Cause::senescence, reproduction::parent::NearestConspecific>;
   const auto successor = [](auto rules) {
@@ -550,7 +550,7 @@ TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species o
   CHECK(successor(std::type_identity<Nearest>{}) == 1);
 }
 
-TEST_CASE("ecology: a parent of another species than the successor is refused") {
+TEST_CASE("ecology: parent of another species than the successor -> RuleError") {
   using Rules = with_parent_after<with_senescence<Scene, death::senescence::OldAge>, Cause::senescence,
                                   reproduction::parent::NearestVictim>;
   auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 0.0}});
@@ -585,14 +585,14 @@ TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey o
   }
 }
 
-TEST_CASE("ecology: who is exempt lives, and the next procedure comes an interval later") {
+TEST_CASE("ecology: all hunters exempt -> none starves, next procedure an interval later") {
   auto params = scene<Scene>({{.x_m = 3.0}, {.x_m = 0.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 1e6;
   CHECK(at_tick(24, events<Scene>(params, 100.0)).empty());  // a prey that it perceives is 3 m away
 }
 
-TEST_CASE("ecology: runs whole ticks, goes on where it was, and does nothing for a time in the past") {
+TEST_CASE("ecology: run_until -> whole ticks, continues, ignores times in the past") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
   Kinematics<Scene> ecology{params, still};
@@ -610,7 +610,7 @@ TEST_CASE("ecology: runs whole ticks, goes on where it was, and does nothing for
   CHECK(ecology.view().time_s == 10.0);
 }
 
-TEST_CASE("ecology: the physics runs clock_scale times faster than the clock") {
+TEST_CASE("ecology: clock_scale -> physics faster than the clock by that factor") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
   params.ecology.clock_scale = 1.5;
@@ -620,7 +620,7 @@ TEST_CASE("ecology: the physics runs clock_scale times faster than the clock") {
   CHECK(ecology.backend().time_s() == doctest::Approx(15.0));
 }
 
-TEST_CASE("ecology: bad numbers are named before anything runs") {
+TEST_CASE("ecology: bad numbers -> named error before the run") {
   const auto message = [](auto change) {
     auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
     params.rules.community.predators = 1;

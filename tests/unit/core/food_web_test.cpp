@@ -9,7 +9,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("food web: who eats whom in a chain of three") {
+TEST_CASE("food web: chain of three -> feeding relations") {
   const FoodWeb web = chain_web();
   CHECK(web.size() == 3);
   CHECK(web.eats(grazer, plant));
@@ -28,13 +28,13 @@ TEST_CASE("food web: who eats whom in a chain of three") {
   CHECK(web.first_victim(plant) == std::nullopt);
 }
 
-TEST_CASE("food web: the first of several victims, a species that eats its own") {
+TEST_CASE("food web: several victims -> the first, cannibals -> allowed") {
   const FoodWeb web{{"a", "b", "c"}, {{.hunter = 2, .victim = 1}, {.hunter = 2, .victim = 0}, {.hunter = 2, .victim = 2}}};
   CHECK(web.first_victim(2) == 1);
   CHECK(web.opponents(2, 2));
 }
 
-TEST_CASE("food web: a link to a species that has no name is an error") {
+TEST_CASE("food web: link to a species without a name -> error") {
   CHECK_THROWS_WITH_AS((FoodWeb{{"a", "b"}, {{.hunter = 2, .victim = 0}}}),
                        "food web: link 2 eats 0: must be < 2, the number of species", std::invalid_argument);
   CHECK_THROWS_AS((FoodWeb{{"a", "b"}, {{.hunter = 0, .victim = 2}}}), std::invalid_argument);

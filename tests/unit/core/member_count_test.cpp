@@ -96,25 +96,25 @@ struct Forgotten {
 
 }  // namespace
 
-TEST_CASE("member count: numbers, switches and enumerations") {
+TEST_CASE("member count: numbers, switches and enumerations -> counted") {
   CHECK(member_count<None>() == 0);
   CHECK(member_count<One>() == 1);
   CHECK(member_count<Plain>() == 6);
 }
 
-TEST_CASE("member count: a nested aggregate is one member, and so is an array of any rank") {
+TEST_CASE("member count: nested aggregate or array of any rank -> one member") {
   CHECK(member_count<Nested>() == 3);
   CHECK(member_count<Arrays>() == 5);
   CHECK(member_count<OnlyArray>() == 1);
 }
 
-TEST_CASE("member count: members of the standard library, empty ones, computed ones and bases") {
+TEST_CASE("member count: library types, empty and computed members, bases -> counted") {
   CHECK(member_count<Library>() == 9);
   CHECK(member_count<Computed>() == 2);
   CHECK(member_count<Derived>() == 2);
 }
 
-TEST_CASE("member count: a number that fields() forgets or lists twice is found") {
+TEST_CASE("member count: number missing or twice in fields() -> found") {
   CHECK(detail::members_of<Forgotten> == 2);
   CHECK(detail::fields_of<Forgotten> == 1);
   CHECK_FALSE(lists_all<Forgotten>());
@@ -122,7 +122,7 @@ TEST_CASE("member count: a number that fields() forgets or lists twice is found"
   CHECK_FALSE(lists_all<TwiceByMember>());
 }
 
-TEST_CASE("member count: everything that a manifest echoes lists all its numbers") {
+TEST_CASE("member count: all Params in manifests -> every number listed") {
   CHECK(lists_all<EcologyParams>());
   CHECK(lists_all<Physics>());
   CHECK(lists_all<backend::Kinematic::Params>());

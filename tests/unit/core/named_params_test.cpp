@@ -22,7 +22,7 @@ const NamedParam& find(const NamedParams& named_params, const std::string& path)
 
 }  // namespace
 
-TEST_CASE("named_params: numbers, switches, texts and names by their path, with help") {
+TEST_CASE("named params: numbers, switches, texts and names -> paths with help") {
   const NamedParams rules = named_params_of(RuleParams<rules::Released>{});
   CHECK(value_text(find(rules, "tag_switch.period_s")) == "100");
   CHECK(value_text(find(rules, "sensors.distance_over_scale.full_scale_m")) == "20");
@@ -35,7 +35,7 @@ TEST_CASE("named_params: numbers, switches, texts and names by their path, with 
   CHECK(value_text(find(named_params_of(EcologyParams{}), "robot")) == "spider");
 }
 
-TEST_CASE("named_params: every number of a rule set once") {
+TEST_CASE("named params: rule table -> every number once") {
   const NamedParams named_params = named_params_of(RuleParams<rules::Paper>{});
   for (std::size_t i = 0; i < named_params.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) CHECK(named_params[i].path != named_params[j].path);
@@ -43,7 +43,7 @@ TEST_CASE("named_params: every number of a rule set once") {
   CHECK(named_params.size() > 15);
 }
 
-TEST_CASE("named_params: FNV-1a of texts") {
+TEST_CASE("named params: texts -> FNV-1a") {
   CHECK(hash_text("") == "cbf29ce484222325");
   CHECK(hash_text("a") == "af63dc4c8601ec8c");
   CHECK(hash_text("foobar") == "85944171f73967e8");

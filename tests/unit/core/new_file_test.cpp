@@ -13,14 +13,14 @@
 using namespace trophic;
 using test::message_of;
 
-TEST_CASE("a new file has its name once it is finished, and what is not finished goes") {
+TEST_CASE("new file: finished -> has its name, not finished -> removed") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "film.mp4";
   {
     const NewFile file{path};
     std::ofstream{file.part()} << "half";
     CHECK_FALSE(std::filesystem::exists(path));
-    CHECK(message_of<std::runtime_error>([&] { NewFile{path}; }).ends_with("film.mp4: another program is making it"));
+    CHECK(message_of<std::runtime_error>([&] { NewFile{path}; }).ends_with("film.mp4: another program is writing it"));
     CHECK(read_whole_file(file.part()) == "half");
   }
   CHECK(std::filesystem::is_empty(folder.path()));
@@ -33,7 +33,7 @@ TEST_CASE("a new file has its name once it is finished, and what is not finished
   CHECK_FALSE(std::filesystem::exists(folder.path() / "film.mp4.part"));
 }
 
-TEST_CASE("a new file is not the one into which what a killed program started may still write") {
+TEST_CASE("new file: child of a killed program still writes -> other file") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "film.mp4";
   std::ofstream still_written{folder.path() / "film.mp4.part"};
@@ -42,7 +42,7 @@ TEST_CASE("a new file is not the one into which what a killed program started ma
   CHECK(read_whole_file(file.part()) == "");
 }
 
-TEST_CASE("a new file is made neither in a folder that is not there nor in a pipe") {
+TEST_CASE("new file: missing folder or a pipe -> error") {
   const test::TemporaryFolder folder;
   const auto refusal = [&](const char* name) {
     return message_of<std::runtime_error>([&] { write_new_file(folder.path() / name, "text"); });

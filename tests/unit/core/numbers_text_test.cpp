@@ -34,7 +34,7 @@ std::optional<Habitat> with_other_number(const Habitat& habitat, std::size_t pla
 
 }  // namespace
 
-TEST_CASE("fingerprints: every number of every model changes the text, names do not") {
+TEST_CASE("fingerprints: number changed -> other text, name changed -> same text") {
   EcologyParams ecology;
   ecology.arena = "height_field";
   const Habitat habitat = load_habitat(ecology);
@@ -51,7 +51,7 @@ TEST_CASE("fingerprints: every number of every model changes the text, names do 
   CHECK(numbers_text(renamed) == text);
 }
 
-TEST_CASE("fingerprints: where elements end is part of the text") {
+TEST_CASE("fingerprints: same numbers, other element boundaries -> other text") {
   using Rows = std::vector<std::vector<double>>;
   CHECK(numbers_text(Rows{{1, 2}, {}}) != numbers_text(Rows{{1}, {2}}));
   CHECK(numbers_text(std::optional<double>{}) != numbers_text(std::optional<double>{0.0}));

@@ -58,7 +58,7 @@ std::string message(const Outer& params, std::string_view path = "rules.outer") 
 
 }  // namespace
 
-TEST_CASE("params: numbers within their bounds pass, the bounds themselves included where they are closed") {
+TEST_CASE("params: numbers within their bounds, closed bounds included -> accepted") {
   CHECK(message({}) == "");
   CHECK(message({.count = 2}) == "");
   CHECK(message({.robots = 1}) == "");
@@ -70,7 +70,7 @@ TEST_CASE("params: numbers within their bounds pass, the bounds themselves inclu
   CHECK(message({.offset = -1e300}) == "");
 }
 
-TEST_CASE("params: a number outside its bound is named with its path, value and bound") {
+TEST_CASE("params: number outside its bound -> error with path, value and bound") {
   CHECK(message({.length_m = 0.0}) == "rules.outer.length_m = 0: must be > 0");
   CHECK(message({.length_m = -1.5}) == "rules.outer.length_m = -1.5: must be > 0");
   CHECK(message({.count = 1}) == "rules.outer.count = 1: must be >= 2");
@@ -81,7 +81,7 @@ TEST_CASE("params: a number outside its bound is named with its path, value and 
   CHECK(message({.length_m = 0.0}, "") == "length_m = 0: must be > 0");
 }
 
-TEST_CASE("params: a number that is not finite is outside every bound") {
+TEST_CASE("params: number that is not finite -> error for every bound") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CHECK(message({.length_m = nan}) == "rules.outer.length_m = nan: must be finite");
@@ -91,11 +91,11 @@ TEST_CASE("params: a number that is not finite is outside every bound") {
   CHECK(message({.temperature = -infinity}) == "rules.outer.temperature = -inf: must be finite");
 }
 
-TEST_CASE("params: the first offence is reported") {
+TEST_CASE("params: several numbers out of bounds -> error for the first") {
   CHECK(message({.length_m = 0.0, .count = 0}) == "rules.outer.length_m = 0: must be > 0");
 }
 
-TEST_CASE("params: fields are visited in their order and can be written") {
+TEST_CASE("params: fields -> visited in order, writable") {
   Outer params;
   std::vector<std::string> names;
   for_each_field(params, [&](const auto& f, auto& value) {
@@ -108,7 +108,7 @@ TEST_CASE("params: fields are visited in their order and can be written") {
   CHECK(params.inner.share == 0.5);
 }
 
-TEST_CASE("params: texts of numbers read back as the same number") {
+TEST_CASE("params: number -> text -> same number") {
   CHECK(number_text(0.1) == "0.1");
   CHECK(number_text(1.0 / 3.0) == "0.3333333333333333");
   CHECK(number_text(1e-20) == "1e-20");
@@ -116,12 +116,12 @@ TEST_CASE("params: texts of numbers read back as the same number") {
   CHECK(std::stod(number_text(0.1 + 0.2)) == 0.1 + 0.2);
 }
 
-TEST_CASE("params: an enumerator has its name") {
+TEST_CASE("params: enumerator -> name") {
   CHECK(enum_name(Paint::red) == "red");
   CHECK(enum_name(Paint::green) == "green");
 }
 
-TEST_CASE("params: above_to excludes its lower end only") {
+TEST_CASE("params: above_to -> excludes only its lower end") {
   constexpr Bound bound = above_to(0.0, 1.0);
   CHECK(bound.lower_excluded);
   CHECK(bound_text(bound) == "must be > 0 and <= 1");
@@ -129,13 +129,13 @@ TEST_CASE("params: above_to excludes its lower end only") {
   CHECK(bound_text(any_number()) == "must be finite");
 }
 
-TEST_CASE("params: the first difference of two, nested ones included") {
+TEST_CASE("params: two that differ -> path of the first difference, nested ones included") {
   CHECK(first_difference(Outer{}, Outer{}) == "");
   CHECK(first_difference(Outer{}, Outer{.robots = 31, .on = false}) == "robots");
   CHECK(first_difference(Outer{}, Outer{.colour = Paint::red}, "rules.outer") == "rules.outer.colour");
   CHECK(first_difference(Outer{}, Outer{.inner = {.share = 0.25}}) == "inner.share");
 }
 
-TEST_CASE("params: a seed is a whole number that every reader of JSON keeps exact") {
+TEST_CASE("params: seed -> whole number up to 2^53") {
   CHECK(bound_text(any_seed()) == "must be >= 0 and <= 9007199254740992");
 }

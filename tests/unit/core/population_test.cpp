@@ -65,7 +65,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-TEST_CASE("population: founders are numbered by body, random, with genomes of their own, the hunted inactive") {
+TEST_CASE("population: founders -> ids by body, random own genomes, hunted species inactive") {
   const Row<rules::Paper> row;
   const auto founders = row.population.individuals();
   REQUIRE(founders.size() == 4);
@@ -88,7 +88,7 @@ TEST_CASE("population: founders are numbered by body, random, with genomes of th
   CHECK(row.population.next_id() == 4);
 }
 
-TEST_CASE("population: an own copy is mutated and leaves the parent's genome as it is") {
+TEST_CASE("population: own copy -> mutated, parent's genome unchanged") {
   Row<rules::Paper> row{inheriting<rules::Paper>(0.0)};
   const auto parent_genome = row.population[2].genome;
   const std::vector<double> parent_weights = parent_genome->weights;
@@ -106,7 +106,7 @@ TEST_CASE("population: an own copy is mutated and leaves the parent's genome as 
   CHECK(born.mutation_distance == doctest::Approx(distance(born.genome->weights, parent_weights)).epsilon(1e-14));
 }
 
-TEST_CASE("population: a shared genome stays one object and each mutation reaches parent and offspring") {
+TEST_CASE("population: shared genome -> one object, mutation reaches parent and offspring") {
   Row<rules::Released> row{inheriting<rules::Released>(0.0)};
   const auto parent_genome = row.population[2].genome;
   const std::vector<double> before = parent_genome->weights;
@@ -140,7 +140,7 @@ TEST_CASE(
   CHECK(born.genome->weights == newcomer.population[0].genome->weights);
 }
 
-TEST_CASE("population: a random newcomer has a genome of its own and no parent") {
+TEST_CASE("population: random newcomer -> own genome, no parent") {
   Row<rules::Paper> row{inheriting<rules::Paper>(1.0)};
   row.catch_first(7);
   const Individual& born = row.population[0];
@@ -150,7 +150,7 @@ TEST_CASE("population: a random newcomer has a genome of its own and no parent")
   CHECK(distance(born.genome->weights, row.population[2].genome->weights) > 1.0);
 }
 
-TEST_CASE("population: who should inherit but finds no parent is random, labelled as the rule says") {
+TEST_CASE("population: no parent found -> random genome, labelled by the rule") {
   const auto orphan = [](auto row) {
     const reproduction::Vacancy vacancy{.body = 2, .cause = Cause::starved, .killer = {}};
     const auto parentage = row.population.parentage(vacancy, row.view(3));
@@ -165,7 +165,7 @@ TEST_CASE("population: who should inherit but finds no parent is random, labelle
   CHECK(orphan(Row<rules::Released>{inheriting<rules::Released>(0.0)}) == Origin::inherited);
 }
 
-TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag and direction") {
+TEST_CASE("population: newborn -> clocks start now, keeps the body's tag and direction") {
   Row<rules::Paper> row;
   row.population.show_tag(2, -1);
   row.population.restart_tag_clock(2, 3.0);
@@ -184,7 +184,7 @@ TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag and
   CHECK(std::isnan(born.adversary_distance_m));
 }
 
-TEST_CASE("population: each named change changes what it says and nothing else") {
+TEST_CASE("population: each setter -> changes only its member") {
   Row<rules::Paper> row;
   row.population.activate(0, 8.0, false);
   row.population.activate(1, 8.0, true);
@@ -210,7 +210,7 @@ TEST_CASE("population: each named change changes what it says and nothing else")
   CHECK(row.population[3].id == 3);
 }
 
-TEST_CASE("population: parentage changes nobody and gives the same answer again") {
+TEST_CASE("population: parentage called twice -> same result, nothing changed") {
   Row<rules::Paper> row;
   const reproduction::Vacancy vacancy{.body = 0, .cause = Cause::caught, .killer = 3};
   const auto first = row.population.parentage(vacancy, row.view(1));
@@ -220,7 +220,7 @@ TEST_CASE("population: parentage changes nobody and gives the same answer again"
   CHECK(row.population[0].id == 0);
 }
 
-TEST_CASE("population: two thirds inherit, by the number of the newborn and not by what was drawn before") {
+TEST_CASE("population: many births -> two thirds inherit, by id, independent of earlier draws") {
   Row<rules::Paper> row;
   int inherited = 0;
   constexpr int births = 20'000;
@@ -236,7 +236,7 @@ TEST_CASE("population: two thirds inherit, by the number of the newborn and not 
   CHECK(fewer.population[1].genome->weights == more.population[1].genome->weights);
 }
 
-TEST_CASE("population: activation, a new tag and a birth are marked in its tree") {
+TEST_CASE("population: activation, new tag, birth -> marked in the tree") {
   Row<rules::Paper> row;
   CHECK(row.population.tree() == nullptr);
   row.population.stand_at(row.poses);

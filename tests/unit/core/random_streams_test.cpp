@@ -129,7 +129,7 @@ test::Recorder record(double until_s) {
 
 }  // namespace
 
-TEST_CASE("random streams: rules that draw more than they need leave the run as it is to the last bit") {
+TEST_CASE("random streams: rules with extra draws -> same bits") {
   const test::Recorder frugal = record<Frugal>(2000.0);
   CHECK(frugal.all == record<Wasteful>(2000.0).all);
   int sacrificed = 0;
@@ -142,7 +142,7 @@ TEST_CASE("random streams: rules that draw more than they need leave the run as 
   CHECK(caught > 10);
 }
 
-TEST_CASE("random streams: other mutations change nothing of what else is drawn up to the first inherited birth") {
+TEST_CASE("random streams: another mutation -> same draws up to the first inherited birth") {
   const test::Recorder frugal = record<Frugal>(2000.0);
   const test::Recorder other = record<Other>(2000.0);
   CHECK(frugal.all != other.all);
@@ -156,7 +156,7 @@ TEST_CASE("random streams: other mutations change nothing of what else is drawn 
   CHECK(frugal.all[first] != other.all[first]);
 }
 
-TEST_CASE("random streams: whom a hazy robot sees depends on the two and the tick, in whatever order robots are searched") {
+TEST_CASE("random streams: noisy visibility -> depends on the pair and the tick, not on the search order") {
   using Rules = with_visibility<rules::Paper, Haze>;
   struct Check {
     void on_tick(const View& view) {

@@ -21,7 +21,7 @@ std::string content(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("a file is replaced as a whole and nothing else is left") {
+TEST_CASE("replace file: new text -> replaced as a whole, no other file left") {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.file("a.txt", "a long old text\n");
   replace_file(path, std::string{"new\0", 4});
@@ -31,7 +31,7 @@ TEST_CASE("a file is replaced as a whole and nothing else is left") {
   CHECK(std::distance(std::filesystem::directory_iterator{folder.path()}, {}) == 1);
 }
 
-TEST_CASE("where a file cannot be replaced the old one stands, and the error names it") {
+TEST_CASE("replace file: failure -> old file kept, error with its name") {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.file("a.txt", "old");
   std::filesystem::create_directory(path.string() + ".part");

@@ -25,7 +25,7 @@ Block next_block(Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("rng: the engine gives the known answers of philox4x64 with 10 rounds") {
+TEST_CASE("rng: philox4x64 with 10 rounds -> known answers") {
   const auto answer = [](const Block& counter, const std::array<std::uint64_t, 2>& key) {
     r123::Philox4x64::ctr_type c = {{counter[0], counter[1], counter[2], counter[3]}};
     r123::Philox4x64::key_type k = {{key[0], key[1]}};
@@ -41,7 +41,7 @@ TEST_CASE("rng: the engine gives the known answers of philox4x64 with 10 rounds"
         Block{0xa528f45403e61d95, 0x38c72dbd566e9788, 0xa5a1610e72fd18b5, 0x57bd43b5e52b7fe6});
 }
 
-TEST_CASE("rng: seed and purpose are the key, blocks, individual and event the counter") {
+TEST_CASE("rng: seed and purpose -> key, block, individual and event -> counter") {
   Rng zero{0, Stream::placement};
   CHECK(next_block(zero) == Block{0x16554d9eca36314c, 0xdb20fe9d672d0fdc, 0xd7e772cee186176b, 0x7e68b68aec7ba23b});
   Rng rng{0x452821e638d01377, Stream::mutation, 17, 23};
@@ -53,7 +53,7 @@ TEST_CASE("rng: seed and purpose are the key, blocks, individual and event the c
   }
 }
 
-TEST_CASE("rng: another seed, purpose, individual or event is another stream") {
+TEST_CASE("rng: another seed, purpose, individual or event -> another stream") {
   const auto first = [](std::uint64_t seed, Stream purpose, std::uint64_t individual, std::uint64_t event) {
     return Rng{seed, purpose, individual, event}.bits();
   };
@@ -66,7 +66,7 @@ TEST_CASE("rng: another seed, purpose, individual or event is another stream") {
   CHECK(first(1, Stream::parent, 3, 2) != bits);
 }
 
-TEST_CASE("rng: an extra draw in one stream does not shift another, a copy goes on on its own") {
+TEST_CASE("rng: extra draw in one stream -> others unchanged, copies -> independent") {
   Rng undisturbed{5, Stream::captures};
   Rng disturbed{5, Stream::captures};
   Rng other{5, Stream::sacrifice};
@@ -82,7 +82,7 @@ TEST_CASE("rng: an extra draw in one stream does not shift another, a copy goes 
   CHECK(undisturbed.bits() == again.bits());
 }
 
-TEST_CASE("rng: uniform numbers are multiples of 2^-53 in 0 to 1") {
+TEST_CASE("rng: uniform numbers -> multiples of 2^-53 in at least 0, below 1") {
   Rng rng{6, Stream::user};
   Rng bits{6, Stream::user};
   std::vector<double> drawn(500'000);
@@ -102,7 +102,7 @@ TEST_CASE("rng: uniform numbers are multiples of 2^-53 in 0 to 1") {
   CHECK(std::abs(serial) < 4.0 / std::sqrt(500'000.0));
 }
 
-TEST_CASE("rng: normal numbers have the moments of a normal distribution and its tails") {
+TEST_CASE("rng: normal numbers -> moments and tails of a normal distribution") {
   Rng rng{7, Stream::user};
   std::vector<double> drawn(500'000);
   std::size_t beyond_two = 0;
@@ -118,7 +118,7 @@ TEST_CASE("rng: normal numbers have the moments of a normal distribution and its
   CHECK(static_cast<double>(beyond_two) / 500'000.0 == doctest::Approx(0.0455003).epsilon(0.03));
 }
 
-TEST_CASE("rng: index is uniform below its size, chance has its probability") {
+TEST_CASE("rng: index -> uniform below its size, chance -> given probability") {
   Rng rng{8, Stream::user};
   std::vector<std::size_t> counts(7, 0);
   for (int i = 0; i < 70'000; ++i) ++counts.at(rng.index(7));
@@ -133,7 +133,7 @@ TEST_CASE("rng: index is uniform below its size, chance has its probability") {
   }
 }
 
-TEST_CASE("rng: shuffles are uniform over the 24 orders of four items") {
+TEST_CASE("rng: shuffles of four items -> uniform over 24 orders") {
   Rng rng{9, Stream::user};
   std::vector<std::size_t> counts(256, 0);
   for (int i = 0; i < 48'000; ++i) {
@@ -146,7 +146,7 @@ TEST_CASE("rng: shuffles are uniform over the 24 orders of four items") {
   CHECK(test::chi_square(counts) < 56.0);  // 23 degrees of freedom: p = 1e-4
 }
 
-TEST_CASE("rng: a shuffle of nothing and of one item draws nothing, of n items n - 1 numbers") {
+TEST_CASE("rng: shuffle of n items -> n - 1 draws, of none or one -> none") {
   Rng rng{10, Stream::user};
   Rng reference = rng;
   std::vector<int> none;

@@ -109,7 +109,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("rule states: a policy is told what its bodies go through, and says what a newborn starts with") {
+TEST_CASE("rule states: events of bodies -> hooks called, birth -> state from born") {
   using Rules = with_senescence<rules::Paper, Diary>;
   Ecology<Rules> ecology{{.seed = 5}, backend::Kinematic::Params{}};
   Watch<Rules> watch{ecology};
@@ -117,7 +117,7 @@ TEST_CASE("rule states: a policy is told what its bodies go through, and says wh
   CHECK(watch.longest > 2);
 }
 
-TEST_CASE("rule states: where nothing is inherited no state is either") {
+TEST_CASE("rule states: nothing inherited -> states not inherited") {
   using Rules = with_senescence<rules::Paper, Diary>;
   Ecology<Rules> ecology{{.seed = 5, .shadow = true}, backend::Kinematic::Params{}};
   Watch<Rules> watch{ecology};
@@ -126,7 +126,7 @@ TEST_CASE("rule states: where nothing is inherited no state is either") {
   CHECK(watch.longest == 0);
 }
 
-TEST_CASE("rule states: a rule that only keeps a diary changes nothing of the run") {
+TEST_CASE("rule states: rule that only records -> same run") {
   Ecology<rules::Paper> plain{{.seed = 5}, backend::Kinematic::Params{}};
   Ecology<with_senescence<rules::Paper, Diary>> kept{{.seed = 5}, backend::Kinematic::Params{}};
   plain.run_until(500.0);
@@ -137,7 +137,7 @@ TEST_CASE("rule states: a rule that only keeps a diary changes nothing of the ru
   }
 }
 
-TEST_CASE("rule states: a table without states keeps nothing") {
+TEST_CASE("rule states: table without states -> empty") {
   static_assert(!detail::has_states<rules::Paper>());
   static_assert(detail::has_states<rules::Released>());
   std::size_t visited = 0;
@@ -148,7 +148,7 @@ TEST_CASE("rule states: a table without states keeps nothing") {
   CHECK(slots == std::vector<std::string>{"parent.starved", "parent.sacrificed", "starvation.exemption"});
 }
 
-TEST_CASE("state log: a column for each member of each state, a row for each robot and tick") {
+TEST_CASE("state log: states -> a column per member, a row per robot and tick") {
   const test::TemporaryFolder folder;
   Ecology<rules::Released> ecology{{.seed = 6}, backend::Kinematic::Params{}};
   io::StateLog log{folder.path() / "states.csv", ecology.state_columns()};
@@ -170,7 +170,7 @@ TEST_CASE("state log: a column for each member of each state, a row for each rob
   }
 }
 
-TEST_CASE("rule states: a sensor's state is kept for each body, told to its brain, and a column of the state log") {
+TEST_CASE("rule states: sensor with a state -> one per body, read by the sensor, in the state log") {
   using Sensors = List<perception::sensors::SideOfAdversary, test::Odometer, perception::sensors::TagRatioOfAll>;
   using Rules = with_senescence<with_sensors<rules::Paper, Sensors>, Diary>;
   static_assert(detail::has_states<Rules>());
@@ -195,7 +195,7 @@ TEST_CASE("rule states: a sensor's state is kept for each body, told to its brai
   CHECK(lines.back().starts_with("400,200,29,"));
 }
 
-TEST_CASE("state log: a table without states has the first four columns") {
+TEST_CASE("state log: table without states -> only the first four columns") {
   const test::TemporaryFolder folder;
   Ecology<rules::Paper> ecology{{}, backend::Kinematic::Params{}};
   io::StateLog log{folder.path() / "states.csv", ecology.state_columns()};

@@ -60,7 +60,7 @@ std::string made_with_50_s() {
 
 }  // namespace
 
-TEST_CASE("rules: the paper's numbers") {
+TEST_CASE("rules: paper -> its numbers") {
   const RuleParams<rules::Paper> numbers;
   CHECK(numbers.community.predators == 14);
   CHECK(numbers.tag_switch.cool_down_s == 50.0);
@@ -91,7 +91,7 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(rules::Paper::physics().timestep_s == 0.0012);
 }
 
-TEST_CASE("rules: the released code's numbers") {
+TEST_CASE("rules: released -> the code's numbers") {
   const RuleParams<rules::Released> numbers;
   CHECK(numbers.placement.half_extent_m == 9.0);
   CHECK(numbers.sensors.get<1>().full_scale_m == 20.0);
@@ -117,7 +117,7 @@ TEST_CASE("rules: the released code's numbers") {
   CHECK(rules::Released::physics().integrator == Integrator::rk4);
 }
 
-TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their numbers") {
+TEST_CASE("rules: with_<slot> -> one rule swapped, others keep their numbers") {
   using Swapped = with_mutation<rules::Released, reproduction::mutation::NormalMutation>;
   static_assert(std::same_as<Swapped::Mutation, reproduction::mutation::NormalMutation>);
   static_assert(std::same_as<Swapped::Capture, rules::Released::Capture>);
@@ -128,12 +128,12 @@ TEST_CASE("rules: with_<slot> swaps one rule and keeps the others with their num
   CHECK(Swapped::ecology().clock_scale == 1.2);
 }
 
-TEST_CASE("rules: a swapped rule starts at the policy's own numbers, not at those of the table it came from") {
+TEST_CASE("rules: swapped rule -> the policy's own numbers, not another table's") {
   CHECK(RuleParams<with_starvation<rules::Released, rules::Released::Starvation>>{}.starvation.interval.only_above == 0);
   CHECK(RuleParams<with_floor<rules::Released, death::floor::VictimFloor>>{}.floor.floor == 7);
 }
 
-TEST_CASE("rules: swaps can be stacked and the table's name tells them") {
+TEST_CASE("rules: nested swaps -> all in the table's name") {
   using Twice = with_senescence<with_mutation<rules::Paper, reproduction::mutation::NoMutation>, death::senescence::OldAge>;
   static_assert(std::same_as<Twice::Mutation, reproduction::mutation::NoMutation>);
   static_assert(std::same_as<Twice::Senescence, death::senescence::OldAge>);
@@ -143,7 +143,7 @@ TEST_CASE("rules: swaps can be stacked and the table's name tells them") {
   static_assert(std::same_as<Back::Mutation, rules::Paper::Mutation>);
 }
 
-TEST_CASE("rules: one part of a policy is swapped, the others stay with the table's numbers") {
+TEST_CASE("rules: one part swapped -> others keep the table's numbers") {
   using Shorter = with_params<rules::Released, [](auto& params) { params.starvation.interval.base_ticks = 15; }>;
   using Harsh = with_starvation_exemption<Shorter, death::starvation::exemption::NoExemption>;
   static_assert(is_rule_table<Harsh>);
@@ -183,7 +183,7 @@ struct Smallest final {
 
 }  // namespace
 
-TEST_CASE("rules: a slot that a table leaves out holds its neutral policy, and neither it nor its numbers are named") {
+TEST_CASE("rules: slot left out -> neutral policy, not listed") {
   static_assert(is_rule_table<Smallest>);
   static_assert(std::same_as<PolicyIn<Smallest, RuleSlot::capture>, death::capture::NoCapture>);
   static_assert(is_neutral<Smallest, RuleSlot::senescence> && is_neutral<rules::Paper, RuleSlot::senescence>);
@@ -198,7 +198,7 @@ TEST_CASE("rules: a slot that a table leaves out holds its neutral policy, and n
   CHECK(stated == slots);
 }
 
-TEST_CASE("rules: a table of other numbers has the rules and the name of the one that it is made of") {
+TEST_CASE("rules: with_params -> same rules and name, other numbers") {
   using Lower = with_params<rules::Released, [](auto& params) { params.floor.floor = 3; }>;
   static_assert(is_rule_table<Lower>);
   static_assert(std::same_as<Lower::Floor, rules::Released::Floor>);
@@ -214,7 +214,7 @@ TEST_CASE("rules: a table of other numbers has the rules and the name of the one
   CHECK(RuleParams<Swapped>{}.capture.reach_m == 2.0);
 }
 
-TEST_CASE("rules: a table under its own name keeps rules and numbers, and tells what is swapped in it later") {
+TEST_CASE("rules: named -> same rules and numbers, later swaps in the name") {
   using Ageing = named<with_senescence<rules::Released, death::senescence::OldAge>, "ageing">;
   static_assert(is_rule_table<Ageing>);
   static_assert(std::same_as<Ageing::Senescence, death::senescence::OldAge>);
@@ -225,14 +225,14 @@ TEST_CASE("rules: a table under its own name keeps rules and numbers, and tells 
         "ageing with minimum_predators = no_minimum");
 }
 
-TEST_CASE("rules: numbers given in a program start at the table's, not at the policies'") {
+TEST_CASE("rules: numbers in a program -> default to the table's, not the policies'") {
   const RuleParams<rules::Released> numbers{.minimum_predators = {.below = 9}};
   CHECK(numbers.minimum_predators.below == 9);
   CHECK(numbers.floor.floor == 6);
   CHECK(numbers.capture.min_age_s == 20.0);
 }
 
-TEST_CASE("rules: numbers given at run time reach the policies") {
+TEST_CASE("rules: numbers at run time -> reach the policies") {
   RuleParams<rules::Paper> numbers;
   numbers.capture.reach_m = 3.5;
   numbers.community.predators = 2;
@@ -242,14 +242,14 @@ TEST_CASE("rules: numbers given at run time reach the policies") {
   CHECK(policies.community.params.predators == 2);
 }
 
-TEST_CASE("rules: a policy that does not hold the numbers it was made from is refused by name and slot") {
+TEST_CASE("rules: policy with other numbers than given -> RuleError with name and slot") {
   CHECK(made_with_50_s<death::senescence::OldAge>() == "50");
   CHECK(made_with_50_s<Kept>() == "50");
   CHECK(made_with_50_s<Deaf>() == "the policy deaf in rules.senescence holds another max_age_s than it was made from");
   CHECK(made_with_50_s<Misplaced>() == "the policy misplaced in rules.senescence holds another max_age_s than it was made from");
 }
 
-TEST_CASE("rules: every slot that is not neutral once, in the order of the list, with the policy's name") {
+TEST_CASE("rules: visit of slots -> each one that is not neutral, once, in order, with its policy") {
   std::vector<std::pair<std::string, std::string>> slots;
   for_each_rule<rules::Paper>([&](std::string_view slot, std::string_view policy) { slots.emplace_back(slot, policy); });
   REQUIRE(slots.size() == 19);  // all but senescence

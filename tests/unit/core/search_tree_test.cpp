@@ -35,7 +35,7 @@ HandPopulation on_crossings(std::uint64_t seed, std::size_t robots) {
 
 }  // namespace
 
-TEST_CASE("search tree: whatever the bounds, it finds whom a look at everybody finds, ties included") {
+TEST_CASE("search tree: any bounds -> result of an exhaustive search, ties included") {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
     const std::size_t size = 1 + 7 * seed;
@@ -61,7 +61,7 @@ TEST_CASE("search tree: whatever the bounds, it finds whom a look at everybody f
   }
 }
 
-TEST_CASE("search tree: at exactly the bound somebody is found, beyond it nobody") {
+TEST_CASE("search tree: at exactly the bound -> found, beyond -> not found") {
   const HandPopulation robots{{{}, {.x_m = 3.0, .y_m = 4.0}, {.x_m = -3.0, .y_m = 4.0}}};
   const SearchTree tree{robots.poses, robots.individuals};
   const auto anybody = [](const Individual&) { return true; };
@@ -71,7 +71,7 @@ TEST_CASE("search tree: at exactly the bound somebody is found, beyond it nobody
   }
 }
 
-TEST_CASE("search tree: somebody rare is found without asking many, and that there is nobody is known at once") {
+TEST_CASE("search tree: rare or missing mark -> few bodies visited") {
   HandPopulation robots = random_population(1, 20'000, predator_prey_web(), 250.0);
   for (Individual& one : robots.individuals) {
     one.species = prey;
@@ -103,7 +103,7 @@ TEST_CASE("search tree: somebody rare is found without asking many, and that the
   CHECK(asked < 200);
 }
 
-TEST_CASE("search tree: who changes its marks is found once the tree is told") {
+TEST_CASE("search tree: mark changed -> found after update") {
   HandPopulation robots = random_population(3, 500);
   for (Individual& one : robots.individuals) one.species = prey;
   SearchTree tree{robots.poses, robots.individuals};
@@ -114,7 +114,7 @@ TEST_CASE("search tree: who changes its marks is found once the tree is told") {
   CHECK(with_tree(robots, tree).closest(0, is_predator, {.among = marks_of(predator)}) == 400);
 }
 
-TEST_CASE("view: members that are known need not be counted") {
+TEST_CASE("view: members given -> not counted") {
   const HandPopulation robots = with_predators(14);
   const std::vector<std::size_t> members{5, 25};
   View view = robots.view();
@@ -124,7 +124,7 @@ TEST_CASE("view: members that are known need not be counted") {
   CHECK(view.count(2) == 0);
 }
 
-TEST_CASE("horizon: what a rule says in advance holds for itself alone") {
+TEST_CASE("horizon: inherited declaration -> ignored") {
   struct Sharp : perception::visibility::SameTag {};
   Individual self;
   self.tag = -1;
@@ -133,7 +133,7 @@ TEST_CASE("horizon: what a rule says in advance holds for itself alone") {
   CHECK_FALSE(perception::ask::horizon(Sharp{}, self).tag);
 }
 
-TEST_CASE("view: within lists the bodies in a circle, ascending, with a tree as without") {
+TEST_CASE("view: within -> bodies in a circle, ascending, with or without tree") {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
     const HandPopulation robots = on_crossings(seed, 5 + 11 * seed);

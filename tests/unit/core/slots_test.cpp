@@ -13,7 +13,7 @@
 
 using namespace trophic;
 
-TEST_CASE("slots: the fingerprint tells rules and numbers apart, not seeds, durations and names") {
+TEST_CASE("slots: rules or numbers differ -> other fingerprint, seed, duration or name -> same") {
   using Paper = Ecology<rules::Paper>;
   const auto fingerprint = [](auto params) {
     return Paper{std::move(params), backend::Kinematic::Params{}}.describe(1.0).fingerprint;

@@ -13,7 +13,7 @@
 
 using namespace trophic;
 
-TEST_CASE("a pool does each item once in many thousand short jobs, whoever comes late") {
+TEST_CASE("thread pool: thousands of short jobs, late helpers -> each item once") {
   ThreadPool pool{4};  // more than there may be processors: some come late
   std::vector<std::atomic<std::uint32_t>> done(50);
   for (std::uint32_t job = 1; job <= 5000; ++job) {
@@ -26,7 +26,7 @@ TEST_CASE("a pool does each item once in many thousand short jobs, whoever comes
   }
 }
 
-TEST_CASE("a pool that goes while its helpers come up does nothing more") {
+TEST_CASE("thread pool: destroyed while helpers start -> ends") {
   for (int i = 0; i < 300; ++i) {
     std::atomic<int> done = 0;
     ThreadPool pool{3};
@@ -35,7 +35,7 @@ TEST_CASE("a pool that goes while its helpers come up does nothing more") {
   }
 }
 
-TEST_CASE("a pool that goes while its helpers wake up for a job does not wait for them for ever") {
+TEST_CASE("thread pool: destroyed while helpers wake up -> ends") {
   std::vector<std::jthread> others;  // who take helpers off their processor, the longer the better
   for (int i = 0; i < 8; ++i) {
     others.emplace_back([](const std::stop_token& stop) {
@@ -48,7 +48,7 @@ TEST_CASE("a pool that goes while its helpers wake up for a job does not wait fo
   }
 }
 
-TEST_CASE("a pool finishes the other items of a job in which one fails, alone or together") {
+TEST_CASE("thread pool: item fails -> other items finished") {
   ThreadPool pool{2};
   for (int job = 0; job < 100; ++job) {  // among so many both ways are taken
     std::atomic<int> done = 0;
@@ -81,7 +81,7 @@ int first_of(FasterMode& ways, int jobs, double first_s, double second_s, int no
 
 }  // namespace
 
-TEST_CASE("the faster way is taken, the slower one is tried rarely, and a change is noticed") {
+TEST_CASE("faster mode: two speeds -> faster one chosen, slower one tried rarely, changes noticed") {
   FasterMode ways;
   CHECK(first_of(ways, 1000, 1.0, 3.0) > 950);
   CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'800);
@@ -89,7 +89,7 @@ TEST_CASE("the faster way is taken, the slower one is tried rarely, and a change
   CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'500);
 }
 
-TEST_CASE("a job in which the clock stood still, or went back, is soon forgotten") {
+TEST_CASE("faster mode: clock stands still or goes back -> effect fades soon") {
   for (const double seconds : {0.0, -1e-9}) {
     for (const bool first : {true, false}) {
       CAPTURE(seconds);
@@ -103,7 +103,7 @@ TEST_CASE("a job in which the clock stood still, or went back, is soon forgotten
   }
 }
 
-TEST_CASE("a pause of an hour in one job, the first or a later one, is soon forgotten") {
+TEST_CASE("faster mode: pause of an hour in one job -> effect fades soon") {
   for (const bool at_once : {true, false}) {
     CAPTURE(at_once);
     FasterMode ways;

@@ -37,7 +37,7 @@ struct Gene {
 
 }  // namespace
 
-TEST_CASE("toml: every double reads back as the same bits") {
+TEST_CASE("toml: double -> text -> same bits") {
   std::vector<double> values{0.0,
                              -0.0,
                              0.1,
@@ -65,7 +65,7 @@ TEST_CASE("toml: every double reads back as the same bits") {
   }
 }
 
-TEST_CASE("toml: keys keep their order, tables their headings, help is a comment") {
+TEST_CASE("toml: written numbers -> keys in order, table headings, help as comments") {
   TomlWriter writer;
   writer.put("name", "it's");
   writer.put("colour", Shade::red);
@@ -83,7 +83,7 @@ TEST_CASE("toml: keys keep their order, tables their headings, help is a comment
   CHECK(table.tables("genes")[1].truth("enabled"));
 }
 
-TEST_CASE("toml: named_params in the tables of their paths, below a root where one is given") {
+TEST_CASE("toml: named params -> tables of their paths, below the root") {
   const NamedParams named_params{{"seed", std::int64_t{3}, {}}, {"ecology.tick_s", 2.0, "seconds"}, {"rules.a.b", true, {}}};
   CHECK(toml_text(named_params) == "seed = 3\n\n[ecology]\ntick_s = 2.0  # seconds\n\n[rules.a]\nb = true\n");
   TomlWriter writer;
@@ -91,7 +91,7 @@ TEST_CASE("toml: named_params in the tables of their paths, below a root where o
   CHECK(writer.text() == "[made.by]\nseed = 3\n\n[made.by.ecology]\ntick_s = 2.0  # seconds\n\n[made.by.rules.a]\nb = true\n");
 }
 
-TEST_CASE("toml: a value in a sentence is on one line, as people write it") {
+TEST_CASE("toml: value in a message -> one line, shortest form") {
   const auto table = parse_toml(
       "a = 0.05\nb = 2.0\nc = [[1, 0.05], [], ['x']]\nd = {e = 1, f.g = nan}\nh = 1979-05-27\ni = \"1\\n2\"\nj = true\nk = "
       "1e300\n");

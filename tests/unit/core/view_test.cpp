@@ -10,7 +10,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("view: counts, ages and hunger") {
+TEST_CASE("view: population -> counts, ages and hunger") {
   HandPopulation robots{
       {{.species = prey, .age_from_s = 10.0}, {.species = predator, .fed_tick = 4}, {.species = predator, .fed_tick = 20}},
       predator_prey_web()};
@@ -25,7 +25,7 @@ TEST_CASE("view: counts, ages and hunger") {
   CHECK(chain.view().count_hunters() == 2);
 }
 
-TEST_CASE("view: closest skips itself and whom it is told to, and takes the lower body at equal distance") {
+TEST_CASE("view: closest -> not itself, only accepted ones, lower body at equal distance") {
   const HandPopulation robots{
       {{.x_m = 0.0, .y_m = 0.0}, {.x_m = 3.0, .y_m = 4.0}, {.x_m = -3.0, .y_m = 4.0}, {.x_m = 0.0, .y_m = 6.0}}};
   const View view = robots.view();
@@ -36,7 +36,7 @@ TEST_CASE("view: closest skips itself and whom it is told to, and takes the lowe
   CHECK(view.closest(0, [](const Individual& other) { return other.id == 0; }) == std::nullopt);
 }
 
-TEST_CASE("units: angles wrap to above -pi and up to pi") {
+TEST_CASE("units: any angle -> wrapped into above -pi, up to pi") {
   CHECK(wrap_angle(0.5) == 0.5);
   CHECK(wrap_angle(std::numbers::pi) == std::numbers::pi);
   CHECK(wrap_angle(-std::numbers::pi) == std::numbers::pi);
@@ -44,7 +44,7 @@ TEST_CASE("units: angles wrap to above -pi and up to pi") {
   CHECK(wrap_angle(-4.0) == doctest::Approx(2.0 * std::numbers::pi - 4.0));
 }
 
-TEST_CASE("units: bearings are positive to the right") {
+TEST_CASE("units: target to the right -> positive bearing") {
   const GroundPose self{.x_m = 1.0, .y_m = 1.0, .heading_rad = std::numbers::pi / 2.0};
   CHECK(bearing_rad(self, {.x_m = 1.0, .y_m = 5.0}) == doctest::Approx(0.0));
   CHECK(bearing_rad(self, {.x_m = 2.0, .y_m = 1.0}) == doctest::Approx(std::numbers::pi / 2.0));

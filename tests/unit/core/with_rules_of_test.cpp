@@ -31,7 +31,7 @@ using Aged = with_ecology<Older, [](EcologyParams& ecology) {
 
 }  // namespace
 
-TEST_CASE("slots of another table bring its policies and numbers, the others stay") {
+TEST_CASE("with rules of: slots of another table -> its policies and numbers, others unchanged") {
   using Both = with_rules_of<Paper, Aged, slots({"senescence", "floor"})>;
   static_assert(std::same_as<Both::Senescence, death::senescence::OldAge>);
   static_assert(std::same_as<Both::Heredity, Paper::Heredity>);
@@ -44,20 +44,20 @@ TEST_CASE("slots of another table bring its policies and numbers, the others sta
   CHECK(RuleParams<with_rules_of<Aged, Paper, slots({"floor"})>>{}.senescence.max_age_s == 77.0);
 }
 
-TEST_CASE("several swaps are named in one list, numbers alone are not") {
+TEST_CASE("with rules of: several swaps -> one list in the name, numbers omitted") {
   CHECK(table_name<with_rules_of<Paper, Released, slots({"mutation", "heredity"})>>() ==
         "paper with heredity = shared_copy, mutation = uniform_mutation");
   CHECK(table_name<with_rules_of<Paper, Released, slots({"floor"})>>() == "paper");
 }
 
-TEST_CASE("all slots of the other table make its rules") {
+TEST_CASE("with rules of: all slots -> the other table's rules") {
   using All = with_rules_of<Paper, Released, rules::SlotSet{~std::uint64_t{0}}>;
   for (const RuleDifference& difference : rules::differences<All, Released>()) {
     CHECK_MESSAGE((difference.name.starts_with("ecology.") || difference.name.starts_with("physics.")), difference.name);
   }
 }
 
-TEST_CASE("differences are policies and numbers, each once, and duration does not count") {
+TEST_CASE("with rules of: two tables -> differing policies and numbers, each once, without duration") {
   const auto all = rules::differences<Paper, Aged>();
   REQUIRE(all.size() == 3);
   CHECK(all[0].name == "floor.floor");
@@ -71,7 +71,7 @@ TEST_CASE("differences are policies and numbers, each once, and duration does no
   CHECK(rules::differences<Paper, Paper>().empty());
 }
 
-TEST_CASE("one sensor of a table is swapped, the others stay") {
+TEST_CASE("with sensor: one sensor swapped -> others unchanged") {
   using Paper20 = rules::with_sensor<Paper, perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverScale>;
   static_assert(std::same_as<Paper20::Sensors::At<0>, Paper::Sensors::At<0>>);
   static_assert(std::same_as<Paper20::Sensors::At<1>, perception::sensors::DistanceOverScale>);

@@ -11,7 +11,7 @@ using namespace trophic::test;
 using death::Activates;
 using death::activation::ActiveAwayFromHunters;
 
-TEST_CASE("active away from hunters: farther than 5 m from every predator, exactly 5 m is not enough") {
+TEST_CASE("active away from hunters: farther than 5 m from every predator -> active, at exactly 5 m -> not") {
   const ActiveAwayFromHunters rule;
   HandPopulation robots{
       {{.species = prey, .active = false}, {.species = predator, .x_m = 5.0}, {.species = predator, .x_m = -9.0}}};
@@ -23,7 +23,7 @@ TEST_CASE("active away from hunters: farther than 5 m from every predator, exact
   CHECK(ActiveAwayFromHunters{{.distance_m = 2.0}}.activates(0, robots.view()) == Activates::yes);
 }
 
-TEST_CASE("active away from hunters: predators of the other tag and prey at hand") {
+TEST_CASE("active away from hunters: predator with the other tag -> counts, prey nearby -> ignored") {
   const ActiveAwayFromHunters rule;
   CHECK(
       rule.activates(
@@ -34,7 +34,7 @@ TEST_CASE("active away from hunters: predators of the other tag and prey at hand
         Activates::yes);
 }
 
-TEST_CASE("active away from hunters: in a food chain only who eats the newborn counts") {
+TEST_CASE("active away from hunters: food chain -> only species that eat the newborn count") {
   const ActiveAwayFromHunters rule;
   const HandPopulation robots{{{.species = plant, .active = false},
                                {.species = hunter, .x_m = 1.0},
@@ -46,7 +46,7 @@ TEST_CASE("active away from hunters: in a food chain only who eats the newborn c
   CHECK(rule.activates(3, robots.view()) == Activates::yes);
 }
 
-TEST_CASE("active away from hunters: the order of bodies does not matter") {
+TEST_CASE("active away from hunters: any order of bodies -> same result") {
   CHECK(rc::check([](std::uint64_t seed) {
     const HandPopulation robots = random_population(seed, 10, chain_web());
     const auto order = random_order(seed, 10);

@@ -26,7 +26,7 @@ TEST_CASE("active victim floor: number of active and inactive prey -> whether on
   }
 }
 
-TEST_CASE("active victim floor: another floor, none, and species of a food chain -> each by its own count") {
+TEST_CASE("active victim floor: another floor, none, or a food chain -> each species by its own count") {
   const HandPopulation robots{{{.species = plant},
                                {.species = plant},
                                {.species = plant, .active = false},

@@ -9,7 +9,7 @@ using namespace trophic::test;
 using death::Activates;
 using death::activation::AgesOnceAwayFromHunters;
 
-TEST_CASE("ages once away from hunters: age counts from activation, farther than 5 m from every predator") {
+TEST_CASE("ages once away from hunters: farther than 5 m from every predator -> active, age restarts") {
   const AgesOnceAwayFromHunters rule;
   HandPopulation robots{
       {{.species = prey, .active = false}, {.species = predator, .x_m = 5.0, .tag = -1}, {.species = prey, .x_m = 0.1}}};

@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("always active: even with a predator on top of it, and age counts from birth") {
+TEST_CASE("always active: predator at the same place -> active, age counts from birth") {
   const HandPopulation robots{{{.species = prey, .active = false}, {.species = predator}}};
   CHECK(death::activation::AlwaysActive{}.activates(0, robots.view()) == death::Activates::yes);
 }

@@ -28,26 +28,26 @@ Captures captures_of(HandPopulation robots, std::uint64_t seed = 1, const CatchC
 
 }  // namespace
 
-TEST_CASE("catch closest: closer than 1 m, tags ignored, not at exactly 1 m") {
+TEST_CASE("catch closest: closer than 1 m, any tags -> caught, at exactly 1 m -> not") {
   HandPopulation robots{{{.species = predator, .tag = 1}, {.species = prey, .x_m = 0.9999999, .tag = -1}}};
   CHECK(captures_of(robots) == Captures{{0, 1}});
   robots.poses[1].x_m = 1.0;
   CHECK(captures_of(robots).empty());
 }
 
-TEST_CASE("catch closest: one prey a predator and tick, the closest active one") {
+TEST_CASE("catch closest: several prey in reach -> only the closest active one") {
   CHECK(captures_of(HandPopulation{{{.species = predator},
                                     {.species = prey, .x_m = 0.1, .active = false},
                                     {.species = prey, .x_m = 0.5},
                                     {.species = prey, .x_m = -0.3}}}) == Captures{{0, 3}});
 }
 
-TEST_CASE("catch closest: at equal distance the prey in the lower body") {
+TEST_CASE("catch closest: equal distance -> the prey in the lower body") {
   CHECK(captures_of(HandPopulation{{{.species = prey, .x_m = 0.5}, {.species = predator}, {.species = prey, .x_m = -0.5}}}) ==
         Captures{{1, 0}});
 }
 
-TEST_CASE("catch closest: nobody hunts before 20 s, exactly at them one does") {
+TEST_CASE("catch closest: hunter younger than 20 s -> no catch, at exactly 20 s -> catch") {
   HandPopulation robots{{{.species = predator, .age_from_s = 100.0}, {.species = prey}}};
   const auto caught_at = [&](std::int64_t tick) {
     Rng rng{1, Stream::captures};
@@ -57,7 +57,7 @@ TEST_CASE("catch closest: nobody hunts before 20 s, exactly at them one does") {
   CHECK(caught_at(60) == 1);
 }
 
-TEST_CASE("catch closest: a hunter that is caught itself takes nobody's turn") {
+TEST_CASE("catch closest: hunter caught itself -> others keep their turns") {
   // body 0 catches 1, a hunter of its own kind of prey; 2 catches 3 whoever comes first
   const HandPopulation robots{
       {{.species = hunter}, {.species = grazer, .x_m = 0.3}, {.species = grazer, .x_m = 5.0}, {.species = plant, .x_m = 5.3}},
@@ -69,14 +69,14 @@ TEST_CASE("catch closest: a hunter that is caught itself takes nobody's turn") {
   }
 }
 
-TEST_CASE("catch closest: empty cases") {
+TEST_CASE("catch closest: no prey, no predators or no robots -> no catch") {
   CHECK(captures_of(HandPopulation{{}}).empty());
   CHECK(captures_of(HandPopulation{{{.species = prey}, {.species = prey}}}).empty());
   CHECK(captures_of(HandPopulation{{{.species = predator}, {.species = predator}}}).empty());
 }
 
 // Predators in bodies 0 and 1 stand around the prey in body 2; both orders are equally likely.
-TEST_CASE("catch closest: of two predators around one prey either gets it, half of the time each") {
+TEST_CASE("catch closest: two predators around one prey -> each catches it half of the time") {
   const HandPopulation robots{
       {{.species = predator, .x_m = 0.1}, {.species = predator, .x_m = 0.9}, {.species = prey, .x_m = 0.0}}};
   std::vector<std::size_t> by(2, 0);
@@ -93,7 +93,7 @@ TEST_CASE("catch closest: of two predators around one prey either gets it, half 
 // The six orders of (index 0 = body 1, index 1 = body 2, index 2 = body 3) give:
 //   0 first: body 1 catches 0, then indices 1 and 2 are bodies 1 (nobody left in reach) and 2: body 3 does not act.
 //   2 before 0: body 3 catches 4, whose offspring stands after it in the list; then 0 catches.
-TEST_CASE("catch closest: the list of predators grows with each catch, so that some act twice and some not at all") {
+TEST_CASE("catch closest: list grows with each catch -> some predators act twice, some never") {
   const HandPopulation robots{{{.species = prey, .x_m = 0.0},
                                {.species = predator, .x_m = 0.5},
                                {.species = predator, .x_m = 20.0},
@@ -114,7 +114,7 @@ TEST_CASE("catch closest: the list of predators grows with each catch, so that s
 
 // Prey in bodies 0 and 1 beside the predator in body 2, another predator far away in body 3: if index 0 (body 2) comes first, the
 // list becomes 0, 2, 3 and index 1 is body 2 again, which catches a second time.
-TEST_CASE("catch closest: a predator acts twice when its offspring pushes it up the list") {
+TEST_CASE("catch closest: offspring earlier in the list -> predator acts twice") {
   const HandPopulation robots{{{.species = prey, .x_m = 0.2},
                                {.species = prey, .x_m = 0.4},
                                {.species = predator, .x_m = 0.0},
@@ -130,7 +130,7 @@ TEST_CASE("catch closest: a predator acts twice when its offspring pushes it up 
   CHECK(catches[2] == doctest::Approx(5000).epsilon(4.0 / 100.0));
 }
 
-TEST_CASE("catch closest: offspring born at this tick do not hunt") {
+TEST_CASE("catch closest: offspring of this tick -> no catch") {
   // index 0 catches body 0; index 1 is the catcher again or, had the offspring hunted, body 1 would fall to body 0
   const HandPopulation robots{{{.species = prey, .x_m = 0.0},
                                {.species = prey, .x_m = -0.9},
@@ -139,7 +139,7 @@ TEST_CASE("catch closest: offspring born at this tick do not hunt") {
   for (std::uint64_t seed = 0; seed < 100; ++seed) CHECK(captures_of(robots, seed) == Captures{{2, 0}});
 }
 
-TEST_CASE("catch closest: a middle species that has been caught does not hunt any more") {
+TEST_CASE("catch closest: caught hunter of a middle species -> no further catch") {
   const HandPopulation robots{{{.species = hunter}, {.species = grazer, .x_m = 0.5}, {.species = plant, .x_m = 1.0}},
                               chain_web()};
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
@@ -150,7 +150,7 @@ TEST_CASE("catch closest: a middle species that has been caught does not hunt an
   }
 }
 
-TEST_CASE("catch closest: as many draws as predators less one") {
+TEST_CASE("catch closest: n predators -> n - 1 draws") {
   HandPopulation robots{{{.species = predator}, {.species = predator, .x_m = 9.0}, {.species = predator, .x_m = 5.0}}};
   Rng rng{1, Stream::captures};
   Rng reference = rng;
@@ -160,7 +160,7 @@ TEST_CASE("catch closest: as many draws as predators less one") {
   CHECK(rng.bits() == reference.bits());
 }
 
-TEST_CASE("catch closest: each victim once, all in reach, active and edible, and nobody in reach of a predator is closer") {
+TEST_CASE("catch closest: random populations -> each victim once, in reach, active, edible and closest") {
   CHECK(rc::check([](std::uint64_t seed) {
     const HandPopulation robots = random_population(seed, 20, predator_prey_web(), 2.0);
     const View view = robots.view();

@@ -25,7 +25,7 @@ Captures captures(const HandPopulation& robots, const CatchWithinReach& rule = {
 
 }  // namespace
 
-TEST_CASE("catch within reach: at exactly 1 m, tags ignored, not beyond") {
+TEST_CASE("catch within reach: at exactly 1 m, any tags -> caught, beyond -> not") {
   HandPopulation robots{{{.species = predator, .tag = 1}, {.species = prey, .x_m = 1.0, .tag = -1}}};
   CHECK(captures(robots) == Captures{{0, 1}});
   robots.poses[1].x_m = 1.0000001;
@@ -33,18 +33,18 @@ TEST_CASE("catch within reach: at exactly 1 m, tags ignored, not beyond") {
   CHECK(captures(robots, {{.reach_m = 2.0}}) == Captures{{0, 1}});
 }
 
-TEST_CASE("catch within reach: inactive newborn cannot be caught") {
+TEST_CASE("catch within reach: inactive newborn -> not caught") {
   CHECK(captures(HandPopulation{{{.species = predator}, {.species = prey, .active = false}}}).empty());
 }
 
-TEST_CASE("catch within reach: a prey falls to its closest predator, to the lower body at equal distance") {
+TEST_CASE("catch within reach: several predators -> the closest catches, at equal distance the lower body") {
   CHECK(captures(HandPopulation{{{.species = predator, .x_m = -0.9}, {.species = prey}, {.species = predator, .x_m = 0.4}}}) ==
         Captures{{2, 1}});
   CHECK(captures(HandPopulation{{{.species = predator, .x_m = -0.5}, {.species = prey}, {.species = predator, .x_m = 0.5}}}) ==
         Captures{{0, 1}});
 }
 
-TEST_CASE("catch within reach: a predator catches everybody in reach, the closest first") {
+TEST_CASE("catch within reach: several prey in reach -> all caught, the closest first") {
   CHECK(captures(HandPopulation{{{.species = prey, .x_m = 0.8},
                                  {.species = prey, .x_m = -0.2},
                                  {.species = predator},
@@ -52,20 +52,20 @@ TEST_CASE("catch within reach: a predator catches everybody in reach, the closes
                                  {.species = prey, .x_m = 1.5}}}) == Captures{{2, 1}, {2, 3}, {2, 0}});
 }
 
-TEST_CASE("catch within reach: nobody hunts before min_age, exactly at it one does") {
+TEST_CASE("catch within reach: hunter younger than min_age -> no catch, at exactly min_age -> catch") {
   HandPopulation robots{{{.species = predator, .age_from_s = 100.0}, {.species = prey}}};
   CHECK(captures(robots.at_tick(50)) == Captures{{0, 1}});
   CHECK(captures(robots.at_tick(59), {{.min_age_s = 20.0}}).empty());
   CHECK(captures(robots.at_tick(60), {{.min_age_s = 20.0}}) == Captures{{0, 1}});
 }
 
-TEST_CASE("catch within reach: empty cases") {
+TEST_CASE("catch within reach: no prey, no predators or no robots -> no catch") {
   CHECK(captures(HandPopulation{{}}).empty());
   CHECK(captures(HandPopulation{{{.species = prey}, {.species = prey}}}).empty());
   CHECK(captures(HandPopulation{{{.species = predator}, {.species = predator}}}).empty());
 }
 
-TEST_CASE("catch within reach: in a food chain the middle species catches and is caught, the ends not by each other") {
+TEST_CASE("catch within reach: food chain -> middle species catches and is caught, ends do not interact") {
   const HandPopulation robots{
       {{.species = hunter}, {.species = grazer, .x_m = 0.5}, {.species = plant, .x_m = 0.7}, {.species = plant, .x_m = -0.1}},
       chain_web()};

@@ -9,7 +9,7 @@ using namespace trophic::test;
 using death::starvation::StarvationClock;
 using death::starvation::interval::DelayedCrowdingInterval;
 
-TEST_CASE("delayed crowding interval: Delta = 25 - p ticks") {
+TEST_CASE("delayed crowding interval: p predators -> Delta = 25 - p ticks") {
   const DelayedCrowdingInterval rule;
   CHECK(rule.interval_ticks(with_predators(14).view()) == 11);
   CHECK(rule.interval_ticks(with_predators(7).view()) == 18);
@@ -18,14 +18,14 @@ TEST_CASE("delayed crowding interval: Delta = 25 - p ticks") {
   CHECK(DelayedCrowdingInterval{{.base_ticks = 40}}.interval_ticks(with_predators(14).view()) == 26);
 }
 
-TEST_CASE("delayed crowding interval: never below 2 ticks") {
+TEST_CASE("delayed crowding interval: many predators -> never below 2 ticks") {
   CHECK(DelayedCrowdingInterval{}.interval_ticks(with_predators(24).view()) == 2);
   CHECK(DelayedCrowdingInterval{}.interval_ticks(with_predators(30).view()) == 2);
   CHECK(DelayedCrowdingInterval{}.interval_ticks(with_predators(40, 40).view()) == 2);
   CHECK(DelayedCrowdingInterval{{.min_interval_ticks = 5}}.interval_ticks(with_predators(23).view()) == 5);
 }
 
-TEST_CASE("delayed crowding interval: due once the interval fixed at the last procedure has passed, whoever was born since") {
+TEST_CASE("delayed crowding interval: births since the last procedure -> due after the interval fixed then") {
   const DelayedCrowdingInterval rule;
   HandPopulation robots = with_predators(20);  // Delta would be 5 now
   const StarvationClock clock{.last_tick = 100, .interval_ticks = 11};
@@ -35,14 +35,14 @@ TEST_CASE("delayed crowding interval: due once the interval fixed at the last pr
   CHECK(rule.due(clock, robots.at_tick(112).view()));
 }
 
-TEST_CASE("delayed crowding interval: with only_above predators or fewer the procedure waits, overdue") {
+TEST_CASE("delayed crowding interval: only_above predators or fewer -> procedure waits, overdue") {
   const DelayedCrowdingInterval rule{{.only_above = 7}};
   const StarvationClock clock{.last_tick = 0, .interval_ticks = 2};
   CHECK_FALSE(rule.due(clock, with_predators(7).at_tick(500).view()));
   CHECK(rule.due(clock, with_predators(8).at_tick(500).view()));
 }
 
-TEST_CASE("delayed crowding interval: in a food chain p counts every species that eats somebody") {
+TEST_CASE("delayed crowding interval: food chain -> p counts every hunting species") {
   const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = grazer}, {.species = hunter}}, chain_web()};
   CHECK(DelayedCrowdingInterval{}.interval_ticks(robots.view()) == 22);
 }

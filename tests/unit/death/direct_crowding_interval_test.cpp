@@ -9,7 +9,7 @@ using namespace trophic::test;
 using death::starvation::StarvationClock;
 using death::starvation::interval::DirectCrowdingInterval;
 
-TEST_CASE("direct crowding interval: the number of predators of this tick decides") {
+TEST_CASE("direct crowding interval: births since the last procedure -> number of predators of this tick decides") {
   const DirectCrowdingInterval rule;
   HandPopulation robots = with_predators(20);
   const StarvationClock clock{.last_tick = 100, .interval_ticks = 11};
@@ -20,14 +20,14 @@ TEST_CASE("direct crowding interval: the number of predators of this tick decide
   CHECK(rule.due(clock, fewer.at_tick(117).view()));
 }
 
-TEST_CASE("direct crowding interval: Delta = 25 - p ticks, never below 2, or as set") {
+TEST_CASE("direct crowding interval: p predators -> Delta = 25 - p ticks, never below 2, or as set") {
   CHECK(DirectCrowdingInterval{}.interval_ticks(with_predators(14).view()) == 11);
   CHECK(DirectCrowdingInterval{}.interval_ticks(with_predators(30).view()) == 2);
   CHECK(DirectCrowdingInterval{{.base_ticks = 40, .min_interval_ticks = 20}}.interval_ticks(with_predators(14).view()) == 26);
   CHECK(DirectCrowdingInterval{{.base_ticks = 40, .min_interval_ticks = 20}}.interval_ticks(with_predators(23).view()) == 20);
 }
 
-TEST_CASE("direct crowding interval: with only_above predators or fewer the procedure waits, overdue") {
+TEST_CASE("direct crowding interval: only_above predators or fewer -> procedure waits, overdue") {
   const DirectCrowdingInterval rule{{.only_above = 7}};
   const StarvationClock clock{.last_tick = 0, .interval_ticks = 2};
   CHECK_FALSE(rule.due(clock, with_predators(7).at_tick(500).view()));

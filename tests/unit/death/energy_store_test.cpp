@@ -84,7 +84,7 @@ struct Ledger {
 
 }  // namespace
 
-TEST_CASE("energy store: walking and resting empty it, catches and grazing fill it up to its capacity") {
+TEST_CASE("energy store: walking and resting -> less, catches and grazing -> more, up to the capacity") {
   const EnergyStore rule{
       {.start_J = 10.0, .capacity_J = 12.0, .walking_J_per_m = 2.0, .resting_W = 0.5, .grazing_W = 1.0, .meal_J = 5.0}};
   const test::HandPopulation robots{{{.species = predator}, {.species = prey}}};
@@ -101,7 +101,7 @@ TEST_CASE("energy store: walking and resting empty it, catches and grazing fill 
   CHECK(grazing.energy_J == 11.0);  // 10 + (1 - 0.5) * 2
 }
 
-TEST_CASE("energy store: dies at zero, not before") {
+TEST_CASE("energy store: energy reaches zero -> dies, not before") {
   const EnergyStore rule;
   const test::HandPopulation robots{{{.species = predator}}};
   Rng rng{1, Stream::senescence};
@@ -109,7 +109,7 @@ TEST_CASE("energy store: dies at zero, not before") {
   CHECK_FALSE(rule.dies(robots.individuals[0], robots.view(), rng, {.energy_J = 1e-9}));
 }
 
-TEST_CASE("energy store: over a run every joule is accounted for, and who has none left dies") {
+TEST_CASE("energy store: whole run -> energy balance holds, empty stores die") {
   Kinematics::Params params{.seed = 3};
   params.rules.capture.reach_m = 2.0;
   Kinematics ecology{params, backend::Kinematic::Params{}};

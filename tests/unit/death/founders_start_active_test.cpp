@@ -29,7 +29,7 @@ TEST_CASE("founders start active: id and distance to a predator -> whether it be
   }
 }
 
-TEST_CASE("founders start active: another distance -> for the later born only") {
+TEST_CASE("founders start active: another distance -> affects only later newborn") {
   const HandPopulation robots{{{.species = prey, .active = false, .id = 0},
                                {.species = prey, .active = false, .id = 7},
                                {.species = predator, .x_m = 3.0, .id = 1}}};

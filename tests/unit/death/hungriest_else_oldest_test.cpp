@@ -11,7 +11,7 @@ using namespace trophic::test;
 using death::starvation::choice::HungriestElseOldest;
 using Bodies = std::vector<BodyIndex>;
 
-TEST_CASE("hungriest else oldest: which predators are exempt -> who dies") {
+TEST_CASE("hungriest else oldest: exempt predators -> the one that dies") {
   // hungriest: body 2; in order of birth: bodies 3, 1, 2; the prey, older and hungrier than all, never
   const HandPopulation robots{{{.species = prey, .fed_tick = 0, .id = 1},
                                {.species = predator, .fed_tick = 20, .id = 6},

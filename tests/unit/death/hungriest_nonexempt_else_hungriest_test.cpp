@@ -16,7 +16,7 @@ const auto all_spared = [](BodyIndex) { return true; };
 
 }  // namespace
 
-TEST_CASE("hungriest unspared else hungriest: who is exempt is passed over, unless everybody is") {
+TEST_CASE("hungriest nonexempt else hungriest: some exempt -> skipped, all exempt -> the hungriest") {
   const HandPopulation robots{{{.species = prey, .fed_tick = 0},
                                {.species = predator, .fed_tick = 30},
                                {.species = predator, .fed_tick = 10},
@@ -28,12 +28,12 @@ TEST_CASE("hungriest unspared else hungriest: who is exempt is passed over, unle
   CHECK(rule.victims(robots.view(), all_spared) == Bodies{2});
 }
 
-TEST_CASE("hungriest unspared else hungriest: at equal hunger the earlier born") {
+TEST_CASE("hungriest nonexempt else hungriest: equal hunger -> the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
   CHECK(HungriestNonexemptElseHungriest{}.victims(robots.view(), all_spared) == Bodies{1});
 }
 
-TEST_CASE("hungriest unspared else hungriest: nobody without predators") {
+TEST_CASE("hungriest nonexempt else hungriest: no predators -> none dies") {
   CHECK(HungriestNonexemptElseHungriest{}.victims(HandPopulation{{{.species = prey}}}.view(), all_spared).empty());
   CHECK(HungriestNonexemptElseHungriest{}.victims(HandPopulation{{}}.view(), all_spared).empty());
 }

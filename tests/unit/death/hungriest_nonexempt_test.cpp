@@ -19,7 +19,7 @@ const auto all_exempt = [](BodyIndex) { return true; };
 
 }  // namespace
 
-TEST_CASE("hungriest unspared: the predator with most ticks since birth or last catch, prey never") {
+TEST_CASE("hungriest nonexempt: different hunger -> predator with most ticks since birth or catch, never prey") {
   const HandPopulation robots{{{.species = prey, .fed_tick = 0},
                                {.species = predator, .fed_tick = 30},
                                {.species = predator, .fed_tick = 10},
@@ -29,29 +29,29 @@ TEST_CASE("hungriest unspared: the predator with most ticks since birth or last 
   CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
 }
 
-TEST_CASE("hungriest unspared: at equal hunger the earlier born") {
+TEST_CASE("hungriest nonexempt: equal hunger -> the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
   CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
 }
 
-TEST_CASE("hungriest unspared: nobody if all are exempt") {
+TEST_CASE("hungriest nonexempt: all exempt -> none dies") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 30}, {.species = predator, .fed_tick = 10}}};
   CHECK(HungriestNonexempt{}.victims(robots.view(), all_exempt).empty());
 }
 
-TEST_CASE("hungriest unspared: nobody without predators") {
+TEST_CASE("hungriest nonexempt: no predators -> none dies") {
   CHECK(HungriestNonexempt{}.victims(HandPopulation{{{.species = prey}}}.view(), no_exemption).empty());
   CHECK(HungriestNonexempt{}.victims(HandPopulation{{}}.view(), no_exemption).empty());
 }
 
-TEST_CASE("hungriest unspared: in a food chain every species that eats somebody can starve") {
+TEST_CASE("hungriest nonexempt: food chain -> every hunting species can starve") {
   const HandPopulation robots{
       {{.species = plant, .fed_tick = 0}, {.species = grazer, .fed_tick = 3}, {.species = hunter, .fed_tick = 5}}, chain_web()};
   CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
   CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{2});
 }
 
-TEST_CASE("hungriest unspared: nobody hungrier is left unspared, and the order of bodies does not matter") {
+TEST_CASE("hungriest nonexempt: random populations -> no hungrier one left, any order of bodies") {
   CHECK(rc::check([](std::uint64_t seed) {
     const HandPopulation robots = random_population(seed, 12, chain_web());
     const auto exempt = [&](const HandPopulation& list) {

@@ -24,7 +24,7 @@ const HandPopulation hungry{{{.species = prey, .fed_tick = 0},
 
 }  // namespace
 
-TEST_CASE("hungriest share: a share of the predators, rounded up, the hungriest first") {
+TEST_CASE("hungriest share: share of the predators -> rounded up, the hungriest first") {
   CHECK(HungriestShare{{.share = 0.0}}.victims(hungry.view(), none_exempt).empty());
   CHECK(HungriestShare{{.share = 0.01}}.victims(hungry.view(), none_exempt) == Bodies{1});
   CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), none_exempt) == Bodies{1, 2});
@@ -32,13 +32,13 @@ TEST_CASE("hungriest share: a share of the predators, rounded up, the hungriest 
   CHECK(HungriestShare{{.share = 1.0}}.victims(hungry.view(), none_exempt) == Bodies{1, 2, 3, 4});
 }
 
-TEST_CASE("hungriest share: exempt predators are passed over") {
+TEST_CASE("hungriest share: exempt predators -> skipped") {
   const auto exempt = [](BodyIndex body) { return body == 1 || body == 3; };
   CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), exempt) == Bodies{2, 4});
   CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), [](BodyIndex) { return true; }).empty());
 }
 
-TEST_CASE("hungriest share: one of up to 14 predators by default, as hungriest unspared takes") {
+TEST_CASE("hungriest share: default, up to 14 predators -> one, as hungriest nonexempt") {
   for (const std::size_t predators : {0U, 1U, 13U, 14U}) {
     CAPTURE(predators);
     const HandPopulation robots = with_predators(predators);

@@ -16,7 +16,7 @@ bool exempt(const NearPerceivedVictim& rule, const HandPopulation& robots) {
 
 }  // namespace
 
-TEST_CASE("near perceived victim: exempt at exactly 5 m from a prey that it perceives, not beyond") {
+TEST_CASE("near perceived victim: perceived prey at exactly 5 m -> exempt, beyond -> not") {
   const NearPerceivedVictim rule;
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 5.0}}};
   CHECK(exempt(rule, robots));
@@ -25,7 +25,7 @@ TEST_CASE("near perceived victim: exempt at exactly 5 m from a prey that it perc
   CHECK(exempt(NearPerceivedVictim{{.range_m = 6.0}}, robots));
 }
 
-TEST_CASE("near perceived victim: the prey that switches its tag ends the exemption") {
+TEST_CASE("near perceived victim: prey switches its tag -> exemption ends") {
   const NearPerceivedVictim rule;
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 2.0}}};
   CHECK(exempt(rule, robots));
@@ -33,7 +33,7 @@ TEST_CASE("near perceived victim: the prey that switches its tag ends the exempt
   CHECK_FALSE(exempt(rule, robots));
 }
 
-TEST_CASE("near perceived victim: a hidden prey at hand does not spare, a visible one farther off does") {
+TEST_CASE("near perceived victim: hidden prey nearby -> not exempt, visible one farther away -> exempt") {
   const NearPerceivedVictim rule;
   CHECK(exempt(rule, HandPopulation{{{.species = predator},
                                      {.species = prey, .x_m = 0.5, .tag = -1},
@@ -43,7 +43,7 @@ TEST_CASE("near perceived victim: a hidden prey at hand does not spare, a visibl
   CHECK_FALSE(exempt(rule, HandPopulation{{{.species = predator}}}));
 }
 
-TEST_CASE("near perceived victim: what eats the hunter does not spare it") {
+TEST_CASE("near perceived victim: own predator nearby -> not exempt") {
   const HandPopulation robots{{{.species = grazer}, {.species = hunter, .x_m = 1.0}, {.species = plant, .x_m = 4.0}},
                               chain_web()};
   CHECK(exempt(NearPerceivedVictim{}, robots));

@@ -9,7 +9,7 @@ using namespace trophic;
 using namespace trophic::test;
 using death::starvation::exemption::NearRememberedAdversary;
 
-TEST_CASE("near remembered adversary: the stored distance decides, not where anybody stands now") {
+TEST_CASE("near remembered adversary: current positions differ from the stored distance -> the stored one decides") {
   const NearRememberedAdversary rule;
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.1}}};
   const auto exempt = [&](const NearRememberedAdversary& any, double stored_m) {
@@ -22,13 +22,13 @@ TEST_CASE("near remembered adversary: the stored distance decides, not where any
   CHECK(exempt({{.range_m = 6.0}}, 5.0));
 }
 
-TEST_CASE("near remembered adversary: a body that never perceived anybody is exempt") {
+TEST_CASE("near remembered adversary: body without any perception -> exempt") {
   const HandPopulation robots{{{.species = predator}}};
   const NearRememberedAdversary rule;
   CHECK(rule.is_exempt(0, robots.view(), robots.perceives(), rule.born({}, nullptr, {})));
 }
 
-TEST_CASE("near remembered adversary: the distance is stored while somebody is perceived and outlives blindness and births") {
+TEST_CASE("near remembered adversary: no target perceived, or a birth -> stored distance kept") {
   const NearRememberedAdversary rule;
   const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.1}}};
   NearRememberedAdversary::State own;

@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("never due: however long ago the last procedure was") {
+TEST_CASE("never due: any time since the last procedure -> not due") {
   HandPopulation robots{{{.species = predator}}};
   const death::starvation::StarvationClock clock{.last_tick = 0, .interval_ticks = 1};
   CHECK_FALSE(death::starvation::interval::NeverDue{}.due(clock, robots.at_tick(1'000'000).view()));

@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("no capture: not even where predator and prey stand on each other") {
+TEST_CASE("no capture: predator and prey at the same place -> no catch") {
   const HandPopulation robots{{{.species = prey}, {.species = predator}}};
   Rng rng{1, Stream::captures};
   CHECK(death::capture::NoCapture{}.captures(robots.view(), rng).empty());

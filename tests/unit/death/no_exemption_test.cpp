@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("no exemption: not even next to a prey") {
+TEST_CASE("no exemption: predator next to a prey -> not exempt") {
   const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.5}}};
   CHECK_FALSE(death::starvation::exemption::NoExemption{}.is_exempt(0, robots.view(), robots.perceives()));
 }

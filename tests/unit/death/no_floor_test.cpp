@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("no floor: the last prey may die") {
+TEST_CASE("no floor: last prey -> may die") {
   const HandPopulation robots{{{.species = prey}, {.species = predator}}};
   CHECK(death::floor::NoFloor{}.may_die(prey, robots.view()));
 }

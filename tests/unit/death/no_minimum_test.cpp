@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("no minimum_predators: nobody is given up when there is no predator left") {
+TEST_CASE("no minimum: no predator left -> no sacrifice") {
   const HandPopulation robots{{{.species = prey}, {.species = prey}}};
   Rng rng{1, Stream::sacrifice};
   CHECK(death::minimum_predators::NoMinimum{}.sacrifices(robots.view(), rng).empty());

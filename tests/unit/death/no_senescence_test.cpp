@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("no senescence: nobody dies of age") {
+TEST_CASE("no senescence: any age -> no death") {
   HandPopulation robots{{{.species = predator}, {.species = prey}}};
   Rng rng{1, Stream::senescence};
   robots.at_tick(1'000'000);

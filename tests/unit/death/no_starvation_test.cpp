@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("nobody starves: not the hungriest predator") {
+TEST_CASE("no starvation: hungry predators -> none starves") {
   const HandPopulation robots{{{.species = predator, .fed_tick = -500}}};
   CHECK(death::starvation::NoStarvation{}.starving(robots.view(), robots.perceives()) == death::Starving{});
 }

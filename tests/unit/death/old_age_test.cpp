@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("old age: dies from exactly max_age on") {
+TEST_CASE("old age: age of exactly max_age or more -> dies") {
   HandPopulation robots{{{.species = prey, .age_from_s = 100.0}}};
   Rng rng{1, Stream::senescence};
   const auto dies = [&](std::int64_t tick, const death::senescence::OldAge& rule) {

@@ -23,7 +23,7 @@ using PaperProcedure = Procedure<interval::DelayedCrowdingInterval, exemption::N
 static_assert(death::Starvation<PaperProcedure>);
 static_assert(death::KeepsClock<PaperProcedure>);
 
-TEST_CASE("procedure: held when the interval is due, and the clock restarts") {
+TEST_CASE("procedure: interval due -> a hunter starves and the clock restarts") {
   HandPopulation robots{{{.species = predator, .fed_tick = 3}, {.species = predator, .fed_tick = 1}}};
   const PaperProcedure rule;
   const auto clock = rule.start(robots.view());
@@ -35,7 +35,7 @@ TEST_CASE("procedure: held when the interval is due, and the clock restarts") {
   CHECK(rule.start(robots.at_tick(23).view()).last_tick == 23);
 }
 
-TEST_CASE("procedure: exempt hunters are named and passed over, those who are not asked about are not named") {
+TEST_CASE("procedure: exempt hunters -> skipped and reported, only those considered") {
   const HandPopulation robots = HandPopulation{
       {{.species = predator, .fed_tick = 3},
        {.species = predator, .x_m = 9.0, .fed_tick = 2},
@@ -57,7 +57,7 @@ TEST_CASE("procedure: never due -> nothing happens") {
   CHECK(rule.starving(robots.view(), robots.perceives(), {}, rule.start(robots.view())) == death::Starving{});
 }
 
-TEST_CASE("procedure: an exemption reads the state of the hunter that it is asked about") {
+TEST_CASE("procedure: exemption with a state -> state of the hunter considered") {
   using Remembering =
       Procedure<interval::DelayedCrowdingInterval, exemption::NearRememberedAdversary, choice::HungriestNonexempt>;
   const HandPopulation robots =
@@ -70,7 +70,7 @@ TEST_CASE("procedure: an exemption reads the state of the hunter that it is aske
         death::Starving{.victims = {1}, .exempt = {0}, .restarts_clock = true});
 }
 
-TEST_CASE("procedure: its name lists its parts, and each number has the name of its part") {
+TEST_CASE("procedure: name and numbers -> list its parts") {
   CHECK(PaperProcedure::name ==
         "interval: delayed_crowding_interval, exemption: near_perceived_victim, choice: hungriest_nonexempt");
   std::vector<std::string> paths;

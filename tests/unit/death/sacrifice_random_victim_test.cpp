@@ -28,7 +28,7 @@ std::vector<Sacrifice> sacrifices(const HandPopulation& robots, const SacrificeR
 
 }  // namespace
 
-TEST_CASE("sacrifice random victim: below 7 predators one prey, at 7 none") {
+TEST_CASE("sacrifice random victim: fewer than 7 predators -> one prey, 7 -> none") {
   CHECK(sacrifices(with(7, 23)).empty());
   const auto one = sacrifices(with(6, 24));
   REQUIRE(one.size() == 1);
@@ -39,11 +39,11 @@ TEST_CASE("sacrifice random victim: below 7 predators one prey, at 7 none") {
   CHECK(sacrifices(with(8, 22), {{.below = 8}}).empty());
 }
 
-TEST_CASE("sacrifice random victim: nobody without prey") {
+TEST_CASE("sacrifice random victim: no prey -> no sacrifice") {
   CHECK(sacrifices(with(3, 0)).empty());
 }
 
-TEST_CASE("sacrifice random victim: uniform over all prey, inactive newborn included") {
+TEST_CASE("sacrifice random victim: many draws -> uniform over all prey, inactive newborn included") {
   HandPopulation robots = with(2, 10);
   robots.individuals[5].active = false;
   std::vector<std::size_t> chosen(10, 0);
@@ -51,14 +51,14 @@ TEST_CASE("sacrifice random victim: uniform over all prey, inactive newborn incl
   CHECK(chi_square(chosen) < 33.7);  // 9 degrees of freedom: p = 1e-4
 }
 
-TEST_CASE("sacrifice random victim: in a food chain one for each species that is short") {
+TEST_CASE("sacrifice random victim: food chain -> one for each species below its minimum") {
   const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = hunter}, {.species = hunter}}, chain_web()};
   CHECK(sacrifices(robots) == std::vector<Sacrifice>{{.victim = 0, .successor = grazer}, {.victim = 1, .successor = hunter}});
   CHECK(sacrifices(robots, {{.below = 2}}) == std::vector<Sacrifice>{{.victim = 0, .successor = grazer}});
   CHECK(sacrifices(robots, {{.below = 1}}).empty());
 }
 
-TEST_CASE("sacrifice random victim: two species that are short of the same food are given two individuals") {
+TEST_CASE("sacrifice random victim: two species below their minimum eat the same prey -> two different victims") {
   const FoodWeb rivals{{"hare", "wolf", "lynx"}, {{.hunter = 1, .victim = 0}, {.hunter = 2, .victim = 0}}};
   const HandPopulation robots{{{.species = 0}, {.species = 0}, {.species = 1}, {.species = 2}}, rivals};
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -70,7 +70,7 @@ TEST_CASE("sacrifice random victim: two species that are short of the same food 
   CHECK(sacrifices(last) == std::vector<Sacrifice>{{.victim = 0, .successor = 1}});
 }
 
-TEST_CASE("sacrifice random victim: one draw for a sacrifice, none without") {
+TEST_CASE("sacrifice random victim: one sacrifice -> one draw, none -> none") {
   Rng rng{1, Stream::sacrifice};
   Rng reference = rng;
   CHECK(SacrificeRandomVictim{}.sacrifices(with(7, 23).view(), rng).empty());

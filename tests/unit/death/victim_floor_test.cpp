@@ -10,7 +10,7 @@ using namespace trophic;
 using namespace trophic::test;
 using death::floor::VictimFloor;
 
-TEST_CASE("victim floor: nobody dies while only 7 are left, inactive newborn counted") {
+TEST_CASE("victim floor: 7 left, inactive newborn included -> none may die") {
   std::vector<Robot> list(20, Robot{.species = predator});
   list.insert(list.end(), 7, Robot{.species = prey});
   CHECK_FALSE(VictimFloor{}.may_die(prey, HandPopulation{list}.view()));
@@ -19,12 +19,12 @@ TEST_CASE("victim floor: nobody dies while only 7 are left, inactive newborn cou
   CHECK(VictimFloor{}.may_die(prey, HandPopulation{list}.view()));
 }
 
-TEST_CASE("victim floor: floor 0 lets the last one die, an empty species has nobody to lose") {
+TEST_CASE("victim floor: floor 0 -> the last one may die, extinct species -> none may die") {
   CHECK(VictimFloor{{.floor = 0}}.may_die(prey, HandPopulation{{{.species = prey}}}.view()));
   CHECK_FALSE(VictimFloor{{.floor = 0}}.may_die(prey, HandPopulation{{{.species = predator}}}.view()));
 }
 
-TEST_CASE("victim floor: each species of a food chain has its own count") {
+TEST_CASE("victim floor: food chain -> each species by its own count") {
   const HandPopulation robots{
       {{.species = plant}, {.species = plant}, {.species = plant}, {.species = grazer}, {.species = hunter}}, chain_web()};
   CHECK(VictimFloor{{.floor = 2}}.may_die(plant, robots.view()));

@@ -20,7 +20,7 @@ std::string complaint(std::string_view content) {
 
 }  // namespace
 
-TEST_CASE("the paper's arena: 20 m between walls") {
+TEST_CASE("arena: paper's file -> 20 m between walls") {
   const Arena arena = load_arena("walled_square");
   CHECK(arena.name == "walled_square");
   CHECK(arena.half_side_m == 10.0);
@@ -29,7 +29,7 @@ TEST_CASE("the paper's arena: 20 m between walls") {
   CHECK_FALSE(arena.height_field);
 }
 
-TEST_CASE("the released code's arena: flat to 28/3 m, an outer ring of nodes at 10 m") {
+TEST_CASE("arena: released code's file -> flat to 28/3 m, an outer ring of nodes at 10 m") {
   const Arena arena = load_arena("height_field");
   CHECK(arena.half_side_m == doctest::Approx(28.0 / 3.0).epsilon(1e-14));
   CHECK(arena.extent_m == 24.0);
@@ -48,7 +48,7 @@ TEST_CASE("the released code's arena: flat to 28/3 m, an outer ring of nodes at 
   CHECK(raised == 36);
 }
 
-TEST_CASE("the floor is the largest centred square of zeros") {
+TEST_CASE("arena: height field -> floor is the largest centred square of zeros") {
   HeightField field{.nodes = 5, .half_extent_m = 4.0, .height_m = std::vector<double>(25, 0.0)};
   CHECK(flat_half_side_m(field) == 4.0);
   field.height_m[2] = 1.0;
@@ -57,7 +57,7 @@ TEST_CASE("the floor is the largest centred square of zeros") {
   CHECK(flat_half_side_m(field) == 0.0);
 }
 
-TEST_CASE("a floor that follows the number of robots: 30 on 20 m x 20 m, four times as many on twice the side") {
+TEST_CASE("arena: robots_per_m2 -> 30 robots on 20 m x 20 m, four times as many on twice the side") {
   struct Case {
     std::size_t robots;
     double side_m;
@@ -72,7 +72,7 @@ TEST_CASE("a floor that follows the number of robots: 30 on 20 m x 20 m, four ti
   }
 }
 
-TEST_CASE("a habitat's floor follows ecology.robots where its arena says so, and nowhere else") {
+TEST_CASE("habitat: ecology.robots -> changes the floor only with robots_per_m2") {
   EcologyParams ecology;
   ecology.robots = 120;
   CHECK(load_habitat(ecology).arena.extent_m == 20.0);
@@ -80,7 +80,7 @@ TEST_CASE("a habitat's floor follows ecology.robots where its arena says so, and
   CHECK(load_habitat(ecology).arena.extent_m == doctest::Approx(40.0).epsilon(1e-15));
 }
 
-TEST_CASE("bad arenas name key and value") {
+TEST_CASE("arena: bad file -> error with key and value") {
   CHECK(complaint("name = \"a\"\nrobots_per_m2 = 0\n") == ": robots_per_m2 = 0: must be > 0 and <= 1e+06");
   CHECK(complaint("name = \"a\"\nrobots_per_m2 = \"few\"\n") == ": robots_per_m2 = 'few': must be a number");
   CHECK(complaint("name = \"a\"\nrobots_per_m2 = 1\nside_m = 5\n") ==
@@ -95,6 +95,6 @@ TEST_CASE("bad arenas name key and value") {
         ": height_m: row 1 has 1 numbers: must have 2, one a row");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0, -1]]\n") == ": height_m = -1: must be >= 0");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[1, 1], [1, 1]]\n") ==
-        ": height_m: must be 0 in the middle, where robots start");
+        ": height_m: must be 0 in the centre, where robots start");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = 3\n") == ": height_m = 3: must be a list");
 }

@@ -29,7 +29,7 @@ Eigen::Vector3d axis_in_root(const RobotModel& robot, std::size_t hinge) {
 
 }  // namespace
 
-TEST_CASE("spider: masses of the module table") {
+TEST_CASE("robot build: spider -> masses of the module table") {
   const RobotModel spider = load_robot("spider");
   REQUIRE(spider.links.size() == 5);
   CHECK(spider.links[0].mass_kg == doctest::Approx(0.250 + 4 * 0.011).epsilon(1e-14));
@@ -45,7 +45,7 @@ TEST_CASE("spider: masses of the module table") {
         std::map<std::string, int>{{"core", 1}, {"hinge_frame", 4}, {"servo_body", 4}, {"servo_plate", 4}, {"brick", 4}});
 }
 
-TEST_CASE("spider: inertias by the parallel axis theorem") {
+TEST_CASE("robot build: spider -> inertias by the parallel axis theorem") {
   const RobotModel spider = load_robot("spider");
   check_near(spider.links[0].centre_of_mass_m, {0, 0, 0});
   check_near(spider.links[0].inertia_kgm2.diagonal(), {0.00031281775349006083, 0.00031281775349006083, 0.000462823030104485},
@@ -62,7 +62,7 @@ TEST_CASE("spider: inertias by the parallel axis theorem") {
   }
 }
 
-TEST_CASE("spider: hinges in the order front, back, left, right") {
+TEST_CASE("robot build: spider -> hinges in the order front, back, left, right") {
   const RobotModel spider = load_robot("spider");
   REQUIRE(spider.hinges.size() == 4);
   const std::vector<std::string> names{"front", "back", "left", "right"};
@@ -87,7 +87,7 @@ TEST_CASE("spider: hinges in the order front, back, left, right") {
   CHECK(spider.hinge_neighbours == all_pairs);
 }
 
-TEST_CASE("spider: places of the boxes") {
+TEST_CASE("robot build: spider -> positions of the boxes") {
   const RobotModel spider = load_robot("spider");
   const Link& core = spider.links[0];
   check_near(core.boxes[0].half_extents_m, {0.0445, 0.0445, 0.03015});
@@ -101,7 +101,7 @@ TEST_CASE("spider: places of the boxes") {
   check_near(leg.boxes[2].half_extents_m, {0.031443125, 0.031443125, 0.03015});
 }
 
-TEST_CASE("spider: size and forward axis") {
+TEST_CASE("robot build: spider -> size and forward axis") {
   const RobotModel spider = load_robot("spider");
   // The bricks of the sweeping legs lie on their side: half of 0.06288625.
   CHECK(spider.rest_height_m == doctest::Approx(0.031443125).epsilon(1e-12));
@@ -110,7 +110,7 @@ TEST_CASE("spider: size and forward axis") {
   CHECK(spider.friction == 1.0);
 }
 
-TEST_CASE("released spider: root link by density, legs unchanged") {
+TEST_CASE("robot build: released spider -> root link by density, legs unchanged") {
   const RobotModel released = load_robot("spider_released");
   const RobotModel spider = load_robot("spider");
   // 1000 kg/m^3 * (0.089 * 0.089 * 0.0603 + 4 * 0.018 * 0.053 * 0.0165891)
@@ -124,7 +124,7 @@ TEST_CASE("released spider: root link by density, legs unchanged") {
   }
 }
 
-TEST_CASE("gecko: six hinges, two of them in the spine") {
+TEST_CASE("robot build: gecko -> six hinges, two of them in the spine") {
   const RobotModel gecko = load_robot("gecko");
   const std::vector<std::string> names{
       "back", "back.front.front", "back.front.front.front.left", "back.front.front.front.right", "left", "right"};
@@ -146,7 +146,7 @@ TEST_CASE("gecko: six hinges, two of them in the spine") {
   CHECK(gecko.rest_height_m == doctest::Approx(0.03015).epsilon(1e-12));
 }
 
-TEST_CASE("no box point leaves the bounding sphere, whatever the angles") {
+TEST_CASE("robot build: any joint angles -> boxes within the bounding sphere") {
   Rng rng{1, Stream::user};
   for (const char* name : {"spider", "gecko"}) {
     const RobotModel robot = load_robot(name);

@@ -30,7 +30,7 @@ const std::string leg = "name = \"one_leg\"\n[core.left]\nmodule = \"hinge\"\n[c
 
 }  // namespace
 
-TEST_CASE("a file that says all it can") {
+TEST_CASE("robot file: all keys -> read") {
   const std::string file = folder().file("full.toml", R"(
 name = "full"
 forward_deg = -90
@@ -56,7 +56,7 @@ core.left = { module = "hinge", rotation_deg = -90, front = { module = "brick", 
   CHECK(robot.links[0].mass_kg == doctest::Approx(500.0 * (0.089 * 0.089 * 0.0603 + 0.018 * 0.053 * 0.0165891)));
 }
 
-TEST_CASE("a core alone is a robot without hinges") {
+TEST_CASE("robot file: core alone -> robot without hinges") {
   const RobotModel robot = load_robot(folder().file("core.toml", "name = \"stone\"\ncore = {}\n"));
   CHECK(robot.links.size() == 1);
   CHECK(robot.hinges.empty());
@@ -64,19 +64,19 @@ TEST_CASE("a core alone is a robot without hinges") {
   CHECK(robot.rest_height_m == doctest::Approx(0.03015));
 }
 
-TEST_CASE("files that are not there or not TOML") {
+TEST_CASE("robot file: missing or not TOML -> error") {
   CHECK(message_of<std::invalid_argument>([] { (void)load_robot("./no/such.toml"); }) ==
         "no robot \"./no/such.toml\"; searched: ./no/such.toml");
   CHECK(robot_complaint("name = \n").starts_with("1:"));
   CHECK(robot_complaint(leg + "[core.left]\nmodule = \"brick\"\n").starts_with("6:"));
 }
 
-TEST_CASE("two modules on one face are a table defined twice") {
+TEST_CASE("robot file: two modules on one face -> error") {
   const std::string message = robot_complaint(leg + "[core.left]\nmodule = \"brick\"\n");
   CHECK(message.find("cannot redefine existing table 'core.left'") != std::string::npos);
 }
 
-TEST_CASE("bad content names key and value") {
+TEST_CASE("robot file: bad content -> error with key and value") {
   CHECK(robot_complaint("core = {}\n") == " name: missing");
   CHECK(robot_complaint("name = 3\ncore = {}\n") == " name = 3: must be a text");
   CHECK(robot_complaint("name = \"a\"\n") == " core: missing");
@@ -104,7 +104,7 @@ TEST_CASE("bad content names key and value") {
   CHECK(robot_complaint("name = \"a\"\nforward_deg = 200\ncore = {}\n") == " forward_deg = 200: must be >= -180 and <= 180");
 }
 
-TEST_CASE("models are found in TROPHIC_MODELS first, then where the library was built") {
+TEST_CASE("models: search order -> TROPHIC_MODELS, then the library's folder") {
   const TemporaryFolder own;
   std::filesystem::create_directory(own.path() / "robots");
   const std::string file = own.file("robots/spider.toml", "name = \"own\"\ncore = {}\n");

@@ -8,7 +8,7 @@ using namespace trophic;
 using namespace trophic::body;
 using trophic::test::message_of;
 
-TEST_CASE("modules fill grid cells in the direction of their face") {
+TEST_CASE("module tree: module -> grid cell in the direction of its face") {
   ModuleTree tree;
   const auto left = tree.attach(0, Face::left, ModuleType::hinge, 1);
   const auto brick = tree.attach(left, Face::front, ModuleType::brick);
@@ -22,7 +22,7 @@ TEST_CASE("modules fill grid cells in the direction of their face") {
   CHECK(tree.path(beyond) == "left.front.left");
 }
 
-TEST_CASE("distance counts attachments between two modules") {
+TEST_CASE("module tree: distance -> number of attachments between two modules") {
   ModuleTree tree;
   const auto left = tree.attach(0, Face::left, ModuleType::hinge);
   const auto right = tree.attach(0, Face::right, ModuleType::hinge);
@@ -33,7 +33,7 @@ TEST_CASE("distance counts attachments between two modules") {
   CHECK(tree.distance(brick, right) == 3);
 }
 
-TEST_CASE("a module that cannot be attached leaves the tree as it was") {
+TEST_CASE("module tree: module that cannot be attached -> error, tree unchanged") {
   ModuleTree tree;
   const auto hinge = tree.attach(0, Face::front, ModuleType::hinge);
   const auto brick = tree.attach(hinge, Face::front, ModuleType::brick);
@@ -48,7 +48,7 @@ TEST_CASE("a module that cannot be attached leaves the tree as it was") {
   CHECK(tree.modules().size() == 3);
 }
 
-TEST_CASE("modules may not overlap") {
+TEST_CASE("module tree: overlapping modules -> error") {
   ModuleTree tree;
   std::size_t corner = tree.attach(0, Face::front, ModuleType::brick);
   corner = tree.attach(corner, Face::left, ModuleType::brick);

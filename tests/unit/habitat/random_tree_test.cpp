@@ -78,7 +78,7 @@ Face mirrored(Face face) {
 
 }  // namespace
 
-TEST_CASE("any tree gives a valid robot that weighs what its parts weigh") {
+TEST_CASE("random trees: any tree -> valid robot with the mass of its parts") {
   CHECK(rc::check([] {
     const Design design = design_of(random_attachments());
     const RobotModel robot = build(design);  // validates
@@ -96,7 +96,7 @@ TEST_CASE("any tree gives a valid robot that weighs what its parts weigh") {
   }));
 }
 
-TEST_CASE("hinge neighbours are at most two attachments apart, all others farther") {
+TEST_CASE("random trees: hinge neighbours -> at most two attachments apart, all others farther") {
   CHECK(rc::check([] {
     const Design design = design_of(random_attachments());
     const RobotModel robot = build(design);
@@ -118,7 +118,7 @@ TEST_CASE("hinge neighbours are at most two attachments apart, all others farthe
   }));
 }
 
-TEST_CASE("the mirror image of a tree is the mirror image of the robot") {
+TEST_CASE("random trees: mirrored tree -> mirrored robot") {
   CHECK(rc::check([] {
     std::vector<Attachment> attachments = random_attachments();
     const RobotModel robot = build(design_of(attachments));

@@ -61,7 +61,7 @@ RobotModel arm() {
 
 }  // namespace
 
-TEST_CASE("link frames: an arm that is bent points where its joint says, in a body that is turned") {
+TEST_CASE("link frames: bent arm of a turned body -> direction of its joint angle") {
   const RobotModel robot = arm();
   const Pose root{{0.0, 0.0, 3.0}, Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ()}}};
   const std::vector<double> bent{-std::numbers::pi / 2.0};
@@ -71,7 +71,7 @@ TEST_CASE("link frames: an arm that is bent points where its joint says, in a bo
   CHECK((bent_tip_m - Eigen::Vector3d{0.0, 1.0, 5.0}).norm() < 1e-12);
 }
 
-TEST_CASE("touch: boxes side by side, face to face and edge over edge") {
+TEST_CASE("touch: boxes side by side, face to face and edge over edge -> overlap or not") {
   const Eigen::Vector3d half_m{1.0, 1.0, 1.0};
   const auto straight = Eigen::Quaterniond::Identity();
   const PlacedBox a = placed(half_m, {0.0, 0.0, 0.0}, straight);
@@ -87,7 +87,7 @@ TEST_CASE("touch: boxes side by side, face to face and edge over edge") {
   CHECK_FALSE(touch(roof, placed(half_m, {0.0, 0.0, 2.0 * std::sqrt(2.0) + 1e-6}, on_edge)));
 }
 
-TEST_CASE("touch: random boxes do exactly if no gap is between them, whoever is asked and wherever the world stands") {
+TEST_CASE("touch: random boxes -> touch exactly if there is no gap, in any order and frame") {
   int touching = 0;
   for (std::uint64_t world = 0; world < 300; ++world) {
     CAPTURE(world);
@@ -109,7 +109,7 @@ TEST_CASE("touch: random boxes do exactly if no gap is between them, whoever is 
   CHECK(touching < 225);
 }
 
-TEST_CASE("touch: an arm reaches a wall, or another robot, where its joint lets it") {
+TEST_CASE("touch: arm bent by its joint -> reaches a wall or another robot") {
   const RobotModel robot = arm();
   const std::vector<double> up{-std::numbers::pi / 2.0};
   const auto boxes = [&](double x_m, const std::vector<double>& angles_rad) {

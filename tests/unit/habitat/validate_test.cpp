@@ -20,11 +20,11 @@ std::string broken(const std::function<void(RobotModel&)>& change) {
 
 }  // namespace
 
-TEST_CASE("a valid robot passes") {
+TEST_CASE("validate robot: valid robot -> accepted") {
   CHECK_NOTHROW(validate(load_robot("gecko")));
 }
 
-TEST_CASE("each broken invariant names robot, field, value and rule") {
+TEST_CASE("validate robot: broken invariant -> error with robot, field, value and rule") {
   CHECK(broken([](RobotModel& r) { r.hinges.pop_back(); }) == "robot spider: links.size() = 5: must be hinges.size() + 1 = 4");
   CHECK(broken([](RobotModel& r) { r.hinge_neighbours.pop_back(); }) ==
         "robot spider: hinge_neighbours.size() = 3: must be hinges.size() = 4");

@@ -16,7 +16,7 @@
 using namespace trophic;
 using initialization::community::FoodChain;
 
-TEST_CASE("food chain: web -> apex eat hunters, hunters eat grazers, and there is no other link") {
+TEST_CASE("food chain: web -> apex eat hunters, hunters eat grazers, no other link") {
   const FoodWeb web = FoodChain{}.web();
   REQUIRE(web.size() == 3);
   CHECK(web.name(FoodChain::grazer) == "grazer");
@@ -42,7 +42,7 @@ TEST_CASE("food chain: counts -> grazers first, then hunters, then apex predator
   }
 }
 
-TEST_CASE("food chain: more founders than robots -> an error that names the count and its bound") {
+TEST_CASE("food chain: more founders than robots -> error with the count and its bound") {
   CHECK_THROWS_WITH_AS(static_cast<void>(FoodChain{{.hunters = 31}}.founders(30)),
                        "rules.community.hunters = 31: must be <= 30, the number of robots", std::invalid_argument);
   CHECK_THROWS_WITH_AS(static_cast<void>(FoodChain{{.hunters = 9, .apex = 22}}.founders(30)),
@@ -50,7 +50,7 @@ TEST_CASE("food chain: more founders than robots -> an error that names the coun
                        std::invalid_argument);
 }
 
-TEST_CASE("food chain: 600 s with the paper's other rules -> all three species are still there") {
+TEST_CASE("food chain: 600 s with the paper's other rules -> all three species survive") {
   using Chain = with_community<rules::Paper, FoodChain>;
   Ecology<Chain> ecology{{.seed = 1}, backend::Kinematic::Params{}};
   ecology.run_until(600.0);

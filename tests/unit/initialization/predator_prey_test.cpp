@@ -9,7 +9,7 @@
 using namespace trophic;
 using initialization::community::PredatorPrey;
 
-TEST_CASE("predator and prey: one eats the other and nobody else") {
+TEST_CASE("predator prey: web -> predators eat prey, no other link") {
   const FoodWeb web = PredatorPrey{}.web();
   REQUIRE(web.size() == 2);
   CHECK(web.name(PredatorPrey::prey) == "prey");
@@ -20,7 +20,7 @@ TEST_CASE("predator and prey: one eats the other and nobody else") {
   CHECK(web.links().size() == 1);
 }
 
-TEST_CASE("founders: 16 prey, then 14 predators") {
+TEST_CASE("predator prey: default -> 16 prey, then 14 predators") {
   const std::vector<Species> founders = PredatorPrey{}.founders(30);
   REQUIRE(founders.size() == 30);
   for (std::size_t body = 0; body < 30; ++body) {
@@ -28,7 +28,7 @@ TEST_CASE("founders: 16 prey, then 14 predators") {
   }
 }
 
-TEST_CASE("founders: other numbers, none and all predators") {
+TEST_CASE("predator prey: other numbers, none or all predators -> as set") {
   const auto predators = [](std::size_t count, std::size_t robots) {
     return std::ranges::count(PredatorPrey{{.predators = count}}.founders(robots), PredatorPrey::predator);
   };
@@ -37,7 +37,7 @@ TEST_CASE("founders: other numbers, none and all predators") {
   CHECK(predators(100, 300) == 100);
 }
 
-TEST_CASE("founders: more predators than bodies is an error that names both numbers") {
+TEST_CASE("predator prey: more predators than bodies -> error with both numbers") {
   CHECK_THROWS_WITH_AS(static_cast<void>(PredatorPrey{}.founders(13)),
                        "rules.community.predators = 14: must be <= 13, the number of robots", std::invalid_argument);
 }

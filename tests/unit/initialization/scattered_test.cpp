@@ -24,7 +24,7 @@ Arena arena(double half_side_m) {
 
 }  // namespace
 
-TEST_CASE("scattered: everybody a radius from the walls and two from each other") {
+TEST_CASE("scattered: positions -> one radius from the walls, two from each other") {
   CHECK(rc::check([](std::uint64_t seed) {
     Rng rng{seed, Stream::placement};
     const double radius_m = 0.2 + 0.001 * static_cast<double>(seed % 300);
@@ -39,7 +39,7 @@ TEST_CASE("scattered: everybody a radius from the walls and two from each other"
   }));
 }
 
-TEST_CASE("scattered: positions and headings are uniform") {
+TEST_CASE("scattered: many placements -> uniform positions and headings") {
   std::vector<double> x_m;
   std::vector<double> y_m;
   std::vector<double> heading_rad;
@@ -59,7 +59,7 @@ TEST_CASE("scattered: positions and headings are uniform") {
   CHECK(std::abs(products) < 4.0 * (19.0 * 19.0 / 12.0) / std::sqrt(100'000.0));
 }
 
-TEST_CASE("scattered: too many robots or one too large is an error, not a loop without end") {
+TEST_CASE("scattered: too many robots or one too large -> error, no endless loop") {
   Rng rng{1, Stream::placement};
   CHECK_THROWS_AS(static_cast<void>(Scattered{}.place(10, arena(1.0), 0.5, rng)), std::invalid_argument);
   CHECK_THROWS_WITH_AS(static_cast<void>(Scattered{}.place(1, arena(1.0), 1.5, rng)),
@@ -67,7 +67,7 @@ TEST_CASE("scattered: too many robots or one too large is an error, not a loop w
   CHECK(Scattered{}.place(0, Arena{}, 0.2, rng).empty());
 }
 
-TEST_CASE("scattered: a thousand stand where a look at everybody placed before puts them") {
+TEST_CASE("scattered: a thousand robots -> positions of an exhaustive search") {
   for (const double radius_m : {0.05, 0.1, 0.2}) {
     CAPTURE(radius_m);
     Rng rng{7, Stream::placement};
@@ -91,7 +91,7 @@ TEST_CASE("scattered: a thousand stand where a look at everybody placed before p
   }
 }
 
-TEST_CASE("scattered: a robot as large as the arena stands in its middle, a larger one nowhere") {
+TEST_CASE("scattered: robot as large as the arena -> in its centre, larger -> error") {
   Rng rng{1, Stream::placement};
   const GroundPose only = Scattered{}.place(1, arena(0.5), 0.5, rng).at(0);
   CHECK(only.x_m == 0.0);

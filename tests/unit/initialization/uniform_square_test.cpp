@@ -20,7 +20,7 @@ Arena square_of(double half_side_m) {
 
 }  // namespace
 
-TEST_CASE("uniform square: positions uniform within +-9 m, everybody facing the same way") {
+TEST_CASE("uniform square: default -> positions uniform within +-9 m, equal headings") {
   Rng rng{2, Stream::placement};
   const std::vector<GroundPose> poses = UniformSquare{}.place(100'000, square_of(9.333), 0.2, rng);
   std::vector<double> x_m;
@@ -35,7 +35,7 @@ TEST_CASE("uniform square: positions uniform within +-9 m, everybody facing the 
   CHECK(test::chi_square(test::histogram(y_m, -9.0, 9.0, 20)) < 50.0);
 }
 
-TEST_CASE("uniform square: another square and heading, up to the arena's edge") {
+TEST_CASE("uniform square: another square and heading -> as set, up to the arena's edge") {
   Rng rng{3, Stream::placement};
   const UniformSquare rule{{.half_extent_m = 2.0, .heading_rad = 1.0}};
   for (const GroundPose& pose : rule.place(1000, square_of(2.0), 0.2, rng)) {
@@ -45,13 +45,13 @@ TEST_CASE("uniform square: another square and heading, up to the arena's edge") 
   }
 }
 
-TEST_CASE("uniform square: a square beyond the arena is an error that names both numbers") {
+TEST_CASE("uniform square: square larger than the arena -> error with both numbers") {
   Rng rng{4, Stream::placement};
   CHECK_THROWS_WITH_AS(static_cast<void>(UniformSquare{}.place(1, square_of(8.5), 0.2, rng)),
                        "rules.placement.half_extent_m = 9: must be <= 8.5, the arena's half side", std::invalid_argument);
 }
 
-TEST_CASE("uniform square: two draws a robot, so that more robots leave the first ones where they are") {
+TEST_CASE("uniform square: more robots -> same positions of the first ones, two draws each") {
   Rng few{5, Stream::placement};
   Rng many{5, Stream::placement};
   const auto first = UniformSquare{}.place(3, Arena{}, 0.2, few);

@@ -58,7 +58,7 @@ struct Stops {
 
 }  // namespace
 
-TEST_CASE("audience: each observer is told by the hooks that it has, in order") {
+TEST_CASE("audience: several observers -> each hook called, in order") {
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
   std::string told;
@@ -79,7 +79,7 @@ TEST_CASE("audience: each observer is told by the hooks that it has, in order") 
   CHECK(second.ticks == 1);
 }
 
-TEST_CASE("audience: everybody is asked whether to go on, whatever another said") {
+TEST_CASE("audience: keep_running -> every observer called") {
   std::string told;
   Everything refuses{told, false};
   Stops counts;
@@ -88,7 +88,7 @@ TEST_CASE("audience: everybody is asked whether to go on, whatever another said"
   CHECK(counts.asked == 1);
 }
 
-TEST_CASE("audience: brains are told of to whom wants to know, as long as it does") {
+TEST_CASE("audience: wants_decisions -> on_decision only while true") {
   struct Listens {
     bool wants = true;
     std::string told = {};
@@ -111,7 +111,7 @@ TEST_CASE("audience: brains are told of to whom wants to know, as long as it doe
   CHECK_FALSE(audience.wants_decisions());
 }
 
-TEST_CASE("audience: who saves the run is given it between two ticks") {
+TEST_CASE("audience: between_ticks -> called with the simulation") {
   struct Saves {
     std::string told = {};
     void between_ticks(Simulation& simulation, bool last) { told += std::to_string(simulation.tick()) + (last ? " last" : ", "); }
@@ -122,7 +122,7 @@ TEST_CASE("audience: who saves the run is given it between two ticks") {
   CHECK(saves.told == "1, 2 last");
 }
 
-TEST_CASE("audience: a tick can be given up if somebody has that hook, and is if anybody says so") {
+TEST_CASE("audience: cancels_tick of any observer -> tick cancelled") {
   struct Impatient {
     bool is_cancelled = false;
     bool cancels_tick() const { return is_cancelled; }

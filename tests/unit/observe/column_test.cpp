@@ -33,7 +33,7 @@ void check_columns() {
 
 }  // namespace
 
-TEST_CASE("columns: each is named once and explained, and its name ends in its unit") {
+TEST_CASE("columns: all tables -> unique names with help, ending in their unit") {
   static_assert(io::TableRow<io::EventRow> && !io::TableRow<NoColumns> && !io::TableRow<int>);
   check_columns<io::EventRow>();
   check_columns<io::AgentRow>();

@@ -25,7 +25,7 @@ struct Row {
 
 }  // namespace
 
-TEST_CASE("csv: cells are exact unless decimals are stated, nothing is empty, a comma is quoted") {
+TEST_CASE("csv: cells -> exact or with decimals, empty without a value, commas quoted") {
   CHECK(io::header_of<Row>() == "exact,rounded,none,yes,text\n");
   const FoodWeb web{{}, {}};
   std::string text;

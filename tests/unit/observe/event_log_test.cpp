@@ -7,7 +7,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("events: a catch names the victim, a death its cause and killer") {
+TEST_CASE("events: catch -> victim, death -> cause and killer") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "events.csv";
   const test::HandPopulation robots = test::three_robots();

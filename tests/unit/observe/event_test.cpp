@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("events: each kind has a name of its own, the one that files have") {
+TEST_CASE("events: kind -> name in files") {
   using observe::EventKind;
   std::set<std::string_view> names;
   for (const EventKind kind :

@@ -7,7 +7,7 @@
 using namespace trophic;
 using observe::FrameTimes;
 
-TEST_CASE("every tick has the same frames, as evenly apart as its steps allow, the last at its end") {
+TEST_CASE("frames: any rate -> same frames every tick, evenly spaced, the last at its end") {
   const FrameTimes times{.steps = 120, .tick_s = 2.0, .clock_scale = 1.0};
   CHECK(times.per_tick(5.0) == 10);
   CHECK(times.per_tick(0.0) == 0);

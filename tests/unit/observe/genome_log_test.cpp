@@ -7,7 +7,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("genomes: births alone, every weight exact, as many columns as weights") {
+TEST_CASE("genomes: birth -> a row with every weight, exact") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "genomes.csv";
   test::HandPopulation robots = test::three_robots();

@@ -40,7 +40,7 @@ struct WiderTick {
 
 }  // namespace
 
-TEST_CASE("hooks: any of them makes an observer, each found by its own name") {
+TEST_CASE("hooks: any single one -> an observer") {
   static_assert(observe::Observer<AllHooks> && observe::Observer<OnlyTicks> && observe::Observer<OnlySaves>);
   static_assert(observe::Observer<WiderTick>);
   using namespace observe::detail;

@@ -10,7 +10,7 @@
 
 using namespace trophic;
 
-TEST_CASE("joint progress: one line for each run that ends, however many run at once") {
+TEST_CASE("joint progress: concurrent runs -> one line for each that ends") {
   std::ostringstream out;
   observe::JointProgress joint{8, 6.0, out, false};
   {

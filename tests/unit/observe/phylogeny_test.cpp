@@ -9,7 +9,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("phylogeny: the dead when they die, the living at the end, roots without ancestor") {
+TEST_CASE("phylogeny: deaths and end -> rows, roots without ancestor") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "phylogeny.csv";
   test::HandPopulation robots = test::three_robots();

@@ -8,7 +8,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("progress: durations and numbers as people write them") {
+TEST_CASE("progress: durations and numbers -> readable text") {
   CHECK(observe::duration_text(0.4) == "0 s");
   CHECK(observe::duration_text(59.4) == "59 s");
   CHECK(observe::duration_text(59.6) == "1 min 0 s");
@@ -18,7 +18,7 @@ TEST_CASE("progress: durations and numbers as people write them") {
   CHECK(observe::short_text(100.4) == "100");
 }
 
-TEST_CASE("progress: the summary counts what it was told, with the engine's remarks") {
+TEST_CASE("progress: events -> counted in the summary, with the engine's remarks") {
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
   observe::RunDescription run = test::short_run();

@@ -9,7 +9,7 @@
 using namespace trophic;
 namespace recording = trophic::io::recording;
 
-TEST_CASE("recording format: a difference folds into a small number and back, for every 16 bits") {
+TEST_CASE("recording format: every 16-bit difference -> folded and back") {
   for (std::uint32_t number = 0; number < 65536; ++number) {
     REQUIRE(recording::unfolded(recording::folded(static_cast<std::uint16_t>(number))) == number);
   }
@@ -18,7 +18,7 @@ TEST_CASE("recording format: a difference folds into a small number and back, fo
   CHECK(recording::folded(1) == 2);
 }
 
-TEST_CASE("recording format: poses come back within their units, upside down as upright") {
+TEST_CASE("recording format: poses in any orientation -> read back within their units") {
   const recording::Units units;
   for (int i = 0; i < 2000; ++i) {
     const double u = 0.001 * i;
@@ -31,7 +31,7 @@ TEST_CASE("recording format: poses come back within their units, upside down as 
   }
 }
 
-TEST_CASE("recording format: a large arena has coarser units, so that its corners fit") {
+TEST_CASE("recording format: large arena -> coarser units") {
   const auto units = recording::Units::for_extent(3200.0);
   CHECK(units.position_m == doctest::Approx(0.1));
   CHECK(recording::whole(-3200.0, units.position_m) == -32000);

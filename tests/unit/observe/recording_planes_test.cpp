@@ -12,7 +12,7 @@ using namespace trophic;
 using io::recording::packed;
 using io::recording::unpacked;
 
-TEST_CASE("recording planes: frames come back column by column, whatever their numbers") {
+TEST_CASE("recording planes: any frames -> read back column by column") {
   Rng rng{3, Stream::user};
   for (const std::size_t columns : {1U, 7U, 42U}) {
     for (const std::size_t frames : {1U, 2U, 100U}) {
@@ -29,7 +29,7 @@ TEST_CASE("recording planes: frames come back column by column, whatever their n
   }
 }
 
-TEST_CASE("recording planes: bytes of other frames or that were cut are refused") {
+TEST_CASE("recording planes: bytes of other frames, or cut -> error") {
   const std::string bytes = packed(std::vector<std::int16_t>(60, 5), 6);
   CHECK_THROWS_AS(static_cast<void>(unpacked(bytes, 6, 11)), std::invalid_argument);
   CHECK_THROWS_AS(static_cast<void>(unpacked(bytes, 6, 9)), std::invalid_argument);

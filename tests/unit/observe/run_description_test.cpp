@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("fingerprint: what makes replicates, and nothing else, changes nothing") {
+TEST_CASE("fingerprint: seed, duration and threads -> same, anything else -> different") {
   const observe::RunDescription run = test::short_run();
   const std::string print = observe::fingerprint(run, "models");
   CHECK(print.size() == 16);

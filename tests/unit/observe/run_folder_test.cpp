@@ -10,7 +10,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("run folder: everything that a run leaves, and never twice") {
+TEST_CASE("run folder: run -> all files, never overwritten") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "deep" / "run";
   test::HandPopulation robots = test::three_robots();

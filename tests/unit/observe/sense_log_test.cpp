@@ -43,7 +43,7 @@ RobotModel cube() {
 
 }  // namespace
 
-TEST_CASE("senses: what each brain was told and answered, empty where it was not asked") {
+TEST_CASE("senses: decisions -> inputs and outputs, empty without a decision") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;
   const test::HandPopulation robots = test::three_robots();
@@ -75,7 +75,7 @@ TEST_CASE("senses: what each brain was told and answered, empty where it was not
   CHECK(log.sum().rows == 6);
 }
 
-TEST_CASE("senses: who was exempt and yet died was not exempt, nor is who lives in its body now") {
+TEST_CASE("senses: exempt individual that dies anyway -> not exempt, nor is its successor") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;
   test::HandPopulation robots{{{.species = test::predator, .id = 4}}};
@@ -87,7 +87,7 @@ TEST_CASE("senses: who was exempt and yet died was not exempt, nor is who lives 
   CHECK(test::content(path) == header + "0,0,0,5,predator,,,,,0,,,,,,\n");
 }
 
-TEST_CASE("senses: height, tilt and contacts by the bodies of the last frame, at the ticks that are asked for") {
+TEST_CASE("senses: requested ticks -> height, tilt and contacts of the last frame") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;
   test::HandPopulation robots = test::three_robots();

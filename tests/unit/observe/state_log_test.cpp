@@ -11,7 +11,7 @@
 
 using namespace trophic;
 
-TEST_CASE("states: a column for each member of each State, a row a robot and tick") {
+TEST_CASE("state log: run -> a column per member of each State, a row per robot and tick") {
   using Rules = with_senescence<rules::Paper, death::senescence::EnergyStore>;
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "states.csv";

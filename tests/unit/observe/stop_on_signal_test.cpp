@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("stop on signal: the first ends the run, and says which it was") {
+TEST_CASE("stop on signal: first signal -> run stops, signal reported") {
   static_assert(observe::Observer<const observe::StopOnSignal>);
   const observe::StopOnSignal stop;
   CHECK(stop.keep_running());

@@ -7,7 +7,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("tally: births by origin, deaths by cause, and nothing else") {
+TEST_CASE("tally: events -> births by origin, deaths by cause") {
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
   observe::Tally tally;

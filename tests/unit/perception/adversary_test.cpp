@@ -20,7 +20,7 @@ std::optional<Sighting> seen(BodyIndex self, const HandPopulation& robots) {
 
 }  // namespace
 
-TEST_CASE("the adversary is the closest opponent with the same tag, not the closest opponent") {
+TEST_CASE("adversary: closest opponent has another tag -> closest with the same tag") {
   const HandPopulation robots{{{.species = prey, .x_m = 1.0, .y_m = 1.0},
                                {.species = predator, .x_m = 1.5, .y_m = 1.0, .tag = -1},
                                {.species = predator, .x_m = 1.0, .y_m = 5.0},
@@ -36,7 +36,7 @@ TEST_CASE("the adversary is the closest opponent with the same tag, not the clos
   CHECK(seen(2, robots)->adversary == 0);  // exactly 4 m away, body 4 is sqrt(16.01) m away
 }
 
-TEST_CASE("bearing is relative to the own heading and positive to the right") {
+TEST_CASE("adversary: bearing -> relative to the own heading, positive to the right") {
   HandPopulation robots{{{.species = prey, .heading_rad = std::numbers::pi / 2.0}, {.species = predator, .x_m = 3.0}}};
   CHECK(seen(0, robots)->bearing_rad == doctest::Approx(std::numbers::pi / 2.0));
   CHECK(seen(1, robots)->bearing_rad == doctest::Approx(-std::numbers::pi));
@@ -46,25 +46,25 @@ TEST_CASE("bearing is relative to the own heading and positive to the right") {
   CHECK(seen(0, robots)->bearing_rad == 0.0);
 }
 
-TEST_CASE("hunters do not perceive inactive newborn, which themselves perceive hunters") {
+TEST_CASE("adversary: inactive newborn -> perceives hunters, not perceived by them") {
   const HandPopulation robots{{{.species = prey, .active = false}, {.species = predator, .x_m = 2.0}}};
   CHECK(seen(0, robots)->adversary == 1);
   CHECK_FALSE(seen(1, robots));
 }
 
-TEST_CASE("of two adversaries at the same distance the one in the lower body is taken") {
+TEST_CASE("adversary: equal distance -> lower body") {
   const HandPopulation robots{
       {{.species = predator, .x_m = -2.0}, {.species = prey}, {.species = predator, .x_m = 2.0}, {.species = prey, .x_m = 4.0}}};
   CHECK(seen(1, robots)->adversary == 0);
   CHECK(seen(2, robots)->adversary == 1);
 }
 
-TEST_CASE("nobody to perceive") {
+TEST_CASE("adversary: no visible opponent -> none") {
   CHECK_FALSE(seen(0, HandPopulation{{{.species = prey}}}));
   CHECK_FALSE(seen(0, HandPopulation{{{.species = prey}, {.species = prey, .x_m = 1.0}}}));
 }
 
-TEST_CASE("in a food chain the adversary of the middle species may be above or below it") {
+TEST_CASE("adversary: middle species of a food chain -> above or below it") {
   HandPopulation robots{{{.species = plant, .x_m = 3.0}, {.species = grazer}, {.species = hunter, .x_m = -2.0}}, chain_web()};
   CHECK(seen(1, robots)->adversary == 2);
   CHECK(seen(0, robots)->adversary == 1);
@@ -74,7 +74,7 @@ TEST_CASE("in a food chain the adversary of the middle species may be above or b
   CHECK(seen(2, robots)->adversary == 1);  // the plant is no opponent of the hunter
 }
 
-TEST_CASE("whoever is seen is a visible opponent and nobody visible is closer, the order of bodies does not matter") {
+TEST_CASE("adversary: random populations -> closest visible opponent, any order of bodies") {
   CHECK(rc::check([](std::uint64_t seed) {
     const HandPopulation robots = random_population(seed, 12, chain_web());
     const auto order = random_order(seed, 12);

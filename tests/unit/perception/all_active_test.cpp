@@ -6,7 +6,7 @@
 
 using namespace trophic;
 
-TEST_CASE("all_active: perceives whoever is active, whatever the tags") {
+TEST_CASE("all active: any tags -> perceives every active individual") {
   const perception::visibility::AllActive rule;
   Rng rng{1, Stream::visibility};
   const test::HandPopulation robots{{{.tag = 1}, {.tag = -1}, {.tag = 1, .active = false}, {.tag = -1, .active = false}}};

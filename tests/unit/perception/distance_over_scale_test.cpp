@@ -8,7 +8,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("distance over scale: 20 m is 1 in any arena, and so are all beyond it and nobody") {
+TEST_CASE("distance over scale: 20 m or more, or no adversary -> 1 in any arena") {
   HandPopulation robots{{}};
   robots.arena.extent_m = 24.0;
   const auto input = [&](const perception::sensors::DistanceOverScale& rule, double distance_m) {

@@ -8,7 +8,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("distance over terrain: the arena's extent is 1, and so are all beyond it and nobody") {
+TEST_CASE("distance over terrain: the arena's extent or more, or no adversary -> 1") {
   const perception::sensors::DistanceOverTerrain rule;
   HandPopulation robots{{}};
   Rng rng{1, Stream::sensors};

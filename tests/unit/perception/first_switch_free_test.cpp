@@ -49,7 +49,7 @@ TEST_CASE("first switch free: another cool-down -> from exactly then on") {
   CHECK(rule.may_switch(robots.individuals[0], robots.at_tick(55).view(), own) == MaySwitch::yes);
 }
 
-TEST_CASE("first switch free: in an ecology -> first switches come within 50 s of birth, also at once, later ones never do") {
+TEST_CASE("first switch free: in an ecology -> first switches also within 50 s of birth, later ones never") {
   struct {
     std::map<IndividualId, double> last_s = {};
     std::size_t at_birth = 0;

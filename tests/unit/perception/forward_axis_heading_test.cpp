@@ -8,7 +8,7 @@
 
 using namespace trophic;
 
-TEST_CASE("forward axis heading: where the forward axis points, also for a robot on its back or on a slope") {
+TEST_CASE("forward axis heading: robot upright, on its back or on a slope -> direction of its forward axis") {
   const perception::heading::ForwardAxisHeading rule;
   constexpr double quarter = std::numbers::pi / 2.0;
   const auto heading_rad = [&](const Eigen::Quaterniond& orientation) {

@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("free tags: a tag may change at the moment of the last change") {
+TEST_CASE("free tags: at the time of the last switch -> may switch") {
   HandPopulation robots{{{.species = prey, .tag_since_s = 200.0}}};
   robots.at_tick(100);
   CHECK(robots.view().time_s == 200.0);

@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("keeps body tag: a newborn shows what the body showed, a founder +1 or as set") {
+TEST_CASE("keeps body tag: newborn -> the body's tag, founder -> +1 or as set") {
   Rng rng{1, Stream::newborn_tag};
   const std::array tags{-1, 1};
   const perception::newborn_tag::KeepsBodyTag rule;
@@ -20,7 +20,7 @@ TEST_CASE("keeps body tag: a newborn shows what the body showed, a founder +1 or
   CHECK(negative.tag(std::nullopt, tags, rng) == -1);
 }
 
-TEST_CASE("keeps body tag: draws nothing") {
+TEST_CASE("keeps body tag: any newborn -> no draws") {
   Rng rng{1, Stream::newborn_tag};
   Rng untouched = rng;
   CHECK(perception::newborn_tag::KeepsBodyTag{}.tag(std::nullopt, std::array{-1, 1}, rng) == 1);

@@ -88,7 +88,7 @@ std::vector<double> values(const Any& list, const test::HandPopulation& robots, 
 
 }  // namespace
 
-TEST_CASE("list: the sizes of the sensors add up, and their values follow each other") {
+TEST_CASE("list: several sensors -> sizes add up, values in order") {
   static_assert(Sensors::size == 4 && Sensors::count == 3);
   static_assert(Sensors::is_sensor_list && !List<Place, int>::is_sensor_list);
   static_assert(List<>::size == 0);
@@ -98,12 +98,12 @@ TEST_CASE("list: the sizes of the sensors add up, and their values follow each o
   CHECK(values(List<TagRatioOfAll, Place>{}, robots, std::nullopt) == std::vector<double>{0.25, 3.0, -2.0});
 }
 
-TEST_CASE("list: it is named by its sensors") {
+TEST_CASE("list: name -> names of its sensors") {
   CHECK(Sensors::name == "place + tag_ratio_of_all + distance_over_scale");
   CHECK(List<Place>::name == "place");
 }
 
-TEST_CASE("list: each sensor's numbers are set under its name") {
+TEST_CASE("list: numbers -> under the name of each sensor") {
   Sensors::Params params;
   read_numbers(params, read_assignment("distance_over_scale.full_scale_m=10"));
   const NamedParams settings = named_params_of(params);
@@ -121,14 +121,14 @@ TEST_CASE("list: each sensor's numbers are set under its name") {
                        std::invalid_argument);
 }
 
-TEST_CASE("list: one sensor is replaced by another where it stands") {
+TEST_CASE("list: swap -> sensor replaced in its place") {
   static_assert(
       std::same_as<Sensors::Replaced<DistanceOverScale, DistanceOverTerrain>, List<Place, TagRatioOfAll, DistanceOverTerrain>>);
   static_assert(std::same_as<Sensors::At<1>, TagRatioOfAll>);
   static_assert(Sensors::contains<Place> && !Sensors::contains<SideOfAdversary>);
 }
 
-TEST_CASE("list: what one sensor draws does not shift another's") {
+TEST_CASE("list: draws of one sensor -> others unchanged") {
   using Noisy = List<Noise, OtherNoise>;
   const test::HandPopulation robots{{{}}};
   const auto frugal = values(Noisy{}, robots, std::nullopt);
@@ -136,7 +136,7 @@ TEST_CASE("list: what one sensor draws does not shift another's") {
   CHECK(frugal[0] != frugal[1]);
 }
 
-TEST_CASE("list: a sensor's state stands under its name, is told of what happens and is born as the sensor says") {
+TEST_CASE("list: sensor with a State -> under its name, hooks called, born by the sensor") {
   using Remembering = List<Place, Loneliness, TagRatioOfAll, test::Odometer>;
   static_assert(!Stateful<Sensors> && Stateful<Remembering> && SensorList<Remembering>);
   const Remembering list;

@@ -8,7 +8,7 @@
 
 using namespace trophic;
 
-TEST_CASE("random tag: each of the tags with equal probability, whatever the body showed") {
+TEST_CASE("random tag: any body tag -> each tag with equal probability") {
   const perception::newborn_tag::RandomTag rule;
   constexpr int size = 100'000;
   for (const std::optional<int> body_tag : {std::optional<int>{}, std::optional{1}, std::optional{-1}}) {
@@ -23,7 +23,7 @@ TEST_CASE("random tag: each of the tags with equal probability, whatever the bod
   }
 }
 
-TEST_CASE("random tag: one draw") {
+TEST_CASE("random tag: one newborn -> one draw") {
   Rng rng{1, Stream::newborn_tag};
   Rng reference = rng;
   const int tag = perception::newborn_tag::RandomTag{}.tag(std::nullopt, std::array{4, 5, 6}, rng);

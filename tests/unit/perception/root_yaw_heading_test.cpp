@@ -26,7 +26,7 @@ double angle_to(const Eigen::Quaterniond& q, double beta_rad) {
 
 }  // namespace
 
-TEST_CASE("root yaw heading: the released code's formula puts everybody on the same side, whatever the tilt") {
+TEST_CASE("root yaw heading: any tilt -> same side as in the released code's formula") {
   const perception::heading::RootYawHeading rule;
   Rng rng{1, Stream::user};
   for (int i = 0; i < 2000; ++i) {
@@ -39,7 +39,7 @@ TEST_CASE("root yaw heading: the released code's formula puts everybody on the s
   }
 }
 
-TEST_CASE("root yaw heading: on its back a spider faces 90 degrees off its forward axis") {
+TEST_CASE("root yaw heading: spider on its back -> 90 degrees off its forward axis") {
   const perception::heading::RootYawHeading rule;
   const Pose back{.position_m = {},
                   .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi, Eigen::Vector3d::UnitX()}}};

@@ -6,7 +6,7 @@
 
 using namespace trophic;
 
-TEST_CASE("same tag: perceives active individuals of the own tag, whatever its own activity") {
+TEST_CASE("same tag: own activity -> irrelevant, perceives active individuals with its tag") {
   const perception::visibility::SameTag rule;
   Rng rng{1, Stream::visibility};
   for (const bool own_active : {true, false}) {

@@ -10,7 +10,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("side away from hunter: +1 is predator on the left for prey and prey on the right for predators") {
+TEST_CASE("side away from hunter: predator on the left of prey, prey on the right of predator -> +1") {
   const perception::sensors::SideAwayFromHunter rule;
   // both face +y: the predator is on the prey's left and the prey on the predator's right
   HandPopulation robots{{{.species = prey, .x_m = 1.0, .heading_rad = std::numbers::pi / 2.0},
@@ -29,7 +29,7 @@ TEST_CASE("side away from hunter: +1 is predator on the left for prey and prey o
   CHECK(rule.sense(0, std::nullopt, robots.view(), rng)[0] == 0.0);
 }
 
-TEST_CASE("side away from hunter: a middle species turns away from what eats it and towards what it eats") {
+TEST_CASE("side away from hunter: middle species -> away from its predators, towards its prey") {
   const perception::sensors::SideAwayFromHunter rule;
   const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = hunter}}, chain_web()};
   const auto input = [&](BodyIndex adversary) {
@@ -41,7 +41,7 @@ TEST_CASE("side away from hunter: a middle species turns away from what eats it 
   CHECK(input(2) == -1.0);
 }
 
-TEST_CASE("side away from hunter: straight ahead counts as the right") {
+TEST_CASE("side away from hunter: straight ahead -> counts as right") {
   const perception::sensors::SideAwayFromHunter rule;
   const HandPopulation robots{{{.species = prey}, {.species = predator}}};
   const auto input = [&](double bearing_rad) {

@@ -10,7 +10,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("side of adversary: -1 on the left, +1 on the right and 0 for nobody, for prey and for predators") {
+TEST_CASE("side of adversary: left -> -1, right -> +1, none -> 0, for prey and predators") {
   const perception::sensors::SideOfAdversary rule;
   // both face +y: what has a smaller x is on the left
   const HandPopulation robots{{{.species = prey, .x_m = 1.0, .heading_rad = std::numbers::pi / 2.0},
@@ -22,7 +22,7 @@ TEST_CASE("side of adversary: -1 on the left, +1 on the right and 0 for nobody, 
   CHECK(rule.sense(0, std::nullopt, view, rng)[0] == 0.0);
 }
 
-TEST_CASE("side of adversary: straight ahead counts as right and straight behind as left") {
+TEST_CASE("side of adversary: straight ahead -> right, straight behind -> left") {
   const perception::sensors::SideOfAdversary rule;
   const HandPopulation robots{{{.species = prey}, {.species = predator, .x_m = 2.0}}};
   const auto side = [&](double bearing_rad) {

@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or birth on") {
+TEST_CASE("tag cool-down: exactly 50 s or more after the last switch or birth -> may switch") {
   const perception::tag_switch::TagCoolDown rule;
   HandPopulation robots{{{.tag_since_s = 0.0}, {.tag_since_s = 30.0}}};
   const auto may = [&](BodyIndex body, std::int64_t tick) {
@@ -22,12 +22,12 @@ TEST_CASE("tag cool-down: may switch from exactly 50 s after the last switch or 
   CHECK(may(1, 40));
 }
 
-TEST_CASE("tag cool-down: runs from the last switch, not from the last opportunity") {
+TEST_CASE("tag cool-down: decisions without a switch -> clock unchanged") {
   const HandPopulation robots = HandPopulation{{{.species = prey}}}.at_tick(1000);
   CHECK(perception::tag_switch::TagCoolDown{}.may_switch(robots.individuals[0], robots.view()) == perception::MaySwitch::yes);
 }
 
-TEST_CASE("tag cool-down: another pause, none") {
+TEST_CASE("tag cool-down: another cool-down, or 0 -> as set") {
   HandPopulation robots{{{.tag_since_s = 10.0}}};
   const auto may = [&](double cool_down_s, std::int64_t tick) {
     robots.at_tick(tick);

@@ -18,7 +18,7 @@ double ratio_of(const perception::sensors::TagRatioOfActive& rule, const View& v
 
 }  // namespace
 
-TEST_CASE("tag ratio of active: inactive newborn count neither as P nor as N") {
+TEST_CASE("tag ratio of active: inactive newborn -> not counted") {
   const perception::sensors::TagRatioOfActive rule;
   CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}, {.tag = 1}, {.tag = 1}, {.tag = -1}}}.view()) == 0.25);
   CHECK(ratio_of(rule,
@@ -29,7 +29,7 @@ TEST_CASE("tag ratio of active: inactive newborn count neither as P nor as N") {
   CHECK(ratio_of(rule, HandPopulation{{{.tag = 1, .active = false}}}.view()) == 0.0);
 }
 
-TEST_CASE("tag ratio of active: within +-1/2, changes sign with all tags, and the order of bodies does not matter") {
+TEST_CASE("tag ratio of active: random populations -> within +-1/2, odd in all tags, any order of bodies") {
   CHECK(rc::check([](std::uint64_t seed) {
     const perception::sensors::TagRatioOfActive rule;
     HandPopulation robots = random_population(seed, 1 + seed % 30);

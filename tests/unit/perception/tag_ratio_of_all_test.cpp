@@ -18,7 +18,7 @@ double ratio_of(const perception::sensors::TagRatioOfAll& rule, const View& view
 
 }  // namespace
 
-TEST_CASE("tag ratio of all: (P - N/2) / N, inactive newborn included") {
+TEST_CASE("tag ratio of all: P of N robots tagged +1 -> (P - N/2) / N, inactive newborn included") {
   const perception::sensors::TagRatioOfAll rule;
   CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}, {.tag = 1}, {.tag = 1}, {.tag = -1}}}.view()) == 0.25);
   CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}, {.tag = -1}, {.tag = -1, .active = false}, {.tag = -1}}}.view()) == -0.25);
@@ -27,7 +27,7 @@ TEST_CASE("tag ratio of all: (P - N/2) / N, inactive newborn included") {
   CHECK(ratio_of(rule, HandPopulation{{{.tag = -1}, {.tag = -1}}}.view()) == -0.5);
 }
 
-TEST_CASE("tag ratio of all: within +-1/2, changes sign with all tags, and the order of bodies does not matter") {
+TEST_CASE("tag ratio of all: random populations -> within +-1/2, odd in all tags, any order of bodies") {
   CHECK(rc::check([](std::uint64_t seed) {
     const perception::sensors::TagRatioOfAll rule;
     HandPopulation robots = random_population(seed, 1 + seed % 30);

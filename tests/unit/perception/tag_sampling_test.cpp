@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("tag sampling: the brain's tag is taken 100 s after the clock's start, and the clock starts again whatever it was") {
+TEST_CASE("tag sampling: 100 s after the clock's start -> brain's tag sampled, clock restarts in any case") {
   const perception::tag_switch::TagSampling rule;
   HandPopulation robots{{{.tag_since_s = 0.0}, {.tag_since_s = 30.0}}};
   const auto may = [&](BodyIndex body, std::int64_t tick) {
@@ -21,7 +21,7 @@ TEST_CASE("tag sampling: the brain's tag is taken 100 s after the clock's start,
   CHECK(rule.may_switch(robots.individuals[0], robots.at_tick(50).view()) == perception::MaySwitch::yes_and_clock_restarts);
 }
 
-TEST_CASE("tag sampling: another period") {
+TEST_CASE("tag sampling: another period -> as set") {
   HandPopulation robots{{{.tag_since_s = 0.0}}};
   robots.at_tick(3);
   CHECK(perception::tag_switch::TagSampling{{.period_s = 6.0}}.may_switch(robots.individuals[0], robots.view()) !=

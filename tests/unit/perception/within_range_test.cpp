@@ -9,7 +9,7 @@ using namespace trophic;
 using test::predator;
 using test::prey;
 
-TEST_CASE("within range: perceives the own tag at exactly the range, not beyond it, and nobody inactive or of another tag") {
+TEST_CASE("within range: own tag at exactly the range -> perceived, beyond, inactive or other tag -> not") {
   const perception::visibility::WithinRange rule{{.range_m = 5.0}};
   Rng rng{1, Stream::visibility};
   const test::HandPopulation robots{
@@ -19,7 +19,7 @@ TEST_CASE("within range: perceives the own tag at exactly the range, not beyond 
   for (BodyIndex other = 2; other < 5; ++other) CHECK_FALSE(rule.perceives(0, other, robots.view(), rng));
 }
 
-TEST_CASE("within range: the adversary is the closest in range, or nobody") {
+TEST_CASE("within range: adversary -> closest in range, or none") {
   const perception::visibility::WithinRange rule{{.range_m = 3.0}};
   test::HandPopulation robots{
       {{.species = prey}, {.species = predator, .x_m = 2.0}, {.species = predator, .x_m = 1.0, .tag = -1}}};

@@ -6,7 +6,7 @@
 
 using namespace trophic;
 
-TEST_CASE("always inherited: every controller, nothing is drawn, and without a parent it is random") {
+TEST_CASE("always inherited: any controller -> of a parent, no draws, without a parent -> random") {
   const reproduction::genome_source::AlwaysInherited rule;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Rng rng{seed, Stream::genome_source};

@@ -20,7 +20,7 @@ using Four = ByCause<Killer, NearestVictim, LastKiller, NearestConspecific>;
 
 static_assert(reproduction::Parent<Four>);
 
-TEST_CASE("by cause: each cause of death has its own rule") {
+TEST_CASE("by cause: cause of death -> its own rule") {
   const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 1.0}, {.species = predator, .x_m = 3.0}}};
   const std::vector<LastKiller::State> killers{{.killer = ancestor(77, predator)}, {}, {}};
   Four::States states;
@@ -36,7 +36,7 @@ TEST_CASE("by cause: each cause of death has its own rule") {
   CHECK(parent(Cause::senescence) == 2);
 }
 
-TEST_CASE("by cause: a cause without a rule has no parent and is not named") {
+TEST_CASE("by cause: cause without a rule -> no parent, not in the name") {
   using Two = ByCause<Killer, NearestVictim>;
   const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 1.0}}};
   Rng rng{1, Stream::parent};
@@ -47,7 +47,7 @@ TEST_CASE("by cause: a cause without a rule has no parent and is not named") {
   CHECK(Four::name == "caught: killer, starved: nearest_victim, sacrificed: last_killer, senescence: nearest_conspecific");
 }
 
-TEST_CASE("by cause: numbers have the name of their cause") {
+TEST_CASE("by cause: numbers -> under the name of their cause") {
   std::vector<std::string> paths;
   for (const NamedParam& param : named_params_of(Four::Params{})) paths.push_back(param.path);
   CHECK(paths == std::vector<std::string>{"starved.range_m"});

@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("killer: the hunter that catches is the parent") {
+TEST_CASE("killer: catch -> the hunter is the parent") {
   const reproduction::parent::Killer rule;
   const HandPopulation robots{
       {{.species = prey}, {.species = predator, .x_m = 0.1, .id = 41}, {.species = predator, .x_m = 0.9, .id = 42}}};
@@ -19,7 +19,7 @@ TEST_CASE("killer: the hunter that catches is the parent") {
   CHECK(parent->genome == robots.individuals[2].genome);
 }
 
-TEST_CASE("killer: no parent where nobody killed") {
+TEST_CASE("killer: death without a killer -> no parent") {
   Rng rng{1, Stream::parent};
   const HandPopulation robots{{{.species = prey}, {.species = predator}}};
   CHECK_FALSE(reproduction::parent::Killer{}.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng));

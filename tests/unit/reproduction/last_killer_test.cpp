@@ -9,7 +9,7 @@ using namespace trophic;
 using namespace trophic::test;
 using reproduction::parent::LastKiller;
 
-TEST_CASE("last killer: whoever last caught somebody in this body, dead by now or not") {
+TEST_CASE("last killer: catches in this body -> the last hunter, dead or alive") {
   const LastKiller rule;
   const HandPopulation robots{{{.species = prey}, {.species = predator, .x_m = 0.1}}};
   const std::vector<LastKiller::State> states{{.killer = ancestor(77, predator)}, {}};
@@ -24,7 +24,7 @@ TEST_CASE("last killer: whoever last caught somebody in this body, dead by now o
   CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .successor = prey}, robots.view(), rng, states));
 }
 
-TEST_CASE("last killer: a catch is remembered in the caught body, whoever is born there") {
+TEST_CASE("last killer: birth in the caught body -> killer still remembered") {
   const LastKiller rule;
   const HandPopulation robots{{{.species = prey}, {.species = predator, .x_m = 0.1}}};
   LastKiller::State own{.killer = ancestor(77, predator)};

@@ -10,7 +10,7 @@ using namespace trophic;
 using namespace trophic::test;
 using reproduction::parent::LastSeenVictim;
 
-TEST_CASE("last seen victim: whoever the body remembers, at any distance, though another prey stands beside it") {
+TEST_CASE("last seen victim: another prey is closer -> the remembered one, at any distance") {
   const LastSeenVictim rule;
   const HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.1}}};
   const std::vector<LastSeenVictim::State> states{{.body = 1, .victim = ancestor(77, prey)}, {}};
@@ -21,7 +21,7 @@ TEST_CASE("last seen victim: whoever the body remembers, at any distance, though
   CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::starved, .killer = {}}, robots.view(), rng, empty));
 }
 
-TEST_CASE("last seen victim: renewed when another body becomes the closest, whoever is reborn in the remembered one") {
+TEST_CASE("last seen victim: birth in the remembered body -> unchanged, another body closest -> renewed") {
   const LastSeenVictim rule;
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 1.0}, {.species = prey, .x_m = 2.0}}};
   LastSeenVictim::State own;
@@ -43,7 +43,7 @@ TEST_CASE("last seen victim: renewed when another body becomes the closest, whoe
   CHECK_FALSE(own.victim);
 }
 
-TEST_CASE("last seen victim: what it does not eat is not remembered") {
+TEST_CASE("last seen victim: species that it does not eat -> not remembered") {
   const LastSeenVictim rule;
   const HandPopulation robots{{{.species = grazer}, {.species = hunter, .x_m = 1.0}, {.species = plant, .x_m = 4.0}},
                               chain_web()};

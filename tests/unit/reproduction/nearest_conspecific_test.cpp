@@ -7,7 +7,7 @@
 using namespace trophic;
 using namespace trophic::test;
 
-TEST_CASE("nearest conspecific: the closest of the dying one's species, tags and activity ignored, alone: nobody") {
+TEST_CASE("nearest conspecific: any tags and activity -> closest of the species, alone -> none") {
   const reproduction::parent::NearestConspecific rule;
   Rng rng{1, Stream::parent};
   const HandPopulation robots{{{.species = prey},

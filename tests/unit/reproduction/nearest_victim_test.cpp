@@ -21,7 +21,7 @@ std::optional<IndividualId> parent_of(BodyIndex body, const HandPopulation& robo
 
 }  // namespace
 
-TEST_CASE("nearest victim: the closest prey, whatever tags and activity") {
+TEST_CASE("nearest victim: any tags and activity -> closest prey") {
   const HandPopulation robots{{{.species = predator},
                                {.species = prey, .x_m = 3.0, .tag = 1},
                                {.species = prey, .y_m = -2.0, .tag = -1, .active = false},
@@ -29,7 +29,7 @@ TEST_CASE("nearest victim: the closest prey, whatever tags and activity") {
   CHECK(parent_of(0, robots) == 2);
 }
 
-TEST_CASE("nearest victim: exactly at the range is within it") {
+TEST_CASE("nearest victim: distance equal to the range -> within it") {
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 4.0}}};
   CHECK(parent_of(0, robots) == 1);
   robots.poses[1].x_m = 4.0000001;
@@ -37,13 +37,13 @@ TEST_CASE("nearest victim: exactly at the range is within it") {
   CHECK(parent_of(0, robots, {{.range_m = 5.0}}) == 1);
 }
 
-TEST_CASE("nearest victim: at equal distance the lower body, nobody without prey") {
+TEST_CASE("nearest victim: equal distance -> lower body, no prey -> none") {
   CHECK(parent_of(1, HandPopulation{{{.species = prey, .x_m = -1.0}, {.species = predator}, {.species = prey, .x_m = 1.0}}}) ==
         0);
   CHECK(parent_of(0, HandPopulation{{{.species = predator}, {.species = predator, .x_m = 1.0}}}) == std::nullopt);
 }
 
-TEST_CASE("nearest victim: in a food chain only of the species that the dead one ate") {
+TEST_CASE("nearest victim: food chain -> only species that the dead individual ate") {
   const HandPopulation robots{{{.species = plant, .x_m = 2.0}, {.species = grazer, .x_m = 1.0}, {.species = hunter}},
                               chain_web()};
   CHECK(parent_of(2, robots) == 1);
@@ -51,7 +51,7 @@ TEST_CASE("nearest victim: in a food chain only of the species that the dead one
   CHECK(parent_of(0, robots) == std::nullopt);
 }
 
-TEST_CASE("nearest victim: no prey is closer, and the order of bodies does not matter") {
+TEST_CASE("nearest victim: random populations -> closest prey, any order of bodies") {
   CHECK(rc::check([](std::uint64_t seed) {
     const HandPopulation robots = random_population(seed, 15);
     const auto order = random_order(seed, 15);

@@ -6,7 +6,7 @@
 
 using namespace trophic;
 
-TEST_CASE("no mutation: weights stay and nothing is drawn") {
+TEST_CASE("no mutation: any genome -> weights unchanged, no draws") {
   std::vector<double> weights{0.5, -1.0, 7.0};
   Rng rng{1, Stream::mutation};
   Rng reference = rng;

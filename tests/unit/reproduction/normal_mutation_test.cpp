@@ -9,7 +9,7 @@
 using namespace trophic;
 using reproduction::mutation::NormalMutation;
 
-TEST_CASE("normal mutation: steps are normal with mean 0 and the given sd, alike for every weight") {
+TEST_CASE("normal mutation: many steps -> normal with mean 0 and the given sd for every weight") {
   constexpr std::size_t offspring = 10'000;
   const std::vector<double> parent{0.0, 0.9, -3.0, 0.5, 1.0, -1.0, 0.1, 0.2, 0.3, 0.4,
                                    0.5, 0.6, 0.7,  0.8, 0.9, -0.1, 0.0, 0.0, 0.0, 0.0};
@@ -36,7 +36,7 @@ TEST_CASE("normal mutation: steps are normal with mean 0 and the given sd, alike
   }
 }
 
-TEST_CASE("normal mutation: weights are not clipped, sd 0 changes nothing, no weights need no draws") {
+TEST_CASE("normal mutation: large weights -> not clipped, sd 0 -> unchanged, no weights -> no draws") {
   std::vector<double> weights(1000, 1.0);
   Rng rng{1, Stream::mutation};
   NormalMutation{}.mutate(weights, Individual{}, rng);
@@ -49,7 +49,7 @@ TEST_CASE("normal mutation: weights are not clipped, sd 0 changes nothing, no we
   CHECK(rng.bits() == untouched.bits());
 }
 
-TEST_CASE("normal mutation: each weight's own draw is added to it, in order") {
+TEST_CASE("normal mutation: weights -> each plus its own draw, in order") {
   std::vector<double> weights{0.5, -2.0, 0.0};
   Rng rng{3, Stream::mutation};
   Rng draws = rng;

@@ -6,7 +6,7 @@
 
 using namespace trophic;
 
-TEST_CASE("nothing inherited: no genome is passed on") {
+TEST_CASE("nothing inherited: any parent -> no genome passed on") {
   const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.5}});
   CHECK(reproduction::heredity::NothingInherited{}.inherit(parent) == nullptr);
 }

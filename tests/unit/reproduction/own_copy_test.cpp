@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("own copy: equal weights in another object, so that mutation leaves the parent as it is") {
+TEST_CASE("own copy: parent -> equal weights in another object, parent unchanged by mutation") {
   const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.25, -0.5}});
   const auto offspring = reproduction::heredity::OwnCopy{}.inherit(parent);
   REQUIRE(offspring != parent);

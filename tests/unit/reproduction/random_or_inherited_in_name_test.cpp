@@ -10,12 +10,12 @@ using reproduction::Descent;
 using reproduction::genome_source::RandomOrInherited;
 using reproduction::genome_source::RandomOrInheritedInName;
 
-TEST_CASE("random or inherited in name: whoever finds no parent is labelled inherited") {
+TEST_CASE("random or inherited in name: no parent -> labelled inherited") {
   Rng rng{1, Stream::genome_source};
   CHECK(RandomOrInheritedInName{{.random_share = 0.0}}.descent(rng) == Descent::of_parent_in_name);
 }
 
-TEST_CASE("random or inherited in name: the draws are those of random or inherited") {
+TEST_CASE("random or inherited in name: draws -> those of random or inherited") {
   for (const double random_share : {0.0, 1.0 / 3.0, 0.34, 1.0}) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
       Rng rng{seed, Stream::genome_source};

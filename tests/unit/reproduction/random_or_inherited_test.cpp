@@ -8,7 +8,7 @@ using namespace trophic;
 using reproduction::Descent;
 using reproduction::genome_source::RandomOrInherited;
 
-TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
+TEST_CASE("random or inherited: many draws -> 1/3 random and 2/3 inherited, or as set") {
   constexpr int size = 200'000;
   for (const double random_share : {1.0 / 3.0, 0.34, 0.0, 1.0}) {
     const RandomOrInherited rule{{.random_share = random_share}};
@@ -23,12 +23,12 @@ TEST_CASE("random or inherited: 1/3 random and 2/3 inherited, or as set") {
   CHECK(RandomOrInherited{}.params.random_share == 1.0 / 3.0);
 }
 
-TEST_CASE("random or inherited: whoever should have inherited but found no parent is labelled random") {
+TEST_CASE("random or inherited: no parent -> labelled random") {
   Rng rng{1, Stream::genome_source};
   CHECK(RandomOrInherited{{.random_share = 0.0}}.descent(rng) == Descent::of_parent);
 }
 
-TEST_CASE("random or inherited: one draw") {
+TEST_CASE("random or inherited: one controller -> one draw") {
   Rng rng{1, Stream::genome_source};
   Rng reference = rng;
   const Descent descent = RandomOrInherited{}.descent(rng);

@@ -6,7 +6,7 @@
 
 using namespace trophic;
 
-TEST_CASE("shared copy: one object for parent, offspring and grandchild, so that each mutation reaches all") {
+TEST_CASE("shared copy: parent, offspring and grandchild -> one object, each mutation reaches all") {
   const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.25, -0.5}});
   const reproduction::heredity::SharedCopy rule;
   const auto offspring = rule.inherit(parent);

@@ -11,7 +11,7 @@
 using namespace trophic;
 using reproduction::mutation::UniformMutation;
 
-TEST_CASE("uniform mutation: steps are uniform within +-half width") {
+TEST_CASE("uniform mutation: many steps -> uniform within +-half width") {
   std::vector<double> weights(200'000, 0.0);
   Rng rng{12, Stream::mutation};
   UniformMutation{}.mutate(weights, Individual{}, rng);
@@ -26,7 +26,7 @@ TEST_CASE("uniform mutation: steps are uniform within +-half width") {
   CHECK(test::chi_square(test::histogram(weights, -0.05, 0.05, 20)) < 50.0);  // 19 degrees of freedom: p = 1e-4
 }
 
-TEST_CASE("uniform mutation: weights at the limit stay there half of the time") {
+TEST_CASE("uniform mutation: weight at the limit -> stays there half of the time") {
   std::vector<double> weights(100'000, 1.0);
   Rng rng{13, Stream::mutation};
   UniformMutation{}.mutate(weights, Individual{}, rng);
@@ -38,7 +38,7 @@ TEST_CASE("uniform mutation: weights at the limit stay there half of the time") 
   CHECK(static_cast<double>(at_limit) == doctest::Approx(50'000.0).epsilon(4.0 / 316.0));
 }
 
-TEST_CASE("uniform mutation: no step is longer than half width and no weight leaves the limits") {
+TEST_CASE("uniform mutation: any weights -> steps within half width, weights within limits") {
   CHECK(rc::check([](std::uint64_t seed) {
     Rng rng{seed, Stream::user};
     const UniformMutation rule{{.half_width = rng.uniform(0.0, 0.5), .limit = rng.uniform(0.1, 2.0)}};
@@ -53,7 +53,7 @@ TEST_CASE("uniform mutation: no step is longer than half width and no weight lea
   }));
 }
 
-TEST_CASE("uniform mutation: each weight's own draw is added to it, in order") {
+TEST_CASE("uniform mutation: weights -> each plus its own draw, in order") {
   std::vector<double> weights{0.5, -0.5, 0.0};
   Rng rng{3, Stream::mutation};
   Rng draws = rng;

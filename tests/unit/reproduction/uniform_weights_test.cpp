@@ -9,7 +9,7 @@
 using namespace trophic;
 using reproduction::initial_genome::UniformWeights;
 
-TEST_CASE("uniform weights: uniform in -1 to 1, whatever the genome held before") {
+TEST_CASE("uniform weights: any previous content -> uniform in -1 to below 1") {
   std::vector<double> weights(200'000, 17.0);
   Rng rng{14, Stream::initial_genome};
   UniformWeights{}.draw(weights, rng);
@@ -24,7 +24,7 @@ TEST_CASE("uniform weights: uniform in -1 to 1, whatever the genome held before"
   CHECK(test::chi_square(test::histogram(weights, -1.0, 1.0, 20)) < 50.0);  // 19 degrees of freedom: p = 1e-4
 }
 
-TEST_CASE("uniform weights: another limit, none") {
+TEST_CASE("uniform weights: another limit, or 0 -> as set") {
   std::vector<double> weights(10'000);
   Rng rng{15, Stream::initial_genome};
   UniformWeights{{.limit = 0.25}}.draw(weights, rng);

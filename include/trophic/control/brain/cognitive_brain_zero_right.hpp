@@ -6,7 +6,7 @@
 
 namespace trophic::control::brain {
 
-/// As CognitiveBrain, but an angle output of exactly 0 counts as positive and turns right (released code). That happens where all
+/// As CognitiveBrain, but an angle output of exactly 0 counts as positive and turns right (released code). That happens if all
 /// inputs are 0, since the network has no biases.
 using CognitiveBrainZeroRight = CognitiveNetwork<Biases::none, ZeroTurns::right>;
 static_assert(Brain<CognitiveBrainZeroRight>);

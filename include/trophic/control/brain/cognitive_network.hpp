@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's network with what it leaves open: biases, and which way an output of zero turns.
+// The paper's network with its open choices: biases, and the turn for an output of zero.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace trophic::control::brain {
 
-/// Which way an angle output of exactly 0 turns.
+/// The turn for an angle output of exactly 0.
 enum class ZeroTurns { left, right };
 
-/// Fully connected tanh network with one hidden layer of 3 neurons, whatever the number of inputs. Target angle +0.7 rad if
-/// out[0] > 0 (or >= 0 where zero turns right), else -0.7 rad; tag +1 if out[1] > 0, else -1 (Sec. "Outputs").   Random draws: 0.
+/// Fully connected tanh network with one hidden layer of 3 neurons and any number of inputs. Target angle +0.7 rad if out[0] >
+/// 0 (or >= 0 if zero turns right), else -0.7 rad; tag +1 if out[1] > 0, else -1 (Sec. "Outputs").   Random draws: 0.
 template <Biases biases, ZeroTurns zero>
 struct CognitiveNetwork {
   static constexpr std::string_view name =

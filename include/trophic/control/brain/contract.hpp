@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what a robot decides from what it is told.
+// The contract of a slot: a robot's decision from its inputs.
 #pragma once
 
 #include <array>
@@ -18,21 +18,21 @@
 
 namespace trophic::control {
 
-/// What a brain decides at a tick.
+/// A brain's decision at a tick.
 struct Decision {
-  static constexpr std::size_t outputs = 2;  ///< numbers that a network computes for one: target angle and tag
+  static constexpr std::size_t outputs = 2;  ///< outputs of a network for one decision: target angle and tag
 
-  double target_angle_rad = 0.0;  ///< where it wants to go: positive to the right
-  int tag = 0;                    ///< which of its tags it wants to show
+  double target_angle_rad = 0.0;  ///< positive to the right
+  int tag = 0;                    ///< one of the brain's tags
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
-/// `genome_size(inputs, outputs)`: number of weights for so many inputs, which the table's sensors give, and outputs
-/// (`Decision::outputs`); `tags()`: every tag that it may choose; `decide(inputs, weights)`: a pure function of both and, with a
-/// State, of `own`, which it may change: asked once in a tick at most. The weights are the genome's, which only births change.
-/// A brain that shows its output neurons to observers has `std::array<double, Decision::outputs> outputs(inputs, weights) const`
-/// (with a State also `const State& own`): what decide then makes its decision of.
-/// A brain for one number of inputs alone says so by `static constexpr std::size_t inputs = 3;`.
+/// `genome_size(inputs, outputs)`: returns the number of weights for this number of inputs, which the table's sensors give, and
+/// of outputs (`Decision::outputs`). `tags()`: returns every tag that the brain may choose. `decide(inputs, weights)`: a pure
+/// function of both and, with a State, of `own`, which it may change; called at most once in a tick. The weights are the
+/// genome's, which only births change. A brain that shows its output neurons to observers has `std::array<double,
+/// Decision::outputs> outputs(inputs, weights) const` (with a State also `const State& own`): the outputs behind decide's
+/// decision. A brain for one number of inputs only declares it: `static constexpr std::size_t inputs = 3;`.
 template <class P>
 concept Brain = requires(const P policy, std::size_t inputs) {
   { policy.genome_size(inputs, Decision::outputs) } -> std::same_as<std::size_t>;
@@ -77,11 +77,11 @@ template <class P>
 
 namespace detail {
 
-/// `given` and `taken` stand in the compiler's message.
+/// The compiler's message contains `given` and `taken`.
 template <std::size_t given, std::size_t taken>
 concept SameInputs = given == taken;
 
-/// A brain that states no number of inputs takes any.
+/// A brain that does not declare a number of inputs takes any.
 template <class P, std::size_t given>
 inline constexpr std::size_t inputs_taken = given;
 template <class P, std::size_t given>

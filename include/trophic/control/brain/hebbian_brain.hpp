@@ -14,11 +14,11 @@
 
 namespace trophic::control::brain {
 
-/// Rule: CognitiveBrain whose weights learn. The genome g is what a brain is born with; after each decision every weight
-/// w = g + learnt changes by Oja's rule [oja1982], a Hebbian rule that stays bounded:
+/// Rule: CognitiveBrain with weights that learn. The genome g holds the weights at birth. After each decision every weight w =
+/// g + learnt changes by Oja's rule [oja1982], a Hebbian rule that stays bounded:
 ///   learnt <- learnt + rate * y * (x - y * w), with x the neuron before and y the one after the weight.
-/// What is learnt dies with the individual; its offspring inherit the genome as it was.
-/// Reads: what the sensors say.   Random draws: 0.
+/// Learning ends with the individual; its offspring inherit the genome unchanged.
+/// Reads: the sensors.   Random draws: 0.
 struct HebbianBrain {
   static constexpr std::string_view name = "hebbian_brain";
   static constexpr std::string_view source = "not in the paper; learning by [oja1982]";
@@ -31,14 +31,14 @@ struct HebbianBrain {
     static constexpr auto fields() {
       return std::tuple{
           field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle"),
-          field("rate", &Params::rate, between(0.0, 1.0), "of learning, for each decision; 0: none")};
+          field("rate", &Params::rate, between(0.0, 1.0), "learning rate per decision; 0: none")};
     }
   };
   Params params;
 
-  /// Of each individual.
+  /// The state of an individual.
   struct State {
-    std::vector<double> learnt;  ///< what is added to each weight of the genome; empty before the first decision
+    std::vector<double> learnt;  ///< added to each weight of the genome; empty before the first decision
     static constexpr auto fields() { return std::tuple{field("learnt", &State::learnt)}; }
   };
   [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }

@@ -18,8 +18,8 @@ namespace trophic::locomotion {
 /// -w_i, and for i < j W[i][j] = c_ij, W[j][i] = -c_ij. Output i is x_i; the servos clip it after steering. All states start at
 /// sqrt(2)/2. No random draws.
 ///
-/// Holds no robot's state: the states of many robots are the columns of one 2n x robots matrix that the caller owns; each
-/// column's result is bitwise the same whatever the other columns are.
+/// Holds no state of robots: the states of many robots are the columns of one 2n x robots matrix that the caller owns. Each
+/// column's result is bitwise independent of the other columns.
 class Cpg {
  public:
   struct Params {
@@ -32,20 +32,20 @@ class Cpg {
     }
   };
 
-  /// Throws std::invalid_argument for a gait or a number that is not valid.
+  /// Throws std::invalid_argument for an invalid gait or number.
   explicit Cpg(const Gait& gait) : Cpg{gait, Params{}} {}
   Cpg(const Gait& gait, const Params& params);
 
   [[nodiscard]] const Eigen::MatrixXd& weights() const { return weights_; }        ///< W, 2n x 2n
   [[nodiscard]] const Eigen::MatrixXd& propagator() const { return propagator_; }  ///< one step of the state, 2n x 2n
 
-  /// The starting states of that many robots, 2n x robots.
+  /// The initial states of `robots` robots, 2n x robots.
   [[nodiscard]] Eigen::MatrixXd initial_states(std::size_t robots = 1) const;
 
-  /// One step of every column. `states`: 2n x robots.
+  /// Advances every column by one step. `states`: 2n x robots.
   void step(Eigen::MatrixXd& states) const;
 
-  /// Joint targets of one robot, rad: its x. `targets_rad` has one place per hinge.
+  /// Joint targets of one robot, rad: its x. `targets_rad` has one element per hinge.
   void outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const;
 
  private:

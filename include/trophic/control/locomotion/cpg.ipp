@@ -14,7 +14,7 @@ namespace detail {
 
 inline constexpr int cpg_max_order = 200;
 
-/// exp(step) = sum of step^k / k!, up to that order or until a term no longer changes the sum.
+/// exp(step) = sum of step^k / k!, up to that order or until a term does not change the sum.
 inline Eigen::MatrixXd exponential(const Eigen::MatrixXd& step, int order) {
   Eigen::MatrixXd term = Eigen::MatrixXd::Identity(step.rows(), step.cols());
   Eigen::MatrixXd sum = term;

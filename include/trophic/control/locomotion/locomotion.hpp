@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From target angles to motion: the gait's CPG, steered, at the control rate; or the target angle alone where there are no
-// joints.
+// Converts target angles to motion: by the gait's CPG, steered, at the control rate; without joints by the target angle alone.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,13 +19,15 @@
 
 namespace trophic::locomotion {
 
-/// Moves all robots of a backend. Every robot has its own copy of the gait's CPG, which runs on whoever lives in the body
-/// (Sec. "Targeted Steering"). At each control step the CPG takes one step, its outputs are steered and become servo targets
-/// (which the servos clip), and the backend advances to the end of the step. Simulated time is counted in whole control steps.
+/// Moves all robots of a backend. Every robot has its own copy of the gait's CPG, which keeps running when the occupant of the
+/// body changes (Sec. "Targeted Steering"). At each control step the CPG takes one step, its outputs are steered and become
+/// servo targets (which the servos clip), and the backend advances to the end of the step. Simulated time is counted in whole
+/// control steps.
 template <control::Steering SteeringRule>
 class Locomotion {
  public:
-  /// The gait starts after `idle_steps` control steps, in which servos keep their targets and, without joints, nothing is idle.
+  /// The gait starts after `idle_steps` control steps, in which servos keep their targets; without joints there are no idle
+  /// steps.
   Locomotion(const RobotModel& robot, const Gait& gait, SteeringRule steering, std::size_t robots, double control_hz,
              CpgIntegration integration, std::int64_t idle_steps = 0)
       : steering_{std::move(steering)},
@@ -37,8 +38,8 @@ class Locomotion {
         control_hz_{control_hz},
         idle_steps_{idle_steps} {}
 
-  /// Takes `steps` control steps with these target angles, one per robot. `is_cancelled()` is asked between the control steps of
-  /// a backend with joints; if it says true no more are taken. Returns whether all were.
+  /// Takes `steps` control steps with these target angles, one per robot. With joints, `is_cancelled()` is called between the
+  /// control steps; if it returns true no more are taken. Returns whether all were taken.
   template <class IsCancelled>
   bool advance(AnyBackend& backend, std::int64_t steps, std::span<const double> target_angles_rad, IsCancelled&& is_cancelled) {
     if (backend.has_joints()) return advance_joints(backend, steps, target_angles_rad, is_cancelled);
@@ -48,33 +49,33 @@ class Locomotion {
     wait(backend, steps);
     return true;
   }
-  /// The same for a backend whose type is known, without giving up.
+  /// The same for a backend of known type, without cancelling.
   template <JointDriven B>
   void advance(B& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
     advance_joints(backend, steps, target_angles_rad, [] { return false; });
   }
 
-  /// Lets control steps pass without control: the CPG rests, the servos keep their targets.
+  /// Takes control steps without control: the CPG rests, the servos keep their targets.
   template <class Bodies>
   void wait(Bodies& backend, std::int64_t steps) {
     taken_ += steps;
     backend.advance_to(time_s());
   }
 
-  /// Starts one robot's rhythm anew.
+  /// Restarts one robot's CPG.
   void reset(std::size_t robot) { states_.col(static_cast<Eigen::Index>(robot)) = cpg_.initial_states(); }
 
-  /// Simulated time that the control steps taken so far add up to.
+  /// Simulated time of the control steps so far.
   [[nodiscard]] double time_s() const { return static_cast<double>(taken_) / control_hz_; }
 
-  /// What decides how the robots move on: the states of the CPGs and the steps taken.
+  /// The state that determines further motion: the CPGs and the number of steps.
   struct State {
     std::vector<double> cpg;
     std::int64_t taken = 0;
     static constexpr auto saved() { return std::tuple{&State::cpg, &State::taken}; }
   };
   [[nodiscard]] State save() const { return {.cpg = {states_.data(), states_.data() + states_.size()}, .taken = taken_}; }
-  /// Throws std::invalid_argument for a state of another number of robots or another gait.
+  /// Throws std::invalid_argument for a state with another number of robots or another gait.
   void restore(const State& state) {
     if (state.cpg.size() != static_cast<std::size_t>(states_.size())) {
       throw std::invalid_argument{"state.cpg.size() = " + std::to_string(state.cpg.size()) + ": must be " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a brain's decision can reach the joints of a robot at all.
+// Checks that a brain's decision can affect the joints of a robot.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace trophic::locomotion {
 
-/// The target angle with which `check_steerable` asks, to the right and to the left; the paper's brain turns by it.
+/// The target angle of `check_steerable`, to the right and to the left; the paper's brain turns by it.
 inline constexpr double probe_angle_rad = 0.7;
 
 /// Throws std::invalid_argument: this robot cannot be steered by this rule.
 [[noreturn]] void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<Side>& sides);
 
-/// Throws std::invalid_argument, naming robot, steering and hinges, where a turn to the right and one to the left give the same
-/// joint targets: brains would have no effect on where robots go. Accepts a rule with `steers = false`.
+/// Throws std::invalid_argument, naming robot, steering and hinges, if a right turn and a left turn give the same joint
+/// targets: brains would have no effect on the motion of robots. Accepts a rule with `steers = false`.
 template <control::Steering SteeringRule>
 void check_steerable(const RobotModel& robot, const SteeringRule& steering) {
   if constexpr (requires { requires !SteeringRule::steers; }) return;

@@ -20,8 +20,7 @@ TROPHIC_INLINE void refuse_steering(const RobotModel& robot, std::string_view st
     hinges += (hinges.empty() ? "" : ", ") + std::to_string(std::ranges::count(sides, side)) + " " + std::string{enum_name(side)};
   }
   throw std::invalid_argument{"ecology.robot = " + robot.name + " with rules.steering = " + std::string{steering} +
-                              ": cannot be steered, a turn to the right and one to the left move the hinges alike (" + hinges +
-                              ")"};
+                              ": cannot be steered: right and left turns move the hinges equally (" + hinges + ")"};
 }
 
 }  // namespace trophic::locomotion

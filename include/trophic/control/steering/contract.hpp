@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: how a target angle changes joint targets.
+// The contract of a slot: the effect of a target angle on joint targets.
 #pragma once
 
 #include <concepts>

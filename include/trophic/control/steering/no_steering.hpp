@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Brains have no effect on where robots go.
+// Brains have no effect on the motion of robots.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace trophic::control::steering {
 
-/// Rule: joint targets stay as the gait gives them, whatever the target angle: the control in which brains choose tags and
-/// nothing else. Backends without joints turn robots themselves and do not ask this rule.   Reads: nothing.   Random draws: 0.
+/// Rule: joint targets stay as the gait gives them, for any target angle: the control in which brains only choose tags.
+/// Backends without joints turn robots themselves and do not use this rule.   Reads: nothing.   Random draws: 0.
 struct NoSteering {
   static constexpr std::string_view name = "no_steering";
   static constexpr std::string_view source = "control";

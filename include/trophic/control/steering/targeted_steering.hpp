@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Targeted steering: slow down the hinges on the side to turn to.
+// Targeted steering: slows the hinges on the side to turn to.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace trophic::control::steering {
 
-/// Rule: delta = ((pi - |alpha|) / pi)^exponent scales the targets of the hinges on the side to slow down: the right side for a
-/// target angle alpha > 0 (turn right), the left side for alpha < 0 (Sec. "Targeted Steering", Eq. 1: exponent 2; alpha = +-0.7:
-/// delta = 0.604). The servos' limit applies afterwards (the paper is silent; so does the released code).   Reads: target angle,
-/// sides.   Random draws: 0.
+/// Rule: delta = ((pi - |alpha|) / pi)^exponent scales the targets of the hinges on one side: the right side for a target angle
+/// alpha > 0 (turn right), the left side for alpha < 0 (Sec. "Targeted Steering", Eq. 1: exponent 2; alpha = +-0.7: delta =
+/// 0.604). The servos' limit applies afterwards (the paper is silent; so does the released code).   Reads: target angle, sides.
+/// Random draws: 0.
 struct TargetedSteering {
   static constexpr std::string_view name = "targeted_steering";
   static constexpr std::string_view source = "paper, Sec. \"Targeted Steering\", Eq. 1";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newborn prey stay out of the game until they are away from every predator.
+// Newborn prey stay inactive until they are away from every predator.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,11 @@
 
 namespace trophic::death::activation {
 
-/// Rule: an inactive newborn becomes active once it is farther than distance from everybody that eats its species, whatever
-/// the tags (Sec. "Prey Death", against "spawn-killing"). The paper gives no number. The released code has 5 m, and so has an
-/// early draft of Sec. "Birth", a comment in the LaTeX source: a newborn cannot "immediately interact with other robots" and is
-/// safe "until they move five units away from any predator". Founders that somebody eats begin inactive, too (the paper is
-/// silent; as the released code): FoundersStartActive is the other reading. Its age counts from birth; AgesOnceAwayFromHunters
+/// Rule: an inactive newborn becomes active once it is farther than distance from every individual that eats its species,
+/// whatever the tags (Sec. "Prey Death", against "spawn-killing"). The paper gives no number. The released code has 5 m, and so
+/// has an early draft of Sec. "Birth", a comment in the LaTeX source: a newborn cannot "immediately interact with other robots"
+/// and is safe "until they move five units away from any predator". Founders of hunted species also start inactive (the paper
+/// is silent; as the released code): FoundersStartActive is the other reading. Age counts from birth; AgesOnceAwayFromHunters
 /// is the released code's.   Reads: positions, species.   Random draws: 0.
 struct ActiveAwayFromHunters {
   static constexpr std::string_view name = "active_away_from_hunters";

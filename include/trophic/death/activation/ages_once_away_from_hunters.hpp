@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newborn prey stay out of the game until they are away from every predator, and begin to age only then.
+// Newborn prey stay inactive until they are away from every predator, and age only from then on.
 #pragma once
 
 #include <string_view>

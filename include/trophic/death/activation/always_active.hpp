@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newborn are fair game.
+// Newborn can be caught at once.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: when a newborn becomes fair game.
+// The contract of a slot: when a newborn becomes active.
 #pragma once
 
 #include <concepts>
@@ -15,7 +15,7 @@ namespace trophic::death {
 /// Whether a newborn becomes active, and whether its age then counts from that moment.
 enum class Activates { no, yes, yes_and_restarts_age };
 
-/// `activates(body, view)`: whether the inactive newborn in `body` becomes active at this tick.
+/// `activates(body, view)`: returns whether the inactive newborn in `body` becomes active at this tick.
 template <class P>
 concept Activation = requires(const P policy, BodyIndex body, const View& view) {
   { policy.activates(body, view) } -> std::same_as<Activates>;

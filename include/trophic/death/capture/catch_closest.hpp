@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The released code's catch: predators in shuffled order, one catch each, on a list that changes under way.
+// The released code's catch: predators in shuffled order, one catch each, on a list that changes meanwhile.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,14 @@
 
 namespace trophic::death::capture {
 
-/// Rule (released code): the indices of the list of hunters are shuffled; each index in turn takes the hunter that stands
-/// there in the list as it is now, in the order of bodies, offspring of this tick's catches included, so that some act
-/// twice and some not at all. A hunter of at least min_age catches the closest active victim if that is closer than reach;
-/// founders and newborns are too young. Reads: positions, species, activity, ages.   Random draws: number of hunters - 1.
+/// Rule (released code): the indices of the list of hunters are shuffled. Each index in turn selects the hunter at that place
+/// of the current list, which is in the order of bodies and includes offspring of this tick's catches, so that some act twice
+/// and some not at all. A hunter of at least min_age catches the closest active victim if that is closer than reach; founders
+/// and newborns are too young. Reads: positions, species, activity, ages.   Random draws: number of hunters - 1.
 struct CatchClosest {
   static constexpr std::string_view name = "catch_closest";
   static constexpr std::string_view source = "released code";
-  /// An offspring enters the list at its body's place, so that which hunters act, and who is caught, hangs on the order of
-  /// bodies.
+  /// An offspring enters the list at its body's place, so the acting hunters and their victims depend on the order of bodies.
   static constexpr bool depends_on_order_of_bodies = true;
 
   struct Params {

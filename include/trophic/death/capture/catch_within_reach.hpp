@@ -11,11 +11,11 @@
 
 namespace trophic::death::capture {
 
-/// Rule: a hunter and an active victim within reach of each other: the victim is caught, tags ignored (Sec. "Prey Death":
-/// one unit). Ties: a victim falls to its closest hunter; these pairs are taken by increasing distance, then hunter, then
+/// Rule: a hunter and an active victim within reach of each other: the victim is caught, tags ignored (Sec. "Prey Death": one
+/// unit). Ties: a victim is caught by its closest hunter; these pairs are processed by increasing distance, then hunter, then
 /// victim. A hunter may catch several in a tick (the paper sets no limit), but none once it has been caught itself, as in a
-/// food chain; offspring born at this tick do not hunt before the next. Hunters younger than min_age do not hunt (0 in the
-/// paper). Reads: positions, species, activity, ages.   Random draws: 0.
+/// food chain. Offspring of this tick do not hunt before the next. Hunters younger than min_age do not hunt (0 in the paper).
+/// Reads: positions, species, activity, ages.   Random draws: 0.
 struct CatchWithinReach {
   static constexpr std::string_view name = "catch_within_reach";
   static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";

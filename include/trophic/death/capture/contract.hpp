@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: who is caught.
+// The contract of a slot: which individuals are caught.
 #pragma once
 
 #include <concepts>
@@ -21,8 +21,8 @@ struct Capture {
   friend bool operator==(const Capture&, const Capture&) = default;
 };
 
-/// `captures(view, rng)`: everybody caught at this tick, in order; each victim once. A rule under which somebody's chance to be
-/// caught hangs on which body anyone lives in says so: `static constexpr bool depends_on_order_of_bodies = true;`.
+/// `captures(view, rng)`: returns all catches of this tick, in order; each victim once. If catches depend on the assignment of
+/// individuals to bodies, the rule declares it: `static constexpr bool depends_on_order_of_bodies = true;`.
 template <class P>
 concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
   { policy.captures(view, rng) } -> std::same_as<std::vector<Capture>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody is caught.
+// No individual is caught.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace trophic::death::capture {
 
-/// Rule: hunters catch nobody: the control without predation.   Reads: nothing.   Random draws: 0.
+/// Rule: hunters never catch: the control without predation.   Reads: nothing.   Random draws: 0.
 struct NoCapture {
   static constexpr std::string_view name = "no_capture";
   static constexpr std::string_view source = "control";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last few active prey are safe.
+// The last few active prey cannot be killed.
 #pragma once
 
 #include <algorithm>

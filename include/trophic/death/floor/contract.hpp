@@ -10,7 +10,7 @@
 
 namespace trophic::death {
 
-/// `may_die(species, view)`: whether a member of a hunted species may be caught or sacrificed now.
+/// `may_die(species, view)`: returns whether a member of a hunted species may be caught or sacrificed now.
 template <class P>
 concept Floor = requires(const P policy, Species species, const View& view) {
   { policy.may_die(species, view) } -> std::same_as<bool>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last few prey are safe.
+// The last few prey cannot be killed.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace trophic::death::floor {
 
-/// Rule: nobody of a hunted species is caught or sacrificed while only `floor` of it are left, inactive newborn included
+/// Rule: no member of a hunted species is caught or sacrificed while only `floor` members are left, inactive newborn included
 /// (Sec. "Prey Death": 7; the released code's catches stop below 7, so that its floor is 6). The paper is silent on whether
 /// inactive newborn count; ActiveVictimFloor is the other reading.   Reads: species count.   Random draws: 0.
 struct VictimFloor {
@@ -20,7 +20,8 @@ struct VictimFloor {
   struct Params {
     std::size_t floor = 7;
     static constexpr auto fields() {
-      return std::tuple{field("floor", &Params::floor, at_least(0), "catches and sacrifices leave so many of a hunted species")};
+      return std::tuple{
+          field("floor", &Params::floor, at_least(0), "members of a hunted species that catches and sacrifices leave")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: who is given up so that a species does not die out.
+// The contract of a slot: which individuals are sacrificed so that a species does not die out.
 #pragma once
 
 #include <concepts>
@@ -14,14 +14,14 @@
 
 namespace trophic::death {
 
-/// A victim is given up so that a species does not die out: its body goes to `heir`.
+/// A victim is sacrificed so that a species does not die out: its body goes to the species `successor`.
 struct Sacrifice {
   BodyIndex victim = 0;
   Species successor = 0;
   friend bool operator==(const Sacrifice&, const Sacrifice&) = default;
 };
 
-/// `sacrifices(view, rng)`: who is given up at this tick, nobody twice: who is born of one sacrifice is spared the others.
+/// `sacrifices(view, rng)`: returns the sacrifices of this tick, each victim once; newborn of this tick are not sacrificed.
 template <class P>
 concept MinimumPredators = requires(const P policy, const View& view, Rng& rng) {
   { policy.sacrifices(view, rng) } -> std::same_as<std::vector<Sacrifice>>;

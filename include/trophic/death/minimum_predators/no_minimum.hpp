@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody is given up for a species that dies out.
+// No individual is sacrificed for a species that dies out.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace trophic::death::minimum_predators {
 
-/// Rule: nobody is sacrificed, so that hunters may die out.   Reads: nothing.   Random draws: 0.
+/// Rule: no individual is sacrificed, so that hunters may die out.   Reads: nothing.   Random draws: 0.
 struct NoMinimum {
   static constexpr std::string_view name = "no_minimum";
   static constexpr std::string_view source = "control";

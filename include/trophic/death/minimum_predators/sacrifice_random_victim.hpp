@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Predators close to extinction are given a prey's body.
+// A species of few predators gains the body of a prey.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace trophic::death::minimum_predators {
 
 /// Rule: for each hunting species with fewer than `below` members one individual that it eats, chosen uniformly, inactive
-/// newborn included, is sacrificed and its body becomes a hunter's; one per species and tick (Sec. "Prey Death": fewer than
-/// 7; the released code: 7 or fewer, which is below 8). Two species get two individuals. The floor can save the one that is
-/// chosen: then nobody takes its place.   Reads: species.   Random draws: 1 per sacrifice.
+/// newborn included, is sacrificed and its body becomes a hunter's; one per species and tick (Sec. "Prey Death": fewer than 7;
+/// the released code: 7 or fewer, which is below 8). Two species get two individuals. The floor can forbid the sacrifice of the
+/// chosen individual; no other is chosen then.   Reads: species.   Random draws: 1 per sacrifice.
 struct SacrificeRandomVictim {
   static constexpr std::string_view name = "sacrifice_random_victim";
   static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";
@@ -23,7 +23,7 @@ struct SacrificeRandomVictim {
   struct Params {
     std::size_t below = 7;
     static constexpr auto fields() {
-      return std::tuple{field("below", &Params::below, at_least(0), "a hunting species with fewer members is given one")};
+      return std::tuple{field("below", &Params::below, at_least(0), "a hunting species with fewer members gains one")};
     }
   };
   Params params;

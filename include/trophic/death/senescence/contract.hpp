@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: who dies of itself.
+// The contract of a slot: death of natural causes.
 #pragma once
 
 #include <concepts>
@@ -13,7 +13,8 @@
 
 namespace trophic::death {
 
-/// `dies(individual, view, rng)`: whether an individual dies of itself at this tick; its body stays with its species.
+/// `dies(individual, view, rng)`: returns whether an individual dies of natural causes at this tick; its body stays with its
+/// species.
 template <class P>
 concept Senescence = requires(const P policy, const Individual& individual, const View& view, Rng& rng) {
   { policy.dies(individual, view, rng) } -> std::same_as<bool>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Death of an empty energy store.
+// Death by exhaustion of an energy store.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,13 @@
 
 namespace trophic::death::senescence {
 
-/// Rule: an individual dies once its energy store is empty. Living and walking empty it, a catch fills it:
+/// Rule: an individual dies once its energy store is empty. Living and walking drain it, a catch fills it:
 ///   E <- min(capacity, E + meal) at each catch,
-///   E <- min(capacity, E - walking * distance - (resting - grazing) * tick) at each tick, grazing only for who hunts nobody.
-/// A newborn starts with `start`, whatever its parent and its body had. An alternative to the paper's hunger, which counts ticks
-/// alike for who walks and who waits (Sec. "Predator Death"); bookkeeping of energy as in Polyworld [yaeger1994]. All its
-/// numbers are free. Reads: its own state, the distance walked, catches.   Random draws: 0.
+///   E <- min(capacity, E - walking * distance - (resting - grazing) * tick) at each tick, grazing only for species that do not
+/// hunt.
+/// A newborn starts with `start`, independent of its parent and its body. An alternative to the paper's hunger, which counts
+/// ticks equally for robots that walk and robots that wait (Sec. "Predator Death"); energy balance as in Polyworld
+/// [yaeger1994]. All its numbers are free. Reads: its own state, the distance walked, catches.   Random draws: 0.
 struct EnergyStore {
   static constexpr std::string_view name = "energy_store";
   static constexpr std::string_view source = "not in the paper; after [yaeger1994]";
@@ -29,11 +30,11 @@ struct EnergyStore {
     double meal_J = 80.0;
     static constexpr auto fields() {
       return std::tuple{field("start_J", &Params::start_J, above(0.0), "a newborn's energy"),
-                        field("capacity_J", &Params::capacity_J, above(0.0), "a store never holds more"),
-                        field("walking_J_per_m", &Params::walking_J_per_m, at_least(0.0), "cost of a metre"),
-                        field("resting_W", &Params::resting_W, at_least(0.0), "cost of a second, whatever one does"),
-                        field("grazing_W", &Params::grazing_W, at_least(0.0), "gain of a second for who hunts nobody"),
-                        field("meal_J", &Params::meal_J, at_least(0.0), "gain of a catch")};
+                        field("capacity_J", &Params::capacity_J, above(0.0), "upper limit of the store"),
+                        field("walking_J_per_m", &Params::walking_J_per_m, at_least(0.0), "energy per metre walked"),
+                        field("resting_W", &Params::resting_W, at_least(0.0), "power at rest and while walking"),
+                        field("grazing_W", &Params::grazing_W, at_least(0.0), "power gained by species that do not hunt"),
+                        field("meal_J", &Params::meal_J, at_least(0.0), "energy per catch")};
     }
   };
   Params params;

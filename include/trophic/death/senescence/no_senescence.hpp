@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody dies of age.
+// No individual dies of natural causes.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: who starves.
+// The contract of a slot: which hunters starve.
 #pragma once
 
 #include <concepts>
@@ -17,16 +17,16 @@
 
 namespace trophic::death {
 
-/// Who starves at a tick.
+/// The starvation deaths of a tick.
 struct Starving {
   std::vector<BodyIndex> victims;  ///< in the order in which they die, each once
-  std::vector<BodyIndex> exempt;   ///< hunters that were to starve and that an exemption saves, for observers
-  bool restarts_clock = false;     ///< whether the rule's clock starts anew after these deaths
+  std::vector<BodyIndex> exempt;   ///< hunters that would starve but for an exemption, for observers
+  bool restarts_clock = false;     ///< whether the rule's clock restarts after these deaths
   friend bool operator==(const Starving&, const Starving&) = default;
 };
 
-/// A starvation rule that keeps a clock: a nested `struct Clock` of plain numbers that lists its members by `fields()`, which
-/// checkpoints hold. `start(view)` is a clock that starts now: at the start of a run, and after deaths that restart it.
+/// A starvation rule with a clock: a nested `struct Clock` of plain numbers that lists its members by `fields()`; checkpoints
+/// hold it. `start(view)` returns a clock that starts now: at the start of a run, and after deaths that restart it.
 template <class P>
 concept KeepsClock = requires {
   typename P::Clock;
@@ -51,9 +51,9 @@ struct clock_of<P> {
 template <class P>
 using ClockOf = typename detail::clock_of<P>::type;
 
-/// `starving(view, perceives)`: who starves at this tick, asked once a tick after catches and deaths of old age.
-/// `perceives(self, other)` is the run's Visibility rule. With a State also `states`, with a Clock also `clock`, in this
-/// order. starvation/procedure.hpp composes rules of when, who, and who is exempt.
+/// `starving(view, perceives)`: returns the hunters that starve at this tick; called once a tick after catches and senescence.
+/// `perceives(self, other)` is the run's Visibility rule. With a State also `states`, with a Clock also `clock`, in this order.
+/// starvation/procedure.hpp composes rules for the time, the victims and the exemptions.
 template <class P>
 concept Starvation =
     (!KeepsClock<P> &&

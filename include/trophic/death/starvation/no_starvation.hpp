@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody starves.
+// No hunter starves.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Starvation by procedures: now and then the hungriest dies, unless it is exempt.
+// Starvation by procedures: from time to time the hungriest hunter dies, unless it is exempt.
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@
 
 namespace trophic::death::starvation {
 
-/// Rule: `Interval` says when a starvation procedure is held, `Choice` who dies in it, `Exemption` which of those whom it looks
-/// at are not to die (Sec. "Predator Death"). A number is set by its part: `rules.starvation.interval.base_ticks`. One part is
-/// swapped by `with_starvation_interval`, `with_starvation_exemption` or `with_starvation_choice` (rules/with_part.hpp).   Reads:
-/// what its parts read, its own clock.   Random draws: 0.
+/// Rule: `Interval` decides when a starvation procedure takes place, `Choice` which hunters die in it, `Exemption` which of the
+/// hunters that it considers are exempt (Sec. "Predator Death"). A number is set by its part:
+/// `rules.starvation.interval.base_ticks`. `with_starvation_interval`, `with_starvation_exemption` or `with_starvation_choice`
+/// (rules/with_part.hpp) swap one part.   Reads: what its parts read, its own clock.   Random draws: 0.
 template <class IntervalPart, class ExemptionPart, class ChoicePart>
 struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
   struct Names {

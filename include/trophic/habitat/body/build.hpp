@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a module tree to the engine-neutral robot: links, inertias, hinges, neighbours, size.
+// Builds the engine-neutral robot from a module tree: links, inertias, hinges, neighbours, size.
 #pragma once
 
 #include <numbers>
@@ -13,10 +13,10 @@
 
 namespace trophic::body {
 
-/// A robot as its file describes it.
+/// A robot as described by its file.
 struct Design {
   std::string name;
-  std::string gait;  ///< name or path of the gait that it walks with unless told otherwise
+  std::string gait;  ///< name or path of its default gait
   ModuleTree modules;
   double forward_deg = 0.0;
   double friction = 1.0;
@@ -34,8 +34,8 @@ struct Design {
   }
 };
 
-/// The robot of a design. Modules that no hinge separates become one link; every part is a uniform box; hinges are numbered depth
-/// first in face order, and so are links. Hinge i and j are neighbours when at most two attachments lie between them. The
+/// Builds the robot of a design. Modules that no hinge separates become one link; every part is a uniform box; hinges and links
+/// are numbered depth first in face order. Hinges i and j are neighbours if at most two attachments lie between them. The
 /// bounding radius is the sum of the hinge distances along the longest chain and the reach of its last box. Throws
 /// std::invalid_argument.
 [[nodiscard]] RobotModel build(const Design& design);

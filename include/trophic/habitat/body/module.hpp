@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot as a tree of modules (core, active hinge, brick) on a grid, and the table of their parts.
+// The robot as a tree of modules (core, active hinge, brick) on a grid, and the dimensions of their parts.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,15 +21,16 @@ enum class ModuleType { core, hinge, brick };
   return {"core", "hinge", "brick"};
 }
 
-/// Where a module can be attached, in the canonical order that every list of children, links and hinges follows. Seen from above,
-/// x forward: front 0, left 90, back 180, right 270 degrees about z.
+/// The attachment faces of a module, in the canonical order of every list of children, links and hinges. Seen from above, x
+/// forward: front 0, left 90, back 180, right 270 degrees about z.
 enum class Face { front, back, left, right };
 [[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Face) {
   return {"front", "back", "left", "right"};
 }
 inline constexpr std::array<Face, 4> all_faces{Face::front, Face::back, Face::left, Face::right};
 
-/// Which faces a module offers. The back of hinge and brick is where they are attached themselves; a hinge carries one module.
+/// The faces to which modules can be attached. Hinge and brick are themselves attached by their back; a hinge carries one
+/// module.
 [[nodiscard]] constexpr bool has_face(ModuleType type, Face face) {
   switch (type) {
     case ModuleType::core:
@@ -73,11 +74,11 @@ struct PartMasses {
   }
 };
 
-/// One module of a tree. Its frame is its parent's turned towards `face` about z, then by `quarter_turns` about its own x.
+/// One module of a tree. Its frame is its parent's, turned towards `face` about z, then by `quarter_turns` about its own x.
 struct Module {
   ModuleType type = ModuleType::core;
   std::optional<std::size_t> parent;                          ///< index in the tree; none for the core
-  Face face = Face::front;                                    ///< the parent's face that it is attached to
+  Face face = Face::front;                                    ///< the parent's face to which it is attached
   int quarter_turns = 0;                                      ///< 0 to 3, about the attachment axis
   Eigen::Vector3i cell = Eigen::Vector3i::Zero();             ///< grid cell relative to the core; every module fills one
   Eigen::Matrix3i orientation = Eigen::Matrix3i::Identity();  ///< module frame to core frame, hinges at angle 0
@@ -88,13 +89,13 @@ struct Module {
 [[nodiscard]] Eigen::Matrix3i face_rotation(Face face);
 [[nodiscard]] Eigen::Matrix3i roll_rotation(int quarter_turns);
 
-/// A core with modules attached to it; every state of it is a robot that can be built, as far as the grid can tell.
+/// A core with modules attached to it; every state of it is a robot that can be built, as far as the grid shows.
 class ModuleTree {
  public:
   ModuleTree() : modules_(1) {}
 
   /// Attaches a module and returns its index. Throws std::invalid_argument, naming the path, for a second core, a face that the
-  /// parent lacks or that is taken, and a grid cell that another module fills already; the tree is unchanged then.
+  /// parent lacks or that is taken, and a grid cell that is already occupied; the tree is then unchanged.
   std::size_t attach(std::size_t parent, Face face, ModuleType type, int quarter_turns = 0);
 
   /// All modules, parents before children; the core is number 0.

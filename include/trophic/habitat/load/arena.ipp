@@ -44,7 +44,7 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
   const auto rows = file.rows("height_m");
   field.nodes = rows.size();
   if (field.nodes < 2) file.fail("height_m", ": " + std::to_string(field.nodes) + " rows: must be >= 2");
-  constexpr std::size_t most_nodes = 1024;  // what is derived from them costs their third power
+  constexpr std::size_t most_nodes = 1024;  // derived data grow with their third power
   if (field.nodes > most_nodes) {
     file.fail("height_m", ": " + std::to_string(field.nodes) + " rows: must be <= " + std::to_string(most_nodes));
   }
@@ -61,7 +61,7 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
   file.no_other_keys();
   arena.extent_m = 2.0 * field.half_extent_m;
   arena.half_side_m = flat_half_side_m(field);
-  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the middle, where robots start");
+  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the centre, where robots start");
   arena.height_field = std::move(field);
   return arena;
 }

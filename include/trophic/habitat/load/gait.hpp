@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaits from TOML files and to them (format: models/README.md).
+// Reads and writes gaits as TOML files (format: models/README.md).
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@ namespace trophic {
 
 class TomlWriter;
 
-/// The gait of a file, by name ("spider_published") or path (format: models/README.md). Throws std::invalid_argument for a file
-/// that cannot be found, read or parsed, and "FILE: KEY = VALUE: must be ..." for its content.
+/// Loads the gait of a file, by name ("spider_published") or path. Throws std::invalid_argument for a file that cannot be
+/// found, read or parsed, and "FILE: KEY = VALUE: must be ..." for its content.
 [[nodiscard]] Gait load_gait(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR);
 
-/// Writes what `load_gait` reads back as exactly the same gait (but pairs with weight 0 are left out).
+/// Returns a text that `load_gait` reads back as exactly the same gait; pairs with weight 0 are omitted.
 void put_gait(TomlWriter& writer, const Gait& gait);
 
 /// Writes the gait to a new file. Throws std::runtime_error if the file exists or cannot be written completely.

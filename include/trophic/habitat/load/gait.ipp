@@ -83,7 +83,7 @@ TROPHIC_INLINE void put_gait(TomlWriter& writer, const Gait& gait) {
 }
 
 TROPHIC_INLINE void save_gait(const Gait& gait, const std::filesystem::path& file) {
-  if (std::filesystem::exists(file)) throw std::runtime_error{file.string() + ": exists, not overwritten"};
+  if (std::filesystem::exists(file)) throw std::runtime_error{file.string() + ": exists, and is never overwritten"};
   TomlWriter writer;
   put_gait(writer, gait);
   replace_file(file, writer.text());

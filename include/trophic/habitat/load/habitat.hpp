@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The models that an experiment names, from their files.
+// Loads the models that an experiment names.
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace trophic {
 
-/// Loads and checks the three models. Throws std::invalid_argument for a file that is missing or broken, or whose content does
-/// not fit, naming file and key.
+/// Loads and checks the three models. Throws std::invalid_argument, naming file and key, for a file that is missing or invalid,
+/// or whose content does not fit.
 [[nodiscard]] Habitat load_habitat(const EcologyParams& ecology, std::string_view installed = TROPHIC_MODEL_DIR);
 
 }  // namespace trophic

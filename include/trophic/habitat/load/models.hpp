@@ -16,12 +16,12 @@ enum class ModelKind { robot, arena, gait };
   return {"robots", "arenas", "gaits"};
 }
 
-/// The folders that hold `robots/`, `arenas/` and `gaits/`, in the order in which they are searched: the environment variable
-/// TROPHIC_MODELS where it is set, then `installed` unless it is empty.
+/// The folders that contain `robots/`, `arenas/` and `gaits/`, in search order: the environment variable TROPHIC_MODELS if it
+/// is set, then `installed` unless it is empty.
 [[nodiscard]] std::vector<std::filesystem::path> model_folders(std::string_view installed = TROPHIC_MODEL_DIR);
 
-/// The file of a model. A text with a '/' or ending in ".toml" is a path and taken as it is; any other is a name:
-/// FOLDER/robots/NAME.toml and so on. Throws std::invalid_argument listing every place that was searched.
+/// Returns the file of a model. A text with a '/' or ending in ".toml" is a path; any other is a name: FOLDER/robots/NAME.toml
+/// and so on. Throws std::invalid_argument listing every place that was searched.
 [[nodiscard]] std::filesystem::path find_model(ModelKind kind, std::string_view name_or_path,
                                                std::string_view installed = TROPHIC_MODEL_DIR);
 

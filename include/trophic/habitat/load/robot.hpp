@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots from TOML files (format: models/README.md).
+// Reads robots from TOML files (format: models/README.md).
 #pragma once
 
 #include <string_view>
@@ -10,11 +10,11 @@
 
 namespace trophic {
 
-/// Reads a robot's design. Throws std::invalid_argument for a file that cannot be found, read or parsed (two modules on one face
-/// are a repeated TOML table, so they are among these), and "FILE: KEY = VALUE: must be ..." for its content.
+/// Reads a robot's design. Throws std::invalid_argument for a file that cannot be found, read or parsed (including two modules
+/// on one face, which are a repeated TOML table), and "FILE: KEY = VALUE: must be ..." for its content.
 [[nodiscard]] body::Design load_design(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR);
 
-/// The robot of a design file, by name ("spider") or path; errors as load_design and build.
+/// Loads the robot of a design file, by name ("spider") or path; throws as load_design and build.
 [[nodiscard]] RobotModel load_robot(std::string_view name_or_path, std::string_view installed = TROPHIC_MODEL_DIR);
 
 }  // namespace trophic

@@ -19,13 +19,13 @@
 
 namespace trophic::detail {
 
-/// A table of a TOML file. Remembers which keys were asked for, so that `no_other_keys` can reject the rest.
+/// A table of a TOML file. Records which keys were read, so that `no_other_keys` can reject the rest.
 class TomlTable {
  public:
-  /// Throws std::invalid_argument "FILE: ..." for what cannot be read or "FILE:LINE:COLUMN: ..." for malformed TOML.
+  /// Throws std::invalid_argument "FILE: ..." if the file cannot be read, "FILE:LINE:COLUMN: ..." for malformed TOML.
   [[nodiscard]] static TomlTable read(const std::filesystem::path& file) { return parse(read_whole_file(file), file.string()); }
 
-  /// The same from a text; `file` is what errors call it.
+  /// Reads a text; `file` is its name in errors.
   [[nodiscard]] static TomlTable parse(std::string_view text, const std::string& file) {
     try {
       return {file, "", parse_toml(text)};
@@ -107,7 +107,7 @@ class TomlTable {
     return result;
   }
 
-  /// Overwrites the members of a Params struct that the table mentions (numbers and nested Params).
+  /// Overwrites the members of a Params struct that the table contains (numbers and nested Params).
   template <class P>
   void read_fields(P& params) const {
     for_each_field(params, [&](const auto& f, auto& value) {
@@ -122,7 +122,7 @@ class TomlTable {
     });
   }
 
-  /// Throws std::invalid_argument for the first key that nobody asked for.
+  /// Throws std::invalid_argument for the first key that was not read.
   void no_other_keys() const {
     for (const auto& [key, value] : table_) {
       if (!asked_.contains(std::string{key.str()})) {

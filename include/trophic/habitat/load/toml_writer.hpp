@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes TOML: every file and every listing of numbers that a program of trophic makes.
+// Writes TOML: all TOML files and listings of numbers of trophic's programs.
 #pragma once
 
 #include <concepts>
@@ -17,9 +17,9 @@
 
 namespace trophic {
 
-/// Keys in the order in which they are put, with comments, neither of which a toml::table keeps. Values: numbers (as toml_float),
-/// switches, enumerators by name, texts (as toml++ quotes them), pairs and ranges of values as lists, and structs with fields()
-/// as inline tables, one a line.
+/// Keys in insertion order, with comments; a toml::table keeps neither. Values: numbers (as toml_float), switches, enumerators
+/// by name, texts (quoted as by toml++), pairs and ranges of values as lists, and structs with fields() as inline tables, one a
+/// line.
 class TomlWriter {
  public:
   /// Begins the table of a path: "evolution.params".
@@ -34,7 +34,7 @@ class TomlWriter {
     text_ += '\n';
   }
 
-  /// Every number in the table that its path names, with its help as a comment; `root` goes before the paths.
+  /// Writes every number in the table of its path, with its help as a comment; `root` is prepended to the paths.
   void put_all(const NamedParams& named_params, std::string_view root = {}) {
     std::string open{root};
     if (!root.empty()) table(root);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what a community must offer: which species there are and who lives where at the start.
+// The contract of a slot: the species, and the species of the founder in each body.
 #pragma once
 
 #include <concepts>
@@ -13,8 +13,8 @@
 
 namespace trophic::initialization {
 
-/// `web()`: the species and who eats whom. `founders(robots)`: the species of the first individual in each of `robots`
-/// bodies; throws std::invalid_argument naming field, value and bound if its numbers do not fit.
+/// `web()`: returns the species and their feeding links. `founders(robots)`: returns the species of the first individual in
+/// each of `robots` bodies; throws std::invalid_argument naming field, value and bound if its numbers do not fit.
 template <class P>
 concept Community = requires(const P policy, std::size_t robots) {
   { policy.web() } -> std::same_as<FoodWeb>;

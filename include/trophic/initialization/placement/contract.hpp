@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what a placement must offer: where the bodies stand when a run starts.
+// The contract of a slot: the initial poses of the bodies.
 #pragma once
 
 #include <concepts>
@@ -15,8 +15,8 @@
 
 namespace trophic::initialization {
 
-/// `place(robots, arena, radius_m, rng)`: one ground pose per robot inside the arena; radius_m is the robot's bounding
-/// radius. Throws std::invalid_argument if so many do not fit.
+/// `place(robots, arena, radius_m, rng)`: returns one ground pose per robot inside the arena; radius_m is the robot's bounding
+/// radius. Throws std::invalid_argument if the robots do not fit.
 template <class P>
 concept Placement = requires(const P policy, std::size_t robots, const Arena& arena, double radius_m, Rng& rng) {
   { policy.place(robots, arena, radius_m, rng) } -> std::same_as<std::vector<GroundPose>>;

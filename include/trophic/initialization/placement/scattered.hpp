@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random positions and headings, nobody on top of another.
+// Random positions and headings without overlaps.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@
 
 namespace trophic::initialization::placement {
 
-/// Rule: positions uniform over the flat floor, one bounding radius from the walls, drawn again while closer than two
-/// bounding radii to a robot already placed; headings uniform. The paper says "attributed to one of the available bodies" (Sec.
-/// "Initialization") and is silent about where these stand and how they are turned. The released code's positions are random,
-/// too: see UniformSquare.   Reads: arena, radius.   Random draws: 3 per attempt.
+/// Rule: positions uniform over the flat floor, one bounding radius from the walls, drawn again while closer than two bounding
+/// radii to a robot already placed; headings uniform. The paper has "attributed to one of the available bodies" (Sec.
+/// "Initialization") and is silent about their positions and headings. The released code's positions are also random: see
+/// UniformSquare.   Reads: arena, radius.   Random draws: 3 per attempt.
 struct Scattered {
   static constexpr std::string_view name = "scattered";
   static constexpr std::string_view source = "paper: silent; Sec. \"Initialization\" names no positions";

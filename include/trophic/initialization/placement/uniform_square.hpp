@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The released code's start: uniform positions in a square, all turned the same way.
+// The released code's start: uniform positions in a square, equal headings.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@
 
 namespace trophic::initialization::placement {
 
-/// Rule: positions uniform in [-h, h]^2, overlaps allowed; everybody faces the same way. The released code uses h = 9 m
-/// and, by a slip in the order of quaternion components, turns each root frame by pi; the spider's forward axis is 45
-/// degrees from its root frame's x.   Reads: arena (bounds only).   Random draws: 2 per robot.
+/// Rule: positions uniform in [-h, h]^2, overlaps allowed; all robots face the same way. The released code uses h = 9 m and, by
+/// an error in the order of quaternion components, turns each root frame by pi; the spider's forward axis is 45 degrees from
+/// its root frame's x.   Reads: arena (bounds only).   Random draws: 2 per robot.
 struct UniformSquare {
   static constexpr std::string_view name = "uniform_square";
   static constexpr std::string_view source = "released code";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many members an aggregate has, at compile time.
+// The number of members of an aggregate, at compile time.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace trophic::detail {
 
-/// Converts to any member's type; named in unevaluated initialisers, never made. The definition is for compilers that want one
-/// for types without linkage.
+/// Converts to the type of any member. Named in unevaluated initialisers, never constructed. Some compilers require the
+/// definition for types without linkage.
 struct AnyMember {
   template <class T>
   operator T() const noexcept {
@@ -25,7 +25,7 @@ template <class Aggregate, std::size_t... I>
   };
 }
 
-/// Whether `{}` may stand for one member after some initialisers and before others.
+/// Whether `{}` may initialise one member between the given numbers of initialisers.
 template <class Aggregate, std::size_t... Before, std::size_t... After>
 [[nodiscard]] consteval bool takes_around(std::index_sequence<Before...>, std::index_sequence<After...>) {
   return requires {
@@ -33,7 +33,7 @@ template <class Aggregate, std::size_t... Before, std::size_t... After>
   };
 }
 
-/// The most initialisers that an aggregate takes: one for each member, but one for each element of an array.
+/// The largest number of initialisers of an aggregate: one for each member, but one for each element of an array.
 template <class Aggregate, std::size_t tried = 0>
 [[nodiscard]] consteval std::size_t initialisers() {
   if constexpr (takes<Aggregate>(std::make_index_sequence<tried + 1>{})) {
@@ -52,8 +52,8 @@ template <class Aggregate, std::size_t before, std::size_t tried = 0>
   }
 }
 
-/// The number of members of an aggregate. `{}` stands for a whole array, so what can follow it tells where the next member
-/// begins. A base counts as one member; each member must be default-constructible and copyable.
+/// The number of members of an aggregate. `{}` initialises a whole array, so the initialisers that can follow it show where the
+/// next member begins. A base counts as one member. Each member must be default-constructible and copyable.
 template <class Aggregate, std::size_t initialiser = 0>
 requires std::is_aggregate_v<Aggregate>
 [[nodiscard]] consteval std::size_t member_count() {

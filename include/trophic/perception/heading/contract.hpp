@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: which way a robot faces.
+// The contract of a slot: the heading of a robot.
 #pragma once
 
 #include <concepts>
@@ -13,8 +13,8 @@ struct Pose;  // trophic/habitat/pose.hpp
 
 namespace trophic::perception {
 
-/// `heading_rad(root, forward_rad)`: which way a robot faces on the floor, counter-clockwise from x, given its root frame and the
-/// direction of its forward axis in that frame. Left and right of a robot refer to it.
+/// `heading_rad(root, forward_rad)`: returns the heading of a robot on the floor, counter-clockwise from x, given its root
+/// frame and the direction of its forward axis in that frame. Left and right of a robot refer to it.
 template <class P>
 concept Heading = requires(const P policy, const Pose& root, double forward_rad) {
   { policy.heading_rad(root, forward_rad) } -> std::same_as<double>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot faces where its forward axis points.
+// The heading along the robot's forward axis.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace trophic::perception::heading {
 
-/// Rule: the heading is the direction of the robot's forward axis projected on the floor. The paper says only that "a predefined
-/// frame of reference that establishes the front orientation" (Sec. "Targeted Steering"); this takes the front to be a part of
-/// the body, so that it stays the front of a robot on its back. RootYawHeading is the released code's.   Reads: root pose.
-/// Random draws: 0.
+/// Rule: the heading is the direction of the robot's forward axis projected on the floor. The paper has only "a predefined
+/// frame of reference that establishes the front orientation" (Sec. "Targeted Steering"); here the front is a part of the body,
+/// so that it stays the front of a robot on its back. RootYawHeading is the released code's.   Reads: root pose. Random draws:
+/// 0.
 struct ForwardAxisHeading {
   static constexpr std::string_view name = "forward_axis_heading";
   static constexpr std::string_view source = "paper, Sec. \"Targeted Steering\"; silent on tilted bodies";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: which tag an individual shows at birth.
+// The contract of a slot: the tag of an individual at birth.
 #pragma once
 
 #include <concepts>
@@ -13,8 +13,8 @@
 
 namespace trophic::perception {
 
-/// `tag(body_tag, tags, rng)`: the tag of an individual at birth, one of the brain's `tags`; body_tag is that of the body's last
-/// owner, none for a founder.
+/// `tag(body_tag, tags, rng)`: returns the tag of an individual at birth, one of the brain's `tags`. body_tag is that of the
+/// body's previous occupant, none for a founder.
 template <class P>
 concept NewbornTag = requires(const P policy, std::optional<int> body_tag, std::span<const int> tags, Rng& rng) {
   { policy.tag(body_tag, tags, rng) } -> std::same_as<int>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A newborn's tag is a fair coin.
+// A newborn's tag is uniformly random.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace trophic::perception::newborn_tag {
 
-/// Rule: founders and newborns show each of the brain's tags with equal probability, whatever their body showed: an alternative
-/// to KeepsBodyTag where the paper is silent.   Reads: nothing.   Random draws: 1.
+/// Rule: founders and newborns show each of the brain's tags with equal probability, independent of the body's tag: an
+/// alternative to KeepsBodyTag, as the paper is silent.   Reads: nothing.   Random draws: 1.
 struct RandomTag {
   static constexpr std::string_view name = "random_tag";
   static constexpr std::string_view source = "paper: silent";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what the brain is told.
+// The contract of a slot: the inputs of the brain.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ concept NamedSensor = requires {
 
 }  // namespace detail
 
-/// `size` numbers about one robot: `sense(self, sighting, view, rng)`, with its adversary where it perceives one. Asked when the
-/// robot decides. What a sensor says without an adversary is the sensor's own. One with a State may take `const State& own` last;
+/// `size` numbers about one robot: `sense(self, sighting, view, rng)`, with its adversary if it perceives one. Called when the
+/// robot decides. Each sensor defines its values without an adversary. A sensor with a State may take `const State& own` last;
 /// the State is as it was before this tick's on_sighting.
 template <class P>
 concept OwnSensor = detail::Sized<P> &&(
@@ -60,7 +60,7 @@ template <class P>
 
 }  // namespace ask
 
-/// `size` numbers that are the same for everybody: `sense(view)`. Asked once a tick, before the first robot decides.
+/// `size` numbers that are the same for all robots: `sense(view)`. Called once a tick, before the first robot decides.
 template <class P>
 concept CommonSensor = detail::Sized<P> && requires(const P policy, const View& view) {
   { policy.sense(view) } -> std::same_as<std::array<double, P::size>>;

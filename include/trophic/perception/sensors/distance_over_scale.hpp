@@ -13,7 +13,7 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: min(1, distance / full_scale) with full_scale 20 m whatever the arena (released code); 1 without an adversary.   Reads:
+/// Rule: min(1, distance / full_scale) with full_scale 20 m for any arena (released code); 1 without an adversary.   Reads:
 /// distance.   Random draws: 0.
 struct DistanceOverScale {
   static constexpr std::string_view name = "distance_over_scale";

@@ -12,8 +12,8 @@
 namespace trophic::perception::sensors {
 
 /// Rule: min(1, distance / largest terrain extent) (Sec. "Inputs": "divided by the maximum terrain bounds"). The paper is
-/// silent about distances beyond one side, which a diagonal allows: they are clipped to 1, as all inputs lie in [-1, 1]. Without
-/// an adversary 1, as far as can be; the paper is silent. DistanceOverDiagonal divides by the diagonal.   Reads: distance,
+/// silent about distances beyond one side, which a diagonal allows: they are clipped to 1, as all inputs lie in [-1, 1].
+/// Without an adversary 1, the farthest; the paper is silent. DistanceOverDiagonal divides by the diagonal.   Reads: distance,
 /// arena.   Random draws: 0.
 struct DistanceOverTerrain {
   static constexpr std::string_view name = "distance_over_terrain";

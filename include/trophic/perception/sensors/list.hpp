@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All sensors of a robot, one after the other.
+// A list of the sensors of a robot.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,13 @@
 
 namespace trophic::detail {
 
-/// Fails to compile, with one sentence, if a sensor's State is not what population/state.hpp asks for.
+/// Fails to compile, with one sentence, if a sensor's State violates the requirements in population/state.hpp.
 template <class One>
 struct CheckSensorState {
-  static_assert(
-      !Stateful<One> || perception::OwnSensor<One>,
-      "a sensor with a State must sense(self, sighting, view, rng) or (..., const State& own): sense(view) is for what is "
-      "the same for everybody");
+  static_assert(!Stateful<One> || perception::OwnSensor<One>,
+                "a sensor with a State must sense(self, sighting, view, rng) or (..., const State& own): sense(view) is for "
+                "values that are "
+                "the same for all robots");
   TROPHIC_CHECK_STATE_OF(One, "a sensor")
   static constexpr bool ok = true;
 };
@@ -39,7 +39,7 @@ namespace trophic::perception::sensors {
 
 namespace detail {
 
-/// The name of a sensor; none for what is no sensor, which List reports.
+/// The name of a sensor; empty for a type that is not a sensor, which List reports.
 template <class One>
 [[nodiscard]] consteval std::string_view name_of() {
   if constexpr (perception::detail::NamedSensor<One>) return One::name;
@@ -59,7 +59,7 @@ struct Sources {
   static constexpr std::string_view separator = " + ";
 };
 
-/// 0 for what is no sensor, which List reports.
+/// 0 for a type that is not a sensor, which List reports.
 template <class One>
 [[nodiscard]] consteval std::size_t size_of() {
   if constexpr (perception::detail::Sized<One>) return One::size;
@@ -72,7 +72,7 @@ class Held {
   explicit Held(Sensors... sensors) : sensors_{std::move(sensors)...} {}
 
  protected:
-  /// Calls `visit(sensor, its place in the list as an integral_constant)` for each.
+  /// Calls `visit(sensor, its index in the list as an integral_constant)` for each.
   template <class Visit>
   void each(const Visit& visit) const {
     [&]<std::size_t... place>(std::index_sequence<place...>) {
@@ -85,7 +85,7 @@ class Held {
   std::tuple<Sensors...> sensors_;
 };
 
-/// Sensors some of which have a State: the list has one too, each sensor's under its name, and tells each sensor what happens.
+/// Sensors of which some have a State: the list then has one too, with each sensor's under its name, and forwards the hooks.
 template <class... Sensors>
 class HeldWithStates : public Held<Sensors...> {
  public:
@@ -116,7 +116,7 @@ class HeldWithStates : public Held<Sensors...> {
 #undef TROPHIC_NOTIFY_SENSORS
 };
 
-/// One sensor's state among those of a list; nothing for a sensor without State.
+/// One sensor's state among those of a list; empty for a sensor without State.
 template <class One, class All, class Place>
 [[nodiscard]] const StateOf<One>& state_in([[maybe_unused]] const All& all, Place) {
   if constexpr (Stateful<One>) {
@@ -132,31 +132,31 @@ using HeldSensors = std::conditional_t<(Stateful<Sensors> || ...), HeldWithState
 
 }  // namespace detail
 
-/// What a robot senses: the values of each sensor in the order of the list. A sensor's numbers are set under its name:
-/// `rules.sensors.distance_over_scale.full_scale_m`, or in a table by `with`. Where a sensor has a State (population/state.hpp),
-/// the list has one for each body, in which that sensor's stands under its name.
+/// The inputs of a brain: the values of each sensor in the order of the list. A sensor's numbers are set under its name:
+/// `rules.sensors.distance_over_scale.full_scale_m`, or in a table by `with`. If a sensor has a State (population/state.hpp),
+/// the list has one for each body, with that sensor's under its name.
 template <class... Sensors>
 class List : public detail::HeldSensors<Sensors...> {
  public:
-  static constexpr bool is_sensor_list = (Sensor<Sensors> && ...);  ///< what the slot asks for
+  static constexpr bool is_sensor_list = (Sensor<Sensors> && ...);  ///< required by the slot
   static constexpr std::size_t count = sizeof...(Sensors);
   static constexpr std::size_t size = (detail::size_of<Sensors>() + ... + 0);
   static constexpr std::string_view name = JoinedText<detail::Names<Sensors...>>::view;
   static constexpr std::string_view source = JoinedText<detail::Sources<Sensors...>>::view;
 
-  /// The sensor at a place of the list.
+  /// The sensor at an index of the list.
   template <std::size_t place>
   using At = std::tuple_element_t<place, std::tuple<Sensors...>>;
   template <class One>
   static constexpr bool contains = (std::same_as<One, Sensors> || ...);
-  /// The list with New in the place of Old.
+  /// The list with New in place of Old.
   template <class Old, class New>
   using Replaced = List<std::conditional_t<std::same_as<Sensors, Old>, New, Sensors>...>;
 
   using Params = GroupOf<detail::Names<Sensors...>, ParamsOf<Sensors>...>;
   Params params;
 
-  /// Numbers in which one sensor's are these, for a table's params(): `.sensors = Sensors::with<DistanceOverScale>({...})`.
+  /// The numbers with these for one sensor, for a table's params(): `.sensors = Sensors::with<DistanceOverScale>({...})`.
   template <class One>
   [[nodiscard]] static constexpr Params with(const ParamsOf<One>& numbers, Params others = {}) {
     static_assert(contains<One>, "the list has no such sensor");
@@ -174,14 +174,14 @@ class List : public detail::HeldSensors<Sensors...> {
 
   using Values = std::array<double, size>;
 
-  /// The name of the sensor that each value is of.
+  /// The sensor name of each value.
   [[nodiscard]] static std::vector<std::string> value_names() {
     std::vector<std::string> names;
     (names.insert(names.end(), detail::size_of<Sensors>(), std::string{detail::name_of<Sensors>()}), ...);
     return names;
   }
 
-  /// The values that are the same for everybody; the places of the others are for `sense` to fill.
+  /// The values that are the same for all robots; `sense` fills the others.
   [[nodiscard]] Values sense_common(const View& view) const {
     Values values{};
     double* here = values.data();

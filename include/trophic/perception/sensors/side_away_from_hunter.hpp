@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The released code's Angle input: the hunted see the side that leads away.
+// The released code's Angle input: for hunted species the side that leads away.
 #pragma once
 
 #include <array>

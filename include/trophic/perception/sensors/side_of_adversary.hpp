@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's Angle input: on which side the adversary is.
+// The paper's Angle input: the side of the adversary.
 #pragma once
 
 #include <array>

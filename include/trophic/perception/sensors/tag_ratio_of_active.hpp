@@ -9,8 +9,8 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: TR = (P - N/2) / N over the N active robots, P of them tagged +1 (released code); 0 if nobody is active. Reads:
-/// all tags and activities.   Random draws: 0.
+/// Rule: TR = (P - N/2) / N over the N active robots, P of them tagged +1 (released code); 0 if no robot is active. Reads: all
+/// tags and activities.   Random draws: 0.
 struct TagRatioOfActive {
   static constexpr std::string_view name = "tag_ratio_of_active";
   static constexpr std::string_view source = "released code";

@@ -19,7 +19,7 @@ enum class MaySwitch {
   yes_and_clock_restarts  ///< also if the brain chooses the same tag again
 };
 
-/// `may_switch(self, view)`: whether self's tag may change at this tick. Asked when its brain has decided.
+/// `may_switch(self, view)`: returns whether self's tag may change at this tick. Called after its brain has decided.
 template <class P>
 concept TagSwitch = requires(const P policy, const Individual& self, const View& view) {
   { policy.may_switch(self, view) } -> std::same_as<MaySwitch>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tags without a clock.
+// Unrestricted tag switches.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace trophic::perception::tag_switch {
 
-/// Rule: the tag may change at every decision: the control that shows what the cool-down does.   Reads: nothing.   Random
-/// draws: 0.
+/// Rule: the tag may change at every decision: the control for the effect of the cool-down.   Reads: nothing.   Random draws:
+/// 0.
 struct FreeTags {
   static constexpr std::string_view name = "free_tags";
   static constexpr std::string_view source = "control";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The released code's tag clock: the brain's tag is sampled now and then.
+// The released code's tag clock: the brain's tag is sampled periodically.
 #pragma once
 
 #include <string_view>
@@ -9,8 +9,8 @@
 
 namespace trophic::perception::tag_switch {
 
-/// Rule (released code: every 100 s): at the first decision at least `period` after the tag clock's start the brain's tag is
-/// taken, and the clock starts again whether or not the tag has changed. So a brain chooses a tag once in a period; with
+/// Rule (released code: every 100 s): at the first decision at least `period` after the tag clock's start the robot takes the
+/// brain's tag, and the clock restarts whether or not the tag has changed. So a brain chooses a tag once in a period; with
 /// TagCoolDown it may choose at every tick after the pause. The clock runs from birth.   Reads: own tag clock, time.   Random
 /// draws: 0.
 struct TagSampling {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The control without tags: everybody active is perceived.
+// The control without tags: every active individual is perceived.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace trophic::perception::visibility {
 
-/// Rule: self perceives every active individual, whatever the tags: the baseline that shows what tagging does. Reads:
-/// other's activity.   Random draws: 0.
+/// Rule: self perceives every active individual, whatever the tags: the baseline for the effect of tags. Reads: other's
+/// activity.   Random draws: 0.
 struct AllActive {
   static constexpr std::string_view name = "all_active";
   static constexpr std::string_view source = "control";

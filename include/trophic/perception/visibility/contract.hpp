@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: who can perceive whom.
+// The contract of a slot: which individuals perceive each other.
 #pragma once
 
 #include <concepts>
@@ -16,9 +16,9 @@
 
 namespace trophic::perception {
 
-/// `perceives(self, other, view, rng)`: whether who lives in body self can perceive who lives in body other. Species are checked
-/// elsewhere. The stream is that of the two and the tick: asked again within a tick, a noisy rule says the same, and whom else
-/// self looks at does not matter.
+/// `perceives(self, other, view, rng)`: returns whether the individual in body self perceives the one in body other. Species
+/// are checked elsewhere. The stream is that of the pair and the tick: if called again within a tick, a noisy rule returns the
+/// same, independent of the other individuals that self observes.
 template <class P>
 concept Visibility = requires(const P policy, BodyIndex self, BodyIndex other, const View& view, Rng& rng) {
   { policy.perceives(self, other, view, rng) } -> std::same_as<bool>;
@@ -42,17 +42,18 @@ template <class P>
 
 }  // namespace ask
 
-/// Whom at most a robot can perceive: nobody farther away, nobody who shows another tag, nobody inactive.
+/// Bounds on what a robot can perceive: distance, tag and activity.
 struct Horizon {
   double within_m = std::numeric_limits<double>::infinity();
-  std::optional<int> tag = {};  ///< none: whatever the tag
+  std::optional<int> tag = {};  ///< none: any tag
   bool only_active = false;
 };
 
 namespace ask {
 
-/// A Visibility rule may say in advance whom it never perceives: `Horizon horizon(const Individual& self) const`. That changes no
-/// result: large ecologies search faster. One that is inherited does not count, as who inherits it may perceive more.
+/// A Visibility rule may declare in advance what it never perceives: `Horizon horizon(const Individual& self) const`. This
+/// changes no result, and large ecologies search faster. An inherited one does not count, as the derived rule may perceive
+/// more.
 template <class P>
 [[nodiscard]] Horizon horizon([[maybe_unused]] const P& policy, [[maybe_unused]] const Individual& self) {
   using Rule = AnswersForSpecies<P>;
@@ -65,7 +66,7 @@ template <class P>
 
 }  // namespace ask
 
-/// The Visibility rule of a run at one tick, as other rules may ask it.
+/// The Visibility rule of a run at one tick, for other rules.
 using Perceives = std::function<bool(BodyIndex self, BodyIndex other)>;
 
 }  // namespace trophic::perception

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots perceive their own tag, up to a range.
+// Robots perceive robots with their own tag, up to a range.
 #pragma once
 
 #include <string_view>
@@ -19,7 +19,7 @@ struct WithinRange {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "nobody farther away is perceived")};
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "robots farther away are not perceived")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every new controller inherits where it can.
+// Every new controller inherits if it has a parent.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace trophic::reproduction::genome_source {
 
-/// Rule: a new controller is sourced from a parent; one without a parent is random and labelled so: no random newcomers
-/// beside.   Reads: nothing.   Random draws: 0.
+/// Rule: a new controller is sourced from a parent; one without a parent is random and labelled so. There are no other random
+/// newcomers.   Reads: nothing.   Random draws: 0.
 struct AlwaysInherited {
   static constexpr std::string_view name = "always_inherited";
   static constexpr std::string_view source = "control";

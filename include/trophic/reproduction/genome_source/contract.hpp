@@ -9,14 +9,14 @@
 
 namespace trophic::reproduction {
 
-/// Where a new controller's genome comes from.
+/// The origin of a new controller's genome.
 enum class Descent {
   random,            ///< drawn at random
   of_parent,         ///< from a parent; without one it is random, and labelled so
   of_parent_in_name  ///< from a parent; without one it is random, and labelled inherited
 };
 
-/// `descent(rng)`: where a new controller's genome comes from, and how one without a parent is labelled.
+/// `descent(rng)`: returns the origin of a new controller's genome, and its label if there is no parent.
 template <class P>
 concept GenomeSource = requires(const P policy, Rng& rng) {
   { policy.descent(rng) } -> std::same_as<Descent>;

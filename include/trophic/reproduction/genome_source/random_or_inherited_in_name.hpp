@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Some new controllers are random, the others inherit, those without a parent in name only.
+// Some new controllers are random, the others inherit; those without a parent are labelled inherited.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace trophic::reproduction::genome_source {
 
-/// Rule (released code: 0.34): as RandomOrInherited, but a random genome for want of a parent is labelled inherited: the label
+/// Rule (released code: 0.34): as RandomOrInherited, but a random genome that lacks a parent is labelled inherited: the label
 /// is that of the draw, not of the descent.   Reads: nothing.   Random draws: 1.
 struct RandomOrInheritedInName {
   static constexpr std::string_view name = "random_or_inherited_in_name";

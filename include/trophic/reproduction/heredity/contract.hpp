@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what an offspring gets of its parent's genome.
+// The contract of a slot: what an offspring inherits of its parent's genome.
 #pragma once
 
 #include <concepts>
@@ -11,8 +11,8 @@
 
 namespace trophic::reproduction {
 
-/// `inherit(parent)`: the genome that the offspring starts from, before mutation; the parent's own object or a new one. Nothing:
-/// no genome is passed on, the offspring's is drawn as one without a parent and does not mutate.
+/// `inherit(parent)`: returns the offspring's genome before mutation: the parent's own object or a new one. Null: no genome is
+/// passed on; the offspring's is drawn like one without a parent and does not mutate.
 template <class P>
 concept Heredity = requires(const P policy, const std::shared_ptr<Genome>& parent) {
   { policy.inherit(parent) } -> std::same_as<std::shared_ptr<Genome>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The neutral heredity: who descends from somebody is decided and recorded, but no genome is passed on.
+// The neutral heredity: parents are chosen and recorded, but no genome is passed on.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace trophic::reproduction::heredity {
 
-/// Rule: an offspring has a parent, a place and a label as under any other heredity, but its genome is drawn anew. Nothing can be
-/// selected, so whatever a metric shows is due to who is born where and when: the null of evolution (see rules::neutral_shadow).
+/// Rule: an offspring has a parent, a place and a label as under any other heredity, but its genome is drawn anew. Nothing can
+/// be selected, so any effect is due to the places and times of births: the null of evolution (see rules::neutral_shadow).
 /// Reads: nothing.   Random draws: those of the initial genome.
 struct NothingInherited {
   static constexpr std::string_view name = "nothing_inherited";

@@ -8,8 +8,8 @@
 
 namespace trophic::reproduction::heredity {
 
-/// Rule: the offspring's genome is a copy; mutating it leaves the parent's as it is.   Reads: parent's
-/// genome.   Random draws: 0.
+/// Rule: the offspring's genome is a copy; its mutation leaves the parent's unchanged.   Reads: parent's genome.   Random
+/// draws: 0.
 struct OwnCopy {
   static constexpr std::string_view name = "own_copy";
   static constexpr std::string_view source = "paper, Sec. \"Reproduction\"";

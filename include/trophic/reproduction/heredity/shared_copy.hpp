@@ -9,8 +9,8 @@
 namespace trophic::reproduction::heredity {
 
 /// Rule (released code): parent and offspring hold the same genome object, so that parent, offspring and every descendant
-/// receive each mutation; a lineage is one genome on a random walk, without heritable variation inside it.   Reads:
-/// parent's genome.   Random draws: 0.
+/// receive each mutation. A lineage is one genome on a random walk, without heritable variation inside it.   Reads: parent's
+/// genome.   Random draws: 0.
 struct SharedCopy {
   static constexpr std::string_view name = "shared_copy";
   static constexpr std::string_view source = "released code";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: how a genome without a parent is made.
+// The contract of a slot: the genome of an individual without a parent.
 #pragma once
 
 #include <concepts>

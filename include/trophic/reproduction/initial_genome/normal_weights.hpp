@@ -10,8 +10,8 @@
 
 namespace trophic::reproduction::initial_genome {
 
-/// Rule: each weight from N(0, sd). The default sd is that of UniformWeights within +-1, 1 / sqrt(3), so that the two differ in
-/// shape alone; sd 0 gives genomes of zeros.   Reads: nothing.   Random draws: 2 per weight.
+/// Rule: each weight from N(0, sd). The default sd is that of UniformWeights within +-1, 1 / sqrt(3), so that the two differ
+/// only in shape; sd 0 gives genomes of zeros.   Reads: nothing.   Random draws: 2 per weight.
 struct NormalWeights {
   static constexpr std::string_view name = "normal_weights";
   static constexpr std::string_view source = "not in the paper";

@@ -11,8 +11,8 @@
 namespace trophic::reproduction::initial_genome {
 
 /// Rule: each weight uniform in [-limit, limit); limit 1 (Sec. "Initialization": "entirely randomized weights between -1 and 1
-/// drawn from a uniform distribution"). A brain with biases, which the paper does not name, has them among its weights.
-/// Reads: nothing.   Random draws: 1 per weight.
+/// drawn from a uniform distribution"). Biases of a brain, which the paper does not mention, are among its weights. Reads:
+/// nothing.   Random draws: 1 per weight.
 struct UniformWeights {
   static constexpr std::string_view name = "uniform_weights";
   static constexpr std::string_view source = "paper, Sec. \"Initialization\"";

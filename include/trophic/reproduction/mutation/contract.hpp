@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: how an inherited genome changes.
+// The contract of a slot: the mutation of an inherited genome.
 #pragma once
 
 #include <concepts>
@@ -13,8 +13,8 @@
 
 namespace trophic::reproduction {
 
-/// `mutate(weights, offspring, rng)`: perturbs an inherited genome in place. `offspring` is complete but for its genome. With a
-/// State, `own` is what the offspring was born with, and may change: a mutation rate that itself mutates.
+/// `mutate(weights, offspring, rng)`: perturbs an inherited genome in place. `offspring` is complete except for its genome.
+/// With a State, `own` is the offspring's state at birth, and may change: a mutation rate that itself mutates.
 template <class P>
 concept Mutation = requires(const P policy, std::span<double> weights, const Individual& offspring, Rng& rng) {
   { policy.mutate(weights, offspring, rng) } -> std::same_as<void>;

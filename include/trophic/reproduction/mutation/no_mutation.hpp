@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Genomes are passed on as they are.
+// Genomes are passed on unchanged.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace trophic::reproduction::mutation {
 
-/// Rule: no weight changes: selection among founders and newcomers alone.   Reads: nothing.   Random draws: 0.
+/// Rule: no weight changes: selection acts only among founders and newcomers.   Reads: nothing.   Random draws: 0.
 struct NoMutation {
   static constexpr std::string_view name = "no_mutation";
   static constexpr std::string_view source = "control";

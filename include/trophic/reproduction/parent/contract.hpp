@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: who reproduces into a vacant body.
+// The contract of a slot: the parent of the next individual in a vacant body.
 #pragma once
 
 #include <concepts>
@@ -16,18 +16,17 @@
 
 namespace trophic::reproduction {
 
-/// A body that is about to change hands; its occupant is still in the view.
+/// A body whose occupant is about to be replaced; it is still in the view.
 struct Vacancy {
   BodyIndex body = 0;
   Cause cause = Cause::caught;
-  std::optional<BodyIndex> killer = {};  ///< the body of the hunter, for Cause::caught
-  std::optional<Species> successor =
-      {};  ///< the species that the body goes to, where the rules fix it: a parent must be one of it
+  std::optional<BodyIndex> killer = {};   ///< the body of the hunter, for Cause::caught
+  std::optional<Species> successor = {};  ///< the species that the body goes to, if the rules fix it: a parent must be of it
 };
 
-/// `parent(vacancy, view, rng)`: who reproduces into the vacant body, dead or alive; nobody: the genome is random. Of the species
-/// `vacancy.heir` where that is given; where not, the body goes to the parent's species. ByCause has a rule for each cause of
-/// death.
+/// `parent(vacancy, view, rng)`: returns the individual that reproduces into the vacant body, dead or alive; without one the
+/// genome is random. It must be of the species `vacancy.successor`, if that is given; otherwise the body goes to the parent's
+/// species. ByCause has a rule for each cause of death.
 template <class P>
 concept Parent = requires(const P policy, const Vacancy& vacancy, const View& view, Rng& rng) {
   { policy.parent(vacancy, view, rng) } -> std::same_as<std::optional<Ancestor>>;

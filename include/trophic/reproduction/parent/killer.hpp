@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who catches, reproduces.
+// The hunter that catches reproduces.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rescued species takes its newcomer from the body's last killer.
+// After a sacrifice the body's last killer reproduces.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,16 @@
 
 namespace trophic::reproduction::parent {
 
-/// Rule (released code, for sacrificed prey): the parent is whoever last caught somebody in this body, dead or alive;
-/// nobody ever, or one of another species than the body goes to: none.   Reads: its own state.   Random draws: 0.
+/// Rule (released code, for sacrificed prey): the parent is the hunter that last caught an individual in this body, dead or
+/// alive. None if there was no catch, or if that hunter is of another species than the body goes to.   Reads: its own state.
+/// Random draws: 0.
 struct LastKiller {
   static constexpr std::string_view name = "last_killer";
   static constexpr std::string_view source = "released code";
 
-  /// Of each body.
+  /// The state of a body.
   struct State {
-    std::optional<Ancestor> killer;  ///< who last caught somebody in it
+    std::optional<Ancestor> killer;  ///< the last hunter that caught an individual in it
     static constexpr auto fields() { return std::tuple{field("killer", &State::killer)}; }
   };
   [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prey that the dying predator last perceived as closest reproduces, however long ago that was.
+// The prey that the dying predator last perceived as closest reproduces, no matter when.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 namespace trophic::reproduction::parent {
 
 /// Rule (released code): the parent is the last individual that the dying hunter's body perceived as closest among those it
-/// eats, at any distance, dead or alive. The memory is renewed only when another body becomes the closest: somebody reborn in the
+/// eats, at any distance, dead or alive. The memory changes only when another body becomes the closest: a birth in the
 /// remembered body is not noticed. It outlives births in the hunter's body and is cleared only by a catch.   Reads: its own
 /// state.   Random draws: 0.
 struct LastSeenVictim {
   static constexpr std::string_view name = "last_seen_victim";
   static constexpr std::string_view source = "released code";
 
-  /// Of each body.
+  /// The state of a body.
   struct State {
-    std::optional<BodyIndex> body;   ///< the last body perceived as closest whose owner this body's species eats
-    std::optional<Ancestor> victim;  ///< who lived in that body when it became the closest
+    std::optional<BodyIndex> body;   ///< the last body perceived as closest whose occupant this body's species eats
+    std::optional<Ancestor> victim;  ///< the occupant of that body when it became the closest
     static constexpr auto fields() { return std::tuple{field("body", &State::body), field("victim", &State::victim)}; }
   };
   [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }

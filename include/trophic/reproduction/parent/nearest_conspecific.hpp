@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest of the kind that the body goes to reproduces.
+// The nearest individual of the species that the body goes to reproduces.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace trophic::reproduction::parent {
 
-/// Rule: the closest living individual of the species that the body goes to, at any distance, is the parent; nobody else of that
-/// species: none. Where the rules do not fix that species it is the dying one's. After a death of old age the body stays with its
-/// species.   Reads: positions, species.   Random draws: 0.
+/// Rule: the parent is the closest living individual of the species that the body goes to, at any distance; none if there is no
+/// other of that species. If the rules do not fix that species it is the dying individual's. After senescence the body stays
+/// with its species.   Reads: positions, species.   Random draws: 0.
 struct NearestConspecific {
   static constexpr std::string_view name = "nearest_conspecific";
   static constexpr std::string_view source = "not in the paper";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody reproduces: the newcomer is random.
+// No individual reproduces: the newcomer is random.
 #pragma once
 
 #include <optional>

@@ -27,19 +27,19 @@ namespace trophic::backend {
 /// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies JointDriven.
 ///
 /// Numbers: positions m, angles rad, velocities m/s and rad/s, torques N m. No random draws. Results do not depend on
-/// `Params::threads`, bitwise; `fast`, `islands` and `one_model` agree to rounding, which contacts amplify slowly.
-/// Errors: std::invalid_argument on construction; Diverged when MuJoCo warns or a robot leaves the arena: the backend then still
-/// shows the last sound state. Not for calls from several threads at once; several backends in several threads are fine.
+/// `Params::threads`, bitwise; `fast`, `islands` and `one_model` agree to rounding, which contacts amplify slowly. Errors:
+/// std::invalid_argument on construction; Diverged if MuJoCo warns or a robot leaves the arena: the backend then still shows
+/// the last sound state. Must not be called from several threads at once; several backends may run in several threads.
 class Mujoco {
  public:
   static constexpr std::string_view name = "mujoco";
   [[nodiscard]] static std::string version();
   [[nodiscard]] static std::vector<std::string> remarks(const Physics&);
 
-  /// How the robots are divided into MuJoCo models.
+  /// The division of robots into MuJoCo models.
   enum class Stepping {
-    fast,      ///< as islands; groups of up to four robots by a kernel that computes what mj_step computes
-    islands,   ///< robots that cannot touch are stepped apart, in several threads
+    fast,      ///< as islands; a kernel with the results of mj_step steps groups of up to four robots
+    islands,   ///< robots that cannot touch are stepped separately, in several threads
     one_model  ///< all in one model, stepped by mj_step in one thread: the reference
   };
   friend constexpr std::array<std::string_view, 3> enum_names(Stepping) { return {"fast", "islands", "one_model"}; }
@@ -54,11 +54,12 @@ class Mujoco {
       return std::tuple{
           field("stepping", &Params::stepping, "fast, islands (MuJoCo only) or one_model (the reference)"),
           field("threads", &Params::threads, between(1, 1024), "threads for fast and islands; results do not depend on it"),
-          field("box_depth", &Params::box_depth, "of a box on the face of another: engine (half, up to MuJoCo 3.3.7) or whole")};
+          field("box_depth", &Params::box_depth,
+                "reported depth of box-face contacts: engine (half, up to MuJoCo 3.3.7) or whole")};
     }
   };
 
-  /// Everything that decides how the run goes on, warm starts of the solver and servo targets included.
+  /// The state that determines the further run, including warm starts of the solver and servo targets.
   struct State {
     std::uint64_t steps = 0;
     std::vector<double> robots;       ///< RobotStates::values
@@ -85,12 +86,12 @@ class Mujoco {
 
   [[nodiscard]] State save() const;
 
-  /// Throws std::invalid_argument for a state of another robot or number of robots.
+  /// Throws std::invalid_argument for a state of another robot or another number of robots.
   void restore(const State& state);
 
-  /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
-  /// `simulate` opens it; the heights of a height field go into a binary file beside it. `colours`: of each robot; those left out
-  /// are orange. Throws std::runtime_error, also where there is a file of the name already.
+  /// Writes the current world as a MuJoCo model, all robots in one model with a key frame of angles, velocities and targets,
+  /// which MuJoCo's `simulate` opens. The heights of a height field go into a binary file next to it. `colours`: of each robot;
+  /// missing ones are orange. Throws std::runtime_error, also if the file exists.
   void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours = {}) const;
 
  private:

@@ -23,7 +23,7 @@
 
 namespace trophic::backend {
 
-/// The engine behind a Mujoco: its robots, their states, and the models that they are stepped in.
+/// The engine of a Mujoco: its robots, their states, and the models in which they are stepped.
 class Mujoco::Simulation {
  public:
   Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
@@ -79,7 +79,7 @@ class Mujoco::Simulation {
 
   [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_}; }
 
-  /// Throws std::invalid_argument for a state of another robot or number of robots.
+  /// Throws std::invalid_argument for a state of another robot or another number of robots.
   void restore(const State& state) {
     if (state.robots.size() != states_.values().size() || state.targets_rad.size() != targets_rad_.size()) {
       throw std::invalid_argument{"mujoco state of " + std::to_string(state.robots.size()) + " numbers: must have " +
@@ -91,16 +91,17 @@ class Mujoco::Simulation {
     read_angles();
   }
 
-  /// Writes the world as it stands, all robots in one model with a key frame of angles, velocities and targets, so that MuJoCo's
-  /// `simulate` opens it; the heights of a height field go into a binary file beside it. Throws std::runtime_error.
+  /// Writes the current world as a MuJoCo model, all robots in one model with a key frame of angles, velocities and targets,
+  /// which MuJoCo's `simulate` opens. The heights of a height field go into a binary file next to it. Throws
+  /// std::runtime_error.
   void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
     mujoco::save_mjcf(path, robot_, arena_, physics_, box_depth_, states_, targets_rad_, colours);
   }
 
  private:
-  /// Groups of robots are chosen anew after so much time, as often as controllers usually set targets.
+  /// The period after which robots are grouped anew: the usual period of controllers.
   static constexpr double block_s = 1.0 / 60.0;
-  /// Rounding that makes no step.
+  /// Tolerance for rounding, below which no step is taken.
   static constexpr double slack_s = 1e-9;
 
   [[nodiscard]] std::size_t checked(std::size_t robot) const {
@@ -183,7 +184,7 @@ class Mujoco::Simulation {
   std::size_t steps_per_block_;
   Stepper stepper_;
   mujoco::RobotStates states_;
-  mujoco::RobotStates next_;  ///< where a block of steps is written, until it is known to be sound
+  mujoco::RobotStates next_;  ///< the target of a block of steps, until it is checked
   mujoco::Layout layout_;
   std::uint64_t steps_ = 0;
   std::vector<double> targets_rad_;

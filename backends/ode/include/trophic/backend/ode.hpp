@@ -19,15 +19,15 @@
 
 namespace trophic::backend {
 
-/// ODE behind the backend contract. Satisfies JointDriven. Steps are semi-implicit Euler on velocities, whatever the integrator
-/// that Physics names (ODE has no other; `remarks` says so), with servos, contacts, friction and joint limits solved implicitly
-/// within the step. Boxes touch the floor, the walls or the height field, other robots, and links of their own robot that no
-/// hinge joins to theirs. Links are free bodies that constraints hold together, so a hinge's anchor drifts by micrometres under
-/// load.
+/// ODE as a backend. Satisfies JointDriven. Steps are semi-implicit Euler on velocities, for any integrator in Physics (ODE has
+/// no other; `remarks` reports it), with servos, contacts, friction and joint limits solved implicitly within the step. Boxes
+/// touch the floor, the walls or the height field, other robots, and links of their own robot that no hinge joins to theirs.
+/// Links are free bodies joined by constraints, so a hinge's anchor drifts by micrometres under load.
 ///
-/// Numbers: SI units. No random draws of ours. Results do not depend on `Params::threads`, bitwise. Errors: std::invalid_argument
-/// on construction; Diverged when ODE complains or a robot leaves the arena or is absurdly fast: the backend then still shows the
-/// last sound state. Not for calls from several threads at once; several backends in several threads are fine.
+/// Numbers: SI units. No random draws from the library's streams. Results do not depend on `Params::threads`, bitwise. Errors:
+/// std::invalid_argument on construction; Diverged if ODE reports an error or a robot leaves the arena or is unphysically fast:
+/// the backend then still shows the last sound state. Must not be called from several threads at once; several backends may run
+/// in several threads.
 class Ode {
  public:
   static constexpr std::string_view name = "ode";
@@ -37,8 +37,8 @@ class Ode {
   using Params = ode::Params;
   using State = ode::State;
 
-  /// Throws std::invalid_argument for a number outside its bound, no robot, a start pose outside the arena, a
-  /// hinge range above 3 rad, and whatever validate(RobotModel) rejects.
+  /// Throws std::invalid_argument for a number outside its bound, no robots, a start pose outside the arena, a hinge range
+  /// above 3 rad, and all that validate(RobotModel) rejects.
   Ode(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params);
   Ode(Ode&&) noexcept;
   Ode& operator=(Ode&&) noexcept;
@@ -56,7 +56,7 @@ class Ode {
 
   [[nodiscard]] State save() const;
 
-  /// Throws std::invalid_argument for a state of another number of robots or another robot.
+  /// Throws std::invalid_argument for a state of another robot or another number of robots.
   void restore(const State& state);
 
  private:

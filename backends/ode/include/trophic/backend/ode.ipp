@@ -21,7 +21,7 @@
 
 namespace trophic::backend {
 
-/// The engine behind an Ode: its robots' state and the worlds that they are stepped in.
+/// The engine of an Ode: its robots' state and the worlds in which they are stepped.
 class Ode::Simulation {
  public:
   Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
@@ -79,7 +79,7 @@ class Ode::Simulation {
 
   [[nodiscard]] State save() const { return state_; }
 
-  /// Throws std::invalid_argument for a state of another number of robots or another robot.
+  /// Throws std::invalid_argument for a state of another robot or another number of robots.
   void restore(const State& state) {
     const auto check_size = [](std::string_view field, std::size_t size, std::size_t expected) {
       if (size != expected) {
@@ -94,7 +94,7 @@ class Ode::Simulation {
   }
 
  private:
-  /// Rounding that makes no step.
+  /// Tolerance for rounding, below which no step is taken.
   static constexpr double slack_s = 1e-9;
 
   static void check(const ode::Setup& setup, std::span<const Pose> starts) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a newborn is out of its hunters' way: what two activations share.
+// Whether a newborn is away from its hunters: shared by two activations.
 #pragma once
 
 #include <trophic/params/params.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a part of starvation::Procedure: whom a starvation procedure kills.
+// The contract of a part of starvation::Procedure: which hunters a starvation procedure kills.
 #pragma once
 
 #include <concepts>
@@ -10,10 +10,10 @@
 
 namespace trophic::death::starvation {
 
-/// Whether a hunter is exempt, as a choice may ask it. Observers are given each hunter that was asked about and is.
+/// Returns whether a hunter is exempt. Observers get each hunter for which a choice calls it and that is exempt.
 using IsExempt = std::function<bool(BodyIndex hunter)>;
 
-/// `victims(view, is_exempt)`: who starves in a procedure, in order, each once.
+/// `victims(view, is_exempt)`: returns the hunters that starve in a procedure, in order, each once.
 template <class P>
 concept Choice = requires(const P policy, const View& view, const IsExempt& is_exempt) {
   { policy.victims(view, is_exempt) } -> std::same_as<std::vector<BodyIndex>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hungriest predator that is not spared starves; nobody if all are spared.
+// The hungriest predator that is not exempt starves; none if all are exempt.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace trophic::death::starvation::choice {
 
-/// Rule: of all hunters the one with the highest hunger (ticks since birth or last catch) dies, unless it is spared; then the
-/// next hungriest. The text has "the next oldest predator dies" (Sec. "Predator Death"), here read as the next hungriest, as the
-/// released code does; HungriestElseOldest reads it as written. Ties: the earlier born first. If all are spared none dies;
+/// Rule: of all hunters the one with the highest hunger (ticks since birth or the last catch) dies, unless it is exempt; then
+/// the next hungriest. The text has "the next oldest predator dies" (Sec. "Predator Death"), here read as the next hungriest,
+/// as in the released code; HungriestElseOldest reads it as written. Ties: the earlier born first. If all are exempt none dies;
 /// HungriestNonexemptElseHungriest is the released code's.   Reads: hunger, ids.   Random draws: 0.
 struct HungriestNonexempt {
   static constexpr std::string_view name = "hungriest_nonexempt";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hungriest predator that is not spared starves; the hungriest of all if all are spared.
+// The hungriest predator that is not exempt starves; the hungriest of all if all are exempt.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace trophic::death::starvation::choice {
 
-/// Rule (released code): as HungriestNonexempt, but if all hunters are spared the hungriest dies all the same: a procedure always
-/// has a victim.   Reads: hunger, ids.   Random draws: 0.
+/// Rule (released code): as HungriestNonexempt, but if all hunters are exempt the hungriest dies anyway: a procedure always has
+/// a victim.   Reads: hunger, ids.   Random draws: 0.
 struct HungriestNonexemptElseHungriest {
   static constexpr std::string_view name = "hungriest_nonexempt_else_hungriest";
   static constexpr std::string_view source = "released code";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a part of starvation::Procedure: who is exempt from starvation.
+// The contract of a part of starvation::Procedure: which hunters are exempt from starvation.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 
 namespace trophic::death::starvation {
 
-/// `is_exempt(hunter, view, perceives)`: whether a hungry hunter escapes starvation at this tick. `perceives(self, other)` is the
-/// run's Visibility rule.
+/// `is_exempt(hunter, view, perceives)`: returns whether a hungry hunter escapes starvation at this tick. `perceives(self,
+/// other)` is the run's Visibility rule.
 template <class P>
 concept Exemption = requires(const P policy, BodyIndex hunter, const View& view, const perception::Perceives& perceives) {
   { policy.is_exempt(hunter, view, perceives) } -> std::same_as<bool>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The released code's exemption: by the last stored distance, however stale.
+// The released code's exemption: by the last stored distance, however old.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace trophic::death::starvation::exemption {
 
-/// Rule (released code): spared iff the adversary distance stored in the hunter's body is below range. It is stored only
-/// while an adversary is perceived, starts at 0 and outlives births in that body, so that a hunter whose prey has just
-/// hidden stays exempt: the opposite of the text. Reads: its own state.   Random draws: 0.
+/// Rule (released code): exempt iff the adversary distance stored in the hunter's body is below range. It is stored only while
+/// an adversary is perceived, starts at 0 and outlives births in that body, so that a hunter whose prey has just hidden stays
+/// exempt: the opposite of the text. Reads: its own state.   Random draws: 0.
 struct NearRememberedAdversary {
   static constexpr std::string_view name = "near_remembered_adversary";
   static constexpr std::string_view source = "released code";
@@ -25,9 +25,9 @@ struct NearRememberedAdversary {
   };
   Params params;
 
-  /// Of each body.
+  /// The state of a body.
   struct State {
-    double adversary_distance_m = 0.0;  ///< to the adversary when one was last perceived; 0 before the first
+    double adversary_distance_m = 0.0;  ///< to the adversary when one was last perceived; 0 until the first
     static constexpr auto fields() { return std::tuple{field("adversary_distance_m", &State::adversary_distance_m)}; }
   };
   [[nodiscard]] State born(const Individual&, const State*, const State& body) const { return body; }

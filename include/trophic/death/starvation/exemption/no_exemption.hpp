@@ -7,7 +7,7 @@
 
 namespace trophic::death::starvation::exemption {
 
-/// Rule: hunger alone decides.   Reads: nothing.   Random draws: 0.
+/// Rule: no hunter is exempt; hunger alone decides.   Reads: nothing.   Random draws: 0.
 struct NoExemption {
   static constexpr std::string_view name = "no_exemption";
   static constexpr std::string_view source = "control";

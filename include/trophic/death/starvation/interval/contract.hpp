@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a part of starvation::Procedure: when a starvation procedure is held.
+// The contract of a part of starvation::Procedure: when a starvation procedure takes place.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace trophic::death::starvation {
 
-/// When the starvation procedure ran last and the interval fixed then.
+/// The time of the last starvation procedure and the interval fixed then.
 struct StarvationClock {
   std::int64_t last_tick = 0;
   std::int64_t interval_ticks = 0;
@@ -19,8 +19,8 @@ struct StarvationClock {
   }
 };
 
-/// `interval_ticks(view)`: ticks between two starvation procedures as of now; `due(clock, view)`: whether one is held at
-/// this tick.
+/// `interval_ticks(view)`: returns the ticks between two starvation procedures as of now; `due(clock, view)`: returns whether
+/// one takes place at this tick.
 template <class P>
 concept Interval = requires(const P policy, const StarvationClock& clock, const View& view) {
   { policy.interval_ticks(view) } -> std::same_as<std::int64_t>;

@@ -9,11 +9,11 @@
 
 namespace trophic::death::starvation::interval {
 
-/// Rule: a starvation procedure is held every Delta = base - p ticks, p the number of hunters (Sec. "Predator Death", Eq. 3: base
-/// 25). Delta is fixed at the start and again after each procedure, so that it depends on the crowding with a delay;
-/// DirectCrowdingInterval is the released code's. Delta never falls below min_interval, 2, which the paper derives from its floor
-/// of 7 prey. With only_above hunters or fewer (0 in the paper) a procedure waits, overdue.   Reads: number of hunters, clock.
-/// Random draws: 0.
+/// Rule: a starvation procedure takes place every Delta = base - p ticks, p the number of hunters (Sec. "Predator Death", Eq.
+/// 3: base 25). Delta is fixed at the start and again after each procedure, so that it depends on the crowding with a delay;
+/// DirectCrowdingInterval is the released code's. Delta never falls below min_interval, 2, which the paper derives from its
+/// floor of 7 prey. With only_above hunters or fewer (0 in the paper) a procedure waits, overdue.   Reads: number of hunters,
+/// clock. Random draws: 0.
 struct DelayedCrowdingInterval {
   static constexpr std::string_view name = "delayed_crowding_interval";
   static constexpr std::string_view source = "paper, Sec. \"Predator Death\", Eq. 3";

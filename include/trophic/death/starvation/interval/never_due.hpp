@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody starves: no procedure is ever held.
+// No starvation procedure ever takes place.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace trophic::death::starvation::interval {
 
-/// Rule: no starvation procedure is held: the control that shows what starvation does.   Reads: nothing.   Random draws: 0.
+/// Rule: no starvation procedure takes place: the control for the effect of starvation.   Reads: nothing.   Random draws: 0.
 struct NeverDue {
   static constexpr std::string_view name = "never_due";
   static constexpr std::string_view source = "control";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who stands near, for placements that keep robots apart.
+// Finds nearby robots, for placements that keep robots apart.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +10,19 @@
 
 namespace trophic::initialization::placement::detail {
 
-/// Who stands in each square of a grid: whoever is closer than two radii to a pose is in its square or in one beside it.
+/// The robots in each square of a grid: every robot closer than two radii to a pose is in its square or in a neighbouring one.
 class Squares {
  public:
   Squares(double reach_m, double radius_m, std::size_t robots)
       : reach_m_{reach_m},
-        // Room for rounding, and no more squares than robots.
+        // A margin for rounding, and no more squares than robots.
         square_m_{std::max({2.001 * radius_m, 2.0 * reach_m / std::ceil(std::sqrt(static_cast<double>(robots))), 1e-6})},
         side_{place_of(reach_m) + 1},
         standing_(side_ * side_) {}
 
   void add(const GroundPose& pose) { standing_[place_of(pose.y_m) * side_ + place_of(pose.x_m)].push_back(pose); }
 
-  /// Whether `holds(other)` for everybody near a pose.
+  /// Whether `holds(other)` for every robot near a pose.
   template <class Holds>
   [[nodiscard]] bool all_near(const GroundPose& pose, const Holds& holds) const {
     const std::size_t column = place_of(pose.x_m);

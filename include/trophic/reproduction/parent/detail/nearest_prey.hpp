@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closest prey of a dying predator: what two parent rules share.
+// The closest prey of a dying predator: shared by two parent rules.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace trophic::reproduction::parent::detail {
 
-/// The closest individual within `range_m` that the occupant of `body` could eat; none if there is none. `only_active`: inactive
-/// newborns are left out.
+/// The closest individual within `range_m` that the occupant of `body` could eat, if any. `only_active`: inactive newborns are
+/// excluded.
 [[nodiscard]] inline std::optional<Ancestor> nearest_prey(BodyIndex body, double range_m, bool only_active, const View& view) {
   const Species dying = view.robots[body].species;
   const auto eats = [&](Species other) { return view.web.eats(dying, other); };

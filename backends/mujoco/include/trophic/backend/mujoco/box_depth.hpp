@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How deep the contacts of boxes with each other are.
+// The depth of contacts between boxes.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 
 namespace trophic::backend::mujoco {
 
-/// Depth of a contact between a face of a box and another box. MuJoCo up to 3.3.7 reports half of it, so that boxes press each
-/// other with less force than a box and a plane do. Contacts of two edges have their whole depth, as have planes and height
-/// fields.
+/// Depth of a contact between a face of a box and another box. MuJoCo up to 3.3.7 reports half of it, so that the contact force
+/// between boxes is smaller than between a box and a plane. Contacts of two edges have their whole depth, as have contacts with
+/// planes and height fields.
 enum class BoxDepth {
   engine,  ///< as MuJoCo reports it
   whole

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole depth of face contacts between boxes, for the models that ask for it.
+// The whole depth of face contacts between boxes, for the models that request it.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,7 +12,7 @@
 
 namespace trophic::backend::mujoco {
 
-/// The custom number by which a model asks for the whole depth.
+/// The name of the custom number with which a model requests the whole depth.
 inline constexpr const char* whole_box_depth = "trophic.whole_box_depth";
 
 /// Writes the request into the MJCF document with this root.
@@ -31,10 +31,11 @@ inline void ask_whole_box_depth(pugi::xml_node mujoco) {
   return false;
 }
 
-/// Whether a contact of two boxes lies on a face of one of them with half its depth.
+/// Whether a contact of two boxes lies on a face of one of them and has half its depth.
 ///
 /// A face contact's normal is that of the face, bit for bit. The point lies midway between the two surfaces, half the depth
-/// inside the face: where the depth itself is reported it is twice as far from it, where half of it is, just as far.
+/// inside the face. If the depth itself is reported, it is twice the distance of the point from the face; if half of it is, it
+/// equals that distance.
 [[nodiscard]] inline bool has_half_depth(const mjModel& model, const mjData& data, const mjContact& contact, int first,
                                          int second) {
   const mjtNum* const normal = contact.frame;
@@ -55,13 +56,13 @@ inline void ask_whole_box_depth(pugi::xml_node mujoco) {
   return false;
 }
 
-/// MuJoCo's test of two boxes, or that of whoever replaced it before us.
+/// The box-box test that was installed first: MuJoCo's own or a replacement.
 [[nodiscard]] inline mjfCollision& engine_box_test() {
   static mjfCollision function = nullptr;
   return function;
 }
 
-/// The same with whole depths in models that ask for them. A function of its arguments, so any thread may call it.
+/// The same with whole depths in models that request them. A pure function, so any thread may call it.
 inline int test_boxes(const mjModel* model, const mjData* data, mjContact* contacts, int first, int second, mjtNum margin) {
   const int count = engine_box_test()(model, data, contacts, first, second, margin);
   if (count == 0 || !asks_whole_box_depth(*model)) return count;
@@ -71,7 +72,7 @@ inline int test_boxes(const mjModel* model, const mjData* data, mjContact* conta
   return count;
 }
 
-/// Puts `test_boxes` into MuJoCo's table, once in a process. To be called before a model of ours is stepped.
+/// Installs `test_boxes` in MuJoCo's table, once per process. Must be called before such a model is stepped.
 inline void install_box_test() {
   static const bool installed = [] {
     mjfCollision& entry = mjCOLLISIONFUNC[mjGEOM_BOX][mjGEOM_BOX];

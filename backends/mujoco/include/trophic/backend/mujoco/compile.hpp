@@ -17,15 +17,15 @@
 
 namespace trophic::backend::mujoco {
 
-/// A file that MJCF refers to.
+/// A file that an MJCF document refers to.
 struct NamedFile {
   std::string name;
   std::string content;
 };
 
-/// Compiles MJCF. Throws std::runtime_error with MuJoCo's own words where it refuses.
+/// Compiles MJCF. Throws std::runtime_error with MuJoCo's own message on failure.
 [[nodiscard]] inline ModelPtr compile(const pugi::xml_document& document, const std::optional<NamedFile>& file) {
-  static std::mutex one_at_a_time;  // MuJoCo's compiler is not said to be safe in several threads
+  static std::mutex one_at_a_time;  // MuJoCo does not document its compiler as thread-safe
   const std::lock_guard lock{one_at_a_time};
   const EngineGuard guard;
   install_box_test();
@@ -40,7 +40,7 @@ struct NamedFile {
   mj_defaultVFS(files.get());
   const auto add_file = [&](const std::string& name, const std::string& content) {
     if (mj_makeEmptyFileVFS(files.get(), name.c_str(), static_cast<int>(content.size())) != 0) {
-      throw std::runtime_error{"MuJoCo: cannot hold " + name + " of " + std::to_string(content.size()) + " bytes"};
+      throw std::runtime_error{"MuJoCo: cannot store " + name + " of " + std::to_string(content.size()) + " bytes"};
     }
     std::ranges::copy(content, static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), name.c_str())]));
   };
@@ -51,7 +51,7 @@ struct NamedFile {
 
   std::array<char, 1000> error{};
   ModelPtr model{mj_loadXML("model.xml", files.get(), error.data(), static_cast<int>(error.size()))};
-  if (!model) throw std::runtime_error{std::string{"MuJoCo refuses the model: "} + error.data()};
+  if (!model) throw std::runtime_error{std::string{"MuJoCo rejects the model: "} + error.data()};
   return model;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A compiled MuJoCo model of k robots, the working memories in which threads step it, and where a robot's numbers are in it.
+// A compiled MuJoCo model of k robots, its working memories, one per thread, and the indices of a robot's numbers.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace trophic::backend::mujoco {
 
-/// Sizes of one robot's share of a model and where its hinge angles are in its share of qpos.
+/// The sizes of one robot's share of a model, and the indices of its hinge angles in its share of qpos.
 struct Layout {
   std::size_t positions = 0;   ///< numbers in qpos
   std::size_t velocities = 0;  ///< numbers in qvel
@@ -32,12 +32,12 @@ struct Layout {
 /// k robots in one scene. Robot j's numbers are the j-th share of qpos, qvel and ctrl.
 class CompiledModel {
  public:
-  /// `memories`: how many threads can step it at the same time.
+  /// `memories`: the number of threads that can step it at the same time.
   CompiledModel(const RobotModel& robot, const Arena& arena, const Physics& physics, const Scene& scene, std::size_t robots,
                 std::size_t memories)
       : robots_{robots}, data_(memories), taken_(memories, false) {
     const std::string height_file = "ground.hfield";
-    // MuJoCo steps what it compiles once: far enough apart and above the ground nothing touches.
+    // MuJoCo takes a step when it compiles: far enough apart and above the ground nothing touches.
     std::vector<Pose> apart(robots);
     const double ground_m = arena.height_field ? std::ranges::max(arena.height_field->height_m) : 0.0;
     for (std::size_t i = 0; i < robots; ++i) {
@@ -47,19 +47,19 @@ class CompiledModel {
     std::optional<NamedFile> heights;
     if (arena.height_field) heights = {height_file, height_file_content(*arena.height_field)};
     model_ = compile(write_mjcf(robot, arena, physics, scene, apart, height_file), heights);
-    // Dense rows are faster for one or two robots only.
+    // Dense rows are faster only for one or two robots.
     model_->opt.jacobian = robots < 3 ? mjJAC_DENSE : mjJAC_SPARSE;
     read_layout(robot);
     resize(std::min<std::size_t>(300 + 100 * robots, largest_rows()));
   }
 
   [[nodiscard]] std::size_t robots() const { return robots_; }
-  [[nodiscard]] std::size_t memories() const { return data_.size(); }  ///< that it can come to have
+  [[nodiscard]] std::size_t memories() const { return data_.size(); }  ///< the maximum number
   [[nodiscard]] const mjModel& model() const { return *model_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
-  /// One of the working memories, made at its first use. Nobody else may use it meanwhile. Most of a crowd's is the square matrix
-  /// of the dual solvers, which MuJoCo fills with zeros and the Newton solver never looks at.
+  /// One of the working memories, constructed at its first use, for exclusive use. Most of a crowd's is the square matrix of
+  /// the dual solvers, which MuJoCo fills with zeros and the Newton solver never reads.
   [[nodiscard]] mjData& data(std::size_t slot) {
     if (!data_[slot]) {
       const EngineGuard guard;
@@ -72,8 +72,8 @@ class CompiledModel {
     return *data_[slot];
   }
 
-  /// For a thread that steps some group next: the first working memory that no other thread holds a turn of, once there is one.
-  /// A model of which one group is stepped at a time uses one, whichever threads do it.
+  /// Lends a thread the first working memory that no other thread holds, waiting for one if necessary. A model of which one
+  /// group is stepped at a time uses one, for any threads.
   class Turn {
    public:
     explicit Turn(CompiledModel& model) : model_{model} {
@@ -102,7 +102,7 @@ class CompiledModel {
     std::size_t slot_ = 0;
   };
 
-  /// Doubles the room for contacts. False where MuJoCo's 31-bit buffer size is reached.
+  /// Doubles the capacity for contacts. Returns false if MuJoCo's 31-bit buffer size is reached.
   bool grow() {
     const auto rows = static_cast<std::size_t>(model_->njmax);
     const std::size_t larger = std::min(2 * rows, largest_rows());
@@ -128,8 +128,8 @@ class CompiledModel {
     }
   }
 
-  /// Room for `rows` constraint rows, hence for rows / 4 contacts (a pyramid of four edges each); the stack is what the Newton
-  /// solver and the collision sweep take, not the much larger default that serves other solvers too.
+  /// Capacity for `rows` constraint rows, hence for rows / 4 contacts (a pyramid of four edges each). The stack has the size
+  /// that the Newton solver and the collision sweep need, instead of the much larger default for other solvers.
   void resize(std::size_t rows) {
     const auto nv = static_cast<std::size_t>(model_->nv);
     const auto bodies = static_cast<std::size_t>(model_->nbody);
@@ -139,8 +139,8 @@ class CompiledModel {
         50000 + 5 * nv * nv + bodies * bodies + 200 * (nv + bodies) + 20 * rows, std::numeric_limits<int>::max() / 8));
   }
 
-  /// The most rows for which mjData's buffer stays below 2^31 bytes: per row the Jacobian and its transpose with their column
-  /// indices (12 bytes an entry each), and the square matrix of the dual solvers with its indices.
+  /// The largest number of rows for which mjData's buffer stays below 2^31 bytes: per row the Jacobian and its transpose with
+  /// their column indices (12 bytes an entry each), and the square matrix of the dual solvers with its indices.
   [[nodiscard]] std::size_t largest_rows() const {
     const auto nv = static_cast<double>(model_->nv);
     const double fixed = 8.0 * nv * (static_cast<double>(model_->nu) + 200.0) + 0x1p24;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MuJoCo's objects as C++ owners, and its errors and warnings as C++ exceptions instead of exit() and a log file.
+// Owners of MuJoCo's objects; its errors and warnings as C++ exceptions instead of exit() and a log file.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -21,14 +21,14 @@ struct DeleteData {
 using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
 using DataPtr = std::unique_ptr<mjData, DeleteData>;
 
-/// What MuJoCo reported through mju_error.
+/// An error that MuJoCo reported through mju_error.
 struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// While one lives on a thread, mju_error on that thread throws EngineError instead of ending the process, and mju_warning is
-/// silent: warnings are read from mjData. On other threads MuJoCo's own behaviour, or an earlier handler's, is kept.
-/// The mjData of an interrupted call must be reset or thrown away.
+/// silent: warnings are read from mjData. On other threads MuJoCo's own handler, or an earlier one, stays active. The mjData of
+/// an interrupted call must be reset or destroyed.
 class EngineGuard {
  public:
   EngineGuard() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that nobody needs goes back to the system.
+// Returns unused memory to the system.
 #pragma once
 
 #include <malloc.h>
@@ -11,8 +11,8 @@
 
 namespace trophic::backend::mujoco {
 
-/// Gives the whole pages of an array back, whose content is lost. The array stays: whoever reads it gets zeros, whoever writes it
-/// gets memory again.
+/// Returns the whole pages of an array to the system; their content is lost. The array stays valid: reads give zeros, writes
+/// allocate memory again.
 inline void give_back_pages(void* array, std::size_t bytes) {
   const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
   const auto first = reinterpret_cast<std::uintptr_t>(array);
@@ -21,7 +21,7 @@ inline void give_back_pages(void* array, std::size_t bytes) {
   if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
 }
 
-/// Gives back the pages of what was freed: glibc keeps those that lie below something that is still in use.
+/// Returns the pages of freed memory: glibc keeps those below memory that is still in use.
 inline void give_back_freed_pages() {
 #if defined(__GLIBC__)
   ::malloc_trim(0);

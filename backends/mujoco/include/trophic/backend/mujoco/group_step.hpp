@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps one group of robots in one MuJoCo model and says how it ended.
+// Steps one group of robots in one MuJoCo model and reports how it ended.
 #pragma once
 
 #include <algorithm>
@@ -14,28 +14,28 @@
 
 namespace trophic::backend::mujoco {
 
-/// How stepping a group ended. Only `done` leaves a state worth keeping.
+/// How a group's step ended. Only `done` leaves a valid state.
 struct GroupResult {
   enum class End {
     done,
     left_disc,     ///< a robot moved farther than its slack: it may have met robots outside the group
-    buffers_full,  ///< more contacts than the model has room for
+    buffers_full,  ///< more contacts than the capacity of the model
     diverged
   };
   End end = End::done;
   std::size_t steps = 0;  ///< whole steps before the end
-  std::size_t robot = 0;  ///< which robot, except for `done`
+  std::size_t robot = 0;  ///< the robot, except for `done`
   std::string what;
   double speed_m_s = 0.0;          ///< of that robot's root, for `left_disc`
-  CompiledModel* model = nullptr;  ///< which model, for `buffers_full`
+  CompiledModel* model = nullptr;  ///< the model, for `buffers_full`
 };
 
-/// What is said of a robot that no longer moves as one does.
+/// The reason for rejecting a robot that moves unphysically fast.
 [[nodiscard]] inline std::string too_fast() {
-  return "it is faster than " + number_text(fastest_m_s) + " m/s; too long a physics.timestep_s throws robots about";
+  return "it is faster than " + number_text(fastest_m_s) + " m/s; physics.timestep_s may be too long";
 }
 
-/// What a warning of MuJoCo says. Its own sentence is made in a buffer that all threads share.
+/// The text of a MuJoCo warning. MuJoCo writes its own text into a buffer that all threads share.
 [[nodiscard]] inline std::string warning_text(int kind) {
   switch (kind) {
     case mjWARN_INERTIA:
@@ -81,8 +81,8 @@ struct GroupResult {
   return {};
 }
 
-/// Takes `steps` steps of the robots listed, from the states in `from` to those in `to`, under the servo targets `targets_rad`
-/// (one row of hinges per robot). `slack_m`: how far each may move horizontally from where it stands at first; empty: anywhere.
+/// Takes `steps` steps of the listed robots, from the states in `from` to those in `to`, under the servo targets `targets_rad`
+/// (one row of hinges per robot). `slack_m`: the largest horizontal displacement of each robot; empty: no limit.
 [[nodiscard]] inline GroupResult step_group(CompiledModel& compiled, std::span<const std::size_t> robots,
                                             std::span<const double> targets_rad, std::span<const double> slack_m,
                                             std::size_t steps, const RobotStates& from, RobotStates& to) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots that cannot touch are stepped apart, on several threads, with the motion of one big model.
+// Steps robots that cannot touch separately, on several threads, with the motion of one big model.
 #pragma once
 
 #include <cmath>
@@ -19,14 +19,14 @@
 
 namespace trophic::backend::mujoco {
 
-/// A robot has no part outside its bounding sphere and, during a block of steps, its centre stays within its slack of where it
-/// started; that is checked at every step. So robots whose discs of (radius + slack) are disjoint at the start of a block cannot
-/// touch within it, nor can a robot whose disc is clear of the walls touch those: connected discs make one group, a group is
-/// stepped in a cached model of its size, with walls or without. Should a robot leave its disc, the block is taken again with
-/// twice the slack for it. Nothing here depends on the number of threads.
+/// A robot lies within its bounding sphere and, during a block of steps, its centre stays within its slack of its start; every
+/// step checks this. So robots with disjoint discs of (radius + slack) at the start of a block cannot touch within it, nor can
+/// a robot touch the walls if its disc is clear of them. Connected discs make one group; a group is stepped in a cached model
+/// of its size, with walls or without. If a robot leaves its disc, the block is repeated with twice the slack for it. The
+/// result does not depend on the number of threads.
 class Islands {
  public:
-  /// `fast`: groups of up to four robots are stepped by the kernel where it knows all that the model asks for.
+  /// `fast`: the kernel steps groups of up to four robots if it supports all features of the model.
   Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast, BoxDepth box_depth)
       : robot_{robot}, arena_{arena}, physics_{physics}, box_depth_{box_depth}, pool_{std::make_unique<ThreadPool>(threads)} {
     if (!fast) return;
@@ -40,12 +40,12 @@ class Islands {
 
   [[nodiscard]] const Layout& layout() { return model_for({1, false}).layout(); }
 
-  /// For so many calls of `advance` the model of a crowd is kept in which no group was stepped. MuJoCo's room for a crowd's
-  /// contacts is quadratic in its robots: 4 MB for ten, 26 MB for thirty.
+  /// The number of calls of `advance` for which an unused model of a crowd is kept. MuJoCo's memory for a crowd's contacts is
+  /// quadratic in its robots: 4 MB for ten, 26 MB for thirty.
   static constexpr std::uint64_t keeps_idle_models_for = 1000;
 
-  [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< kept now
-  /// Working memories that the models kept now can come to have.
+  [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< currently cached
+  /// The maximum number of working memories of the cached models.
   [[nodiscard]] std::size_t memories() const {
     std::size_t sum = 0;
     for (const auto& [key, kept] : models_) sum += kept.model->memories();
@@ -67,10 +67,10 @@ class Islands {
   }
 
  private:
-  /// Robots in the model and whether it has walls.
+  /// Number of robots in the model, and whether it has walls.
   using ModelKey = std::pair<std::size_t, bool>;
 
-  /// Enough for a walking robot in one block, so that a block is seldom taken twice.
+  /// Enough for a walking robot in one block, so that blocks are rarely repeated.
   static constexpr double least_slack_m = 0.02;
 
   [[nodiscard]] double first_slack_m(const RobotStates& states, std::size_t robot, std::size_t steps) const {
@@ -80,10 +80,10 @@ class Islands {
 
   struct KeptModel {
     std::unique_ptr<CompiledModel> model;
-    std::uint64_t last_used = 0;  ///< in which call of `advance`
+    std::uint64_t last_used = 0;  ///< the last call of `advance` that used it
   };
 
-  /// Of a few robots they are small, and the kernel holds on to its own.
+  /// Models of few robots are small, and the kernel refers to its own.
   [[nodiscard]] bool is_idle(const ModelKey& key, const KeptModel& kept) const {
     return key.first > kernel::lane_count && advances_ - kept.last_used > keeps_idle_models_for;
   }
@@ -101,15 +101,15 @@ class Islands {
     return *model;
   }
 
-  /// Whether the kernel steps groups of so many robots. What it leaves to MuJoCo is so little that threads wait for each other
-  /// there: a working memory for each would be used some time or other, so that a long run would hold more and more.
+  /// Whether the kernel steps groups of this size. It leaves so few steps to MuJoCo that its threads share working memories:
+  /// with one for each thread, each would be used at some time, and memory would grow over a long run.
   [[nodiscard]] bool by_kernel(std::size_t robots) const { return lanes_ && robots <= kernel::lane_count; }
 
   [[nodiscard]] bool near_wall(const Disc& disc) const {
     return !arena_.height_field && std::max(std::abs(disc.x_m), std::abs(disc.y_m)) + disc.radius_m >= arena_.half_side_m;
   }
 
-  /// Steps every group once. `done`, or what must be reported or repaired; repairs (slack, room) are already made.
+  /// Steps every group once. Returns `done`, or the result to report or repair; repairs (slack, capacity) are already made.
   [[nodiscard]] GroupResult attempt(const RobotStates& states, std::span<const double> targets_rad, std::size_t steps,
                                     RobotStates& next) {
     discs_.clear();
@@ -136,8 +136,8 @@ class Islands {
     return repair(fastest_m_s * static_cast<double>(steps) * physics_.timestep_s);
   }
 
-  /// The most urgent result: a robot that is too fast, then what can be repaired, then the earliest divergence.
-  /// `farthest_m`: how far a robot may move.
+  /// The most urgent result: a robot that is too fast, then results that can be repaired, then the earliest divergence.
+  /// `farthest_m`: the largest allowed displacement.
   [[nodiscard]] GroupResult repair(double farthest_m) {
     GroupResult worst;
     const auto is_before = [](const GroupResult& a, const GroupResult& b) {
@@ -171,7 +171,7 @@ class Islands {
     return result.end == GroupResult::End::left_disc && (result.speed_m_s > fastest_m_s || slack_m_[result.robot] > farthest_m);
   }
 
-  /// Above, MuJoCo's sweep over bodies is cheaper than testing every pair of boxes.
+  /// Above this, MuJoCo's sweep over bodies is cheaper than testing every pair of boxes.
   static constexpr std::size_t most_robots_with_pairs = 1;
 
   RobotModel robot_;

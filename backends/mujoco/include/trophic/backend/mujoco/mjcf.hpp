@@ -24,20 +24,20 @@
 
 namespace trophic::backend::mujoco {
 
-/// Which geoms are tested against each other.
+/// The pairs of geoms that are tested for contacts.
 enum class Collisions {
   pairs,      ///< an explicit list of every pair that can touch: cheapest for one robot
   broadphase  ///< MuJoCo's own sweep over bodies: cheapest for many
 };
 
-/// How a hinge's servo is written. The motion is the same; MuJoCo keeps actuators x velocities numbers, so that many actuators
-/// cost most in a large model.
+/// The actuators of a hinge's servo. The motion is the same; MuJoCo stores actuators x velocities numbers, so that many
+/// actuators cost most in a large model.
 enum class Servos {
   combined,              ///< one general actuator with an affine bias
-  position_and_velocity  ///< as people write it: `<position>` takes the target, `<velocity>` brakes
+  position_and_velocity  ///< the usual form: `<position>` takes the target, `<velocity>` brakes
 };
 
-/// What is in one MJCF model beside the robots.
+/// The content of an MJCF model besides the robots.
 struct Scene {
   bool walls = true;  ///< the four walls of an arena without height field
   Collisions collisions = Collisions::broadphase;
@@ -79,7 +79,7 @@ struct Scene {
   return bytes;
 }
 
-/// Builds one MJCF document; `write_mjcf` is the way to use it.
+/// Builds one MJCF document; `write_mjcf` is its public interface.
 class MjcfWriter {
  public:
   MjcfWriter(const RobotModel& model, const Arena& arena, const Physics& physics, const Scene& scene)
@@ -116,8 +116,8 @@ class MjcfWriter {
     set(node, name, {q.w(), q.x(), q.y(), q.z()});
   }
 
-  /// Newton on the pyramidal cone ends exactly; a tolerance at rounding level makes the result independent of how many robots
-  /// share the model, whose size scales MuJoCo's default tolerance.
+  /// Newton on the pyramidal cone ends exactly. A tolerance at rounding level makes the result independent of the number of
+  /// robots in the model, whose size scales MuJoCo's default tolerance.
   void write_option(const Physics& physics) {
     auto option = root_.append_child("option");
     set(option, "timestep", physics.timestep_s);
@@ -127,7 +127,7 @@ class MjcfWriter {
     set(option, "cone", "pyramidal");
     set(option, "tolerance", 1e-15);
     set(option, "iterations", 100.0);
-    // MuJoCo 3 refuses this attribute, MuJoCo 2.2 takes all collisions without it.
+    // MuJoCo 3 rejects this attribute; MuJoCo 2.2 tests all collisions without it.
     if (scene_.collisions == Collisions::pairs) set(option, "collision", "predefined");
   }
 
@@ -294,7 +294,7 @@ class MjcfWriter {
   std::vector<std::string> ground_;
 };
 
-/// One model of a robot at each pose in the arena: inertias as the RobotModel states them, a position servo per hinge, walls as
+/// One model with a robot at each pose in the arena: inertias as in the RobotModel, a position servo per hinge, walls as
 /// planes. `height_file` is the name under which MuJoCo will find `height_file_content` (unused without height field).
 [[nodiscard]] inline pugi::xml_document write_mjcf(const RobotModel& model, const Arena& arena, const Physics& physics,
                                                    const Scene& scene, std::span<const Pose> poses,

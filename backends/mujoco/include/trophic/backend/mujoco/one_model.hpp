@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All robots in one MuJoCo model, stepped by mj_step: the plain way, against which the fast one is compared.
+// All robots in one MuJoCo model, stepped by mj_step: the reference for the fast modes.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of every robot between two calls of MuJoCo, robot by robot, whatever models it is stepped in.
+// The state of every robot between two calls of MuJoCo, robot by robot, independent of the models.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace trophic::backend::mujoco {
 
-/// No robot is made to be faster; one that too long a timestep throws about soon is. Such robots need discs so wide that all of
-/// them become one group of MuJoCo's, which takes minutes and all memory.
+/// No robot is designed to be faster; with too long a timestep one soon is. Such robots would need discs so wide that all of
+/// them become one MuJoCo group, which takes minutes and all memory.
 inline constexpr double fastest_m_s = 100.0;
 
 /// Per robot one row: generalized positions (root x, y, z, quaternion w, x, y, z, then angles in MuJoCo's order), velocities
@@ -59,7 +59,7 @@ class RobotStates {
     std::copy_n(from + nq + nv, nv, data.qacc_warmstart + share * nv);
   }
 
-  /// The way back. False if a number is not finite or larger than MuJoCo accepts.
+  /// Copies a share back into a robot's row. Returns false if a number is not finite or larger than MuJoCo accepts.
   [[nodiscard]] bool store(std::size_t robot, std::size_t share, const mjData& data) {
     double* to = row(robot);
     const std::size_t nq = layout_.positions;
@@ -70,7 +70,7 @@ class RobotStates {
     return sound(robot);
   }
 
-  /// How fast a robot's root is, m/s.
+  /// The speed of a robot's root, m/s.
   [[nodiscard]] double speed_m_s(std::size_t robot) const {
     const std::span<const double> velocity = velocities(robot);
     return std::hypot(velocity[0], velocity[1], velocity[2]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saves robots where they stand as an MJCF file for MuJoCo's own programs.
+// Saves robots in their current poses as an MJCF file for MuJoCo's own programs.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +21,11 @@
 
 namespace trophic::backend::mujoco {
 
-/// Of robots of which nobody says which colour they have.
+/// The colour of robots without a given colour.
 inline constexpr Colour any_robot{0.84F, 0.37F, 0.0F};
 
-/// Light, a floor in squares of a metre, colours and a camera, so that robots can be seen in MuJoCo's programs. None of it
-/// changes how they move.
+/// Light, a floor in squares of a metre, colours and a camera, so that robots are visible in MuJoCo's programs. They do not
+/// affect the motion.
 inline void add_looks(pugi::xml_node root, const Arena& arena, std::span<const Colour> colours) {
   const auto add = [](pugi::xml_node parent, const char* name,
                       std::initializer_list<std::pair<const char*, std::string>> attributes) {
@@ -74,8 +74,8 @@ inline void add_looks(pugi::xml_node root, const Arena& arena, std::span<const C
   add(world, "camera", {{"name", "arena"}, {"pos", numbers({0.0, -2.1 * half, 2.3 * half})}, {"xyaxes", "1 0 0 0 0.74 0.67"}});
 }
 
-/// One model of all robots, bodies at their present root poses, and the key frame "now" with the whole state. A height field's
-/// heights go to the file `path` with the extension ".hfield", which the model names.
+/// One model of all robots, with bodies at their current root poses and the key frame "now" with the whole state. A height
+/// field's heights go to the file `path` with the extension ".hfield", which the model names.
 inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot, const Arena& arena, const Physics& physics,
                       BoxDepth box_depth, const RobotStates& states, std::span<const double> targets_rad,
                       std::span<const Colour> colours) {

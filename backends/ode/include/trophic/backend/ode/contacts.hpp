@@ -14,13 +14,13 @@
 
 namespace trophic::backend::ode {
 
-/// How surfaces push and rub. The normal force is a spring and damper per contact point. Friction: the force along the surface
-/// is a damper (ODE's slip), so that a loaded contact creeps a little, as MuJoCo's does, up to the friction limit.
+/// Normal force and friction of surfaces. The normal force is a spring and damper per contact point. Friction: the force along
+/// the surface is a damper (ODE's slip), so that a loaded contact creeps a little, as MuJoCo's does, up to the friction limit.
 ///
 /// The limit: with dContactApprox1, ODE bounds the force along each of two directions by mu times the actual normal force, a
-/// square around Coulomb's circle of radius mu N. MuJoCo's pyramidal cone allows |f1| + |f2| <= mu N, a square inside the circle
-/// with its corners on the directions. Both are the same square when ODE's directions lie at 45 degrees to MuJoCo's and its
-/// coefficient is mu / sqrt(2): that is what is set here.
+/// square around Coulomb's circle of radius mu N. MuJoCo's pyramidal cone allows |f1| + |f2| <= mu N, a square inside the
+/// circle with its corners on the directions. Both squares are equal if ODE's directions lie at 45 degrees to MuJoCo's and its
+/// coefficient is mu / sqrt(2), as set here.
 class ContactLaw {
  public:
   ContactLaw(const Params& params, double timestep_s) {
@@ -31,7 +31,7 @@ class ContactLaw {
     surface_.slip1 = surface_.slip2 = 1.0 / params.friction_damping_N_s_m;
   }
 
-  /// Adds a joint to `group` for each point where the geoms touch.
+  /// Adds a joint to `group` for each contact point of the geoms.
   void touch(dWorldID world, dJointGroupID group, dGeomID a, dGeomID b, double friction) const {
     constexpr int most_points = 8;
     std::array<dContactGeom, most_points> points{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ODE's start-up and objects as C++ owners, and its errors and warnings as C++ exceptions instead of abort() and exit().
+// Start-up of ODE and owners of its objects; its errors and warnings as C++ exceptions instead of abort() and exit().
 #pragma once
 
 #include <ode/ode.h>
@@ -16,15 +16,15 @@ namespace trophic::backend::ode {
 
 static_assert(sizeof(dReal) == sizeof(double), "trophic's ODE backend needs ODE built for double precision (dDOUBLE)");
 
-/// What ODE reported through dError, dDebug (a failed assertion) or dMessage.
+/// An error that ODE reported through dError, dDebug (a failed assertion) or dMessage.
 struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// Must live on every thread that calls ODE. Starts the library with its first object in the process (it is never closed: other
-/// code in the process may use it) and gives each thread its collision buffers. While one lives on a thread, ODE's errors, failed
-/// assertions and messages on that thread throw EngineError instead of ending the process or printing; on other threads ODE's own
-/// behaviour, or an earlier handler's, is kept. The world of an interrupted call must be thrown away.
+/// code in the process may use it) and gives each thread its collision buffers. While one lives on a thread, ODE's errors,
+/// failed assertions and messages on that thread throw EngineError instead of ending the process or printing; on other threads
+/// ODE's own handlers, or earlier ones, stay active. The world of an interrupted call must be discarded.
 class EngineGuard {
  public:
   EngineGuard() {
@@ -50,7 +50,7 @@ class EngineGuard {
     return value;
   }
 
-  /// The handlers that were set before ours; the first call starts ODE and sets ours.
+  /// The handlers that were set earlier; the first call starts ODE and sets the library's own.
   static const Handlers& earlier() {
     static const Handlers handlers = [] {
       if (dInitODE2(0) == 0) throw EngineError{"the library cannot be started"};
@@ -98,7 +98,7 @@ using GroupPtr = std::unique_ptr<dxJointGroup, DeleteGroup>;
 using GeomPtr = std::unique_ptr<dxGeom, DeleteGeom>;
 using HeightsPtr = std::unique_ptr<dxHeightfieldData, DeleteHeights>;
 
-/// ODE has one random sequence per process: who sets and draws it holds this.
+/// ODE has one random sequence per process: code that sets or draws from it holds this mutex.
 [[nodiscard]] inline std::mutex& random_sequence_mutex() {
   static std::mutex mutex;
   return mutex;

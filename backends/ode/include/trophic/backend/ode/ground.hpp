@@ -15,8 +15,8 @@
 
 namespace trophic::backend::ode {
 
-/// What robots stand on. Boxes over the flat middle touch the plane z = 0 in either kind of arena; the height field, which costs
-/// more, is asked about boxes that reach beyond it.
+/// The ground of the arena. Boxes over the flat middle touch the plane z = 0 in either kind of arena; the height field, which
+/// costs more, is tested only for boxes that reach beyond it.
 class Ground {
  public:
   explicit Ground(const Arena& arena) : floor_{dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)}, flat_m_{arena.half_side_m} {

@@ -23,7 +23,7 @@
 
 namespace trophic::backend::ode {
 
-/// What a backend is built from.
+/// The constructor arguments of a backend.
 struct Setup {
   RobotModel robot;
   Arena arena;
@@ -31,15 +31,15 @@ struct Setup {
   Params params;
 };
 
-/// A robot whose step went wrong.
+/// A robot for which a step failed.
 struct Failure {
   std::size_t robot = 0;
   std::string what;
 };
 
-/// Groups are formed anew at each step from where robots are: connected sets of overlapping bounding spheres, seen from above. So
-/// who is stepped together, and in which order, follows from the state alone, whatever the number of threads and however the time
-/// is cut into calls.
+/// Groups are formed anew at each step from the positions of robots: connected sets of overlapping bounding spheres, seen from
+/// above. Groups and their order therefore depend on the state alone, not on the number of threads or the division of time into
+/// calls.
 class Groups {
  public:
   explicit Groups(const Setup& setup)
@@ -48,7 +48,7 @@ class Groups {
         pool_{setup.params.threads},
         scenes_(setup.params.threads) {}
 
-  /// Steps `state`. The failure of the first robot in trouble, if any; `state` is then of no use.
+  /// Steps `state`. Returns the failure of the first robot, if any; `state` is then invalid.
   [[nodiscard]] std::optional<Failure> step(State& state) {
     const std::size_t links = setup_.robot.links.size();
     discs_.clear();
@@ -67,9 +67,9 @@ class Groups {
   }
 
  private:
-  /// More than hinges under load come apart.
+  /// Larger than the separation of hinges under load.
   static constexpr double drift_m = 0.005;
-  /// No timestep follows what is faster than this.
+  /// No timestep resolves faster motion.
   static constexpr double most_m_s = 1e3;
   static constexpr double most_rad_s = 1e4;
 
@@ -82,7 +82,7 @@ class Groups {
       }
       scene->step(members, state);
     } catch (const EngineError& error) {
-      static_cast<void>(scene.release());  // ODE cannot destroy a world that it was interrupted in
+      static_cast<void>(scene.release());  // ODE cannot destroy a world in which it was interrupted
       return Failure{.robot = members[0], .what = std::string{"ODE: "} + error.what()};
     }
     for (const std::size_t robot : members) {

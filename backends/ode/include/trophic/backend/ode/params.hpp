@@ -15,21 +15,21 @@ class Ode;
 namespace trophic::backend::ode {
 
 /// `quick_step`: dWorldQuickStep, a number of relaxation sweeps over all constraints. Friction is limited by the normal force
-/// that acts at the same moment. `world_step`: dWorldStep, exact for everything but friction, which it limits by the normal
-/// forces that would act without friction: a robot that stands on many points and pushes them apart walks up to 27 % faster so,
-/// and turns up to 28 % faster (README.md).
+/// that acts at the same moment. `world_step`: dWorldStep, exact except for friction, which it limits by the normal forces that
+/// would act without friction. With it a robot that stands on many points and pushes them apart walks up to 27 % faster and
+/// turns up to 28 % faster (README.md).
 enum class Solver { quick_step, world_step };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Solver) {
   return {"quick_step", "world_step"};
 }
 
-/// From the ninth sweep on QuickStep shuffles its rows with random numbers of the whole process; up to here it draws none.
+/// From the ninth sweep on QuickStep shuffles its rows with random numbers of the whole process; with at most 8 it draws none.
 inline constexpr int sweeps_without_draws = 8;
 
-/// Contacts, friction and joint limits are springs and dampers in SI units, so that they are the same physics at every timestep;
-/// what ODE calls ERP, CFM and slip follows from them (compliance.hpp). The defaults are what MuJoCo's default solref = (0.02, 1)
-/// and solimp = (0.9, 0.95, 0.001) are for a leg of the spider, derived, not tuned: with time constant tau, impedance d,
-/// effective mass m = 0.225 kg (inverse of MuJoCo's body_invweight0) and dmax = 0.95
+/// Contacts, friction and joint limits are springs and dampers in SI units, so that they are the same physics at every
+/// timestep; ODE's ERP, CFM and slip are computed from them (compliance.hpp). The defaults are equivalent to MuJoCo's default
+/// solref = (0.02, 1) and solimp = (0.9, 0.95, 0.001) for a leg of the spider, derived, not tuned: with time constant tau,
+/// impedance d, effective mass m = 0.225 kg (inverse of MuJoCo's body_invweight0) and dmax = 0.95
 ///   contact stiffness = m d / (1 - d) / (dmax tau)^2 = 5600 N/m, damping = m d / (1 - d) 2 / (dmax tau) = 210 N s/m, d = 0.9,
 ///   friction damping half of that (of a pyramidal cone with coefficient 1), and for hinges beyond their range
 ///   with inertia 1.8e-4 kg m2 and d = 0.95: 9.5 N m/rad and 0.36 N m s/rad.
@@ -49,7 +49,7 @@ struct Params {
     return std::tuple{
         field("threads", &Params::threads, between(1, 1024), "threads; results do not depend on it"),
         field("solver", &Params::solver, "quick_step or world_step"),
-        field("sweeps", &Params::sweeps, between(1, 100'000), "of quick_step; above 8 one thread at a time solves"),
+        field("sweeps", &Params::sweeps, between(1, 100'000), "sweeps of quick_step; above 8 one thread at a time solves"),
         field("contact_stiffness_N_m", &Params::contact_stiffness_N_m, above_to(0.0, 1e9), "of each contact point"),
         field("contact_damping_N_s_m", &Params::contact_damping_N_s_m, above_to(0.0, 1e9), "of each contact point"),
         field("friction_damping_N_s_m", &Params::friction_damping_N_s_m, above_to(0.0, 1e9),

@@ -67,7 +67,7 @@ inline void append_at_rest(const RobotModel& model, const Pose& root, std::vecto
 /// stiffness and damping are sums, the target is the mean of servo target and limit weighted with the stiffnesses.
 class Robot {
  public:
-  /// ODE measures hinge angles within (-pi, pi]: a hinge must not get there.
+  /// ODE measures hinge angles within (-pi, pi]; a hinge must not reach these.
   static constexpr double largest_range_rad = 3.0;
 
   struct Geom {

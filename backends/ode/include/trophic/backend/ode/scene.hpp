@@ -21,9 +21,9 @@
 
 namespace trophic::backend::ode {
 
-/// The world holds no state between steps: each step loads the states of its robots, finds contacts, solves and stores. Contacts
-/// are made in a fixed order, and where ODE draws random numbers their sequence starts anew at each step. So a step is a function
-/// of the states that go in.
+/// The world holds no state between steps: each step loads the states of its robots, finds contacts, solves and stores.
+/// Contacts are made in a fixed order, and ODE's random sequence, if used, restarts at each step. So a step is a function of
+/// its input states.
 class Scene {
  public:
   Scene(const RobotModel& model, const Arena& arena, const Physics& physics, const Params& params, std::size_t robots)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that an ODE world of ours remembers from one step to the next.
+// The state of the ODE backend between two steps.
 #pragma once
 
 #include <array>

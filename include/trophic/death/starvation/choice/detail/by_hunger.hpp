@@ -8,7 +8,7 @@
 
 namespace trophic::death::starvation::choice::detail {
 
-/// The bodies of all hunters, the hungriest (most ticks since birth or last catch) first. Ties: the earlier born first.
+/// The bodies of all hunters, the hungriest (most ticks since birth or the last catch) first. Ties: the earlier born first.
 [[nodiscard]] inline std::vector<BodyIndex> by_hunger(const View& view) {
   std::vector<BodyIndex> hunters;
   for (BodyIndex body = 0; body < view.robots.size(); ++body) {

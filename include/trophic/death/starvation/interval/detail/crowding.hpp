@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An interval that shrinks with the number of hunters: what the crowding intervals share.
+// An interval that shrinks with the number of hunters: shared by the crowding intervals.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Crowding {
   return std::max(crowding.min_interval_ticks, crowding.base_ticks - static_cast<std::int64_t>(view.count_hunters()));
 }
 
-/// Whether `interval` ticks have passed since the last procedure and there are hunters enough for another one.
+/// Whether `interval` ticks have passed since the last procedure and there are enough hunters for another one.
 [[nodiscard]] inline bool is_due(const Crowding& crowding, std::int64_t interval, std::int64_t last_tick, const View& view) {
   return view.tick - last_tick >= interval && view.count_hunters() > crowding.only_above;
 }
