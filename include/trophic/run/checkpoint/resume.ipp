@@ -115,7 +115,7 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
       throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be > " + number_text(before_s) +
                                   ", beyond which the run in " + folder.string() + " has come"};
     }
-    std::string remark = "goes on from its checkpoint at " + number_text(last->time_s) + " s";
+    std::string remark = "resumes from its checkpoint at " + number_text(last->time_s) + " s";
     return {.complete = false, .from = std::move(last), .remark = std::move(remark)};
   }
   if (status == "complete") {

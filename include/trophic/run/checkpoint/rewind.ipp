@@ -79,9 +79,9 @@ inline void check_began_at(const Moment& moment, const std::filesystem::path& fo
   };
   const bool same_run = said("fingerprint") == moment.fingerprint && said("seed") == std::to_string(moment.seed);
   if (same_run && is_tick_of(moment, std::strtod(said("at_s").c_str(), nullptr), tick_s)) return;
-  throw std::invalid_argument{folder.string() + ": its run began " +
-                              (origin.empty() ? "by itself" : "at " + said("at_s") + " s of " + said("run")) +
-                              "; it can go on, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
+  throw std::invalid_argument{
+      folder.string() + ": its run began " + (origin.empty() ? "by itself" : "at " + said("at_s") + " s of " + said("run")) +
+      "; it can be resumed, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
 }
 
 }  // namespace detail
