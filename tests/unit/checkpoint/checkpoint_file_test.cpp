@@ -26,7 +26,7 @@ checkpoint::Checkpoint moment(std::int64_t tick) {
 
 }  // namespace
 
-TEST_CASE("a checkpoint reads back, and any cut or change of a byte is noticed") {
+TEST_CASE("checkpoint file: written -> reads back, and cut or changed in any byte -> refused") {
   const std::string bytes = to_bytes(moment(5));
   const auto back = checkpoint::from_bytes(bytes, "it");
   CHECK(back.tick == 5);
@@ -45,7 +45,7 @@ TEST_CASE("a checkpoint reads back, and any cut or change of a byte is noticed")
   }
 }
 
-TEST_CASE("errors name the file and what is wrong with it") {
+TEST_CASE("checkpoint file: missing, of another format or version -> errors name the file and its fault") {
   const auto refusal = [](const std::string& bytes) {
     return message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::from_bytes(bytes, "x.bin")); });
   };
@@ -58,7 +58,7 @@ TEST_CASE("errors name the file and what is wrong with it") {
   CHECK(refusal(newer) == "x.bin: has format 4: must be 3, as this program writes");
 }
 
-TEST_CASE("the one before it stands in for a checkpoint that is missing or damaged") {
+TEST_CASE("checkpoint file: missing or damaged -> its predecessor is read") {
   const TemporaryFolder folder;
   CHECK_FALSE(checkpoint::exists(folder.path()));
   CHECK_THROWS_AS(static_cast<void>(checkpoint::read_last(folder.path())), std::invalid_argument);

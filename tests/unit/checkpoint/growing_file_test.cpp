@@ -32,7 +32,7 @@ std::uint32_t crc(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("a file that is gone on with is cut to its length at the checkpoint, and ends as if nothing had happened") {
+TEST_CASE("growing file: resumed -> cut to its length at the checkpoint, and ends with the same bytes") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "table.csv";
   Archive archive;
@@ -55,7 +55,7 @@ TEST_CASE("a file that is gone on with is cut to its length at the checkpoint, a
   CHECK(moved.checksum() == crc("one\ntwo\n"));
 }
 
-TEST_CASE("a file is never overwritten, and one that is too short, missing or a pipe is refused") {
+TEST_CASE("growing file: exists, or is too short, missing or a pipe on resuming -> refused") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "table.csv";
   Archive archive;

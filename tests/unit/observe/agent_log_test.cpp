@@ -8,7 +8,7 @@
 
 using namespace trophic;
 
-TEST_CASE("agents: a row a robot and tick, empty where there is nothing to say") {
+TEST_CASE("agents: each robot and tick -> a row, with empty cells for missing values") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "agents.csv";
   const test::HandPopulation robots = test::three_robots();
@@ -22,7 +22,7 @@ TEST_CASE("agents: a row a robot and tick, empty where there is nothing to say")
         "6,3,2,9,prey,inherited,0,1,0.000000,4.000000,0.000000,0.000000,,,\n");
 }
 
-TEST_CASE("agents: thinned, the ticks that are multiples, the start among them") {
+TEST_CASE("agents: thinned -> the ticks that are multiples, including the start") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "agents.csv";
   test::HandPopulation robots{{{}}};

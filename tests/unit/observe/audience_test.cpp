@@ -29,7 +29,7 @@ struct TicksOnly {
   void on_tick(const View&) { ++ticks; }
 };
 
-/// Tells its audience of one moment between two ticks, and of the last.
+/// Announces to its audience one moment between two ticks, and the last.
 class TwoMoments final : public Simulation {
  public:
   void persist(Archive& archive) override { archive(tick_); }
@@ -58,7 +58,7 @@ struct Stops {
 
 }  // namespace
 
-TEST_CASE("audience: each observer is told by the hooks that it has, in order") {
+TEST_CASE("audience: event -> each observer's hooks are called, in order") {
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
   std::string told;
@@ -71,7 +71,7 @@ TEST_CASE("audience: each observer is told by the hooks that it has, in order") 
   audience.tick(view);
   CHECK(audience.keep_running());
   third.is_running = false;
-  CHECK_FALSE(audience.keep_running());  // any of them may say stop
+  CHECK_FALSE(audience.keep_running());  // any of them may stop the run
   audience.failure("broken");
   audience.end(view);
   CHECK(told ==
@@ -79,7 +79,7 @@ TEST_CASE("audience: each observer is told by the hooks that it has, in order") 
   CHECK(second.ticks == 1);
 }
 
-TEST_CASE("audience: everybody is asked whether to go on, whatever another said") {
+TEST_CASE("audience: one observer stops the run -> keep_running() of every observer is called") {
   std::string told;
   Everything refuses{told, false};
   Stops counts;
@@ -88,7 +88,7 @@ TEST_CASE("audience: everybody is asked whether to go on, whatever another said"
   CHECK(counts.asked == 1);
 }
 
-TEST_CASE("audience: brains are told of to whom wants to know, as long as it does") {
+TEST_CASE("audience: decisions of brains -> observers that ask for them, while they ask") {
   struct Listens {
     bool wants = true;
     std::string told = {};
@@ -111,7 +111,7 @@ TEST_CASE("audience: brains are told of to whom wants to know, as long as it doe
   CHECK_FALSE(audience.wants_decisions());
 }
 
-TEST_CASE("audience: who saves the run is given it between two ticks") {
+TEST_CASE("audience: observer that saves the run -> called between two ticks") {
   struct Saves {
     std::string told = {};
     void between_ticks(Simulation& simulation, bool last) { told += std::to_string(simulation.tick()) + (last ? " last" : ", "); }
@@ -122,7 +122,7 @@ TEST_CASE("audience: who saves the run is given it between two ticks") {
   CHECK(saves.told == "1, 2 last");
 }
 
-TEST_CASE("audience: a tick can be given up if somebody has that hook, and is if anybody says so") {
+TEST_CASE("audience: observers with the hook for giving up a tick -> one suffices to give it up") {
   struct Impatient {
     bool is_cancelled = false;
     bool cancels_tick() const { return is_cancelled; }

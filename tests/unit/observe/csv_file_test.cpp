@@ -8,7 +8,7 @@
 
 using namespace trophic;
 
-TEST_CASE("csv: a file that exists is not overwritten, and a full disk is said") {
+TEST_CASE("csv: existing file -> not overwritten, and full disk -> error") {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("rows.csv", "mine\n");
   CHECK(test::message_of<std::runtime_error>([&] {

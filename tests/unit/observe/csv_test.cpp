@@ -25,7 +25,7 @@ struct Row {
 
 }  // namespace
 
-TEST_CASE("csv: cells are exact unless decimals are stated, nothing is empty, a comma is quoted") {
+TEST_CASE("csv: cells -> exact unless decimals are stated, empty for a missing value, quoted if with a comma") {
   CHECK(io::header_of<Row>() == "exact,rounded,none,yes,text\n");
   const FoodWeb web{{}, {}};
   std::string text;

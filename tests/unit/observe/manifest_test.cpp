@@ -15,7 +15,7 @@ Json read(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("manifest: it says what ran, and how it ended") {
+TEST_CASE("manifest: finished run -> its description and status") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "manifest.json";
   test::HandPopulation robots = test::three_robots();
@@ -29,22 +29,22 @@ TEST_CASE("manifest: it says what ran, and how it ended") {
   CHECK(at_start["tags"] == Json::array({-1, 1}));
   CHECK(at_start["host"] == "desk");
 
-  SUBCASE("complete when the clock is where it was to be") {
+  SUBCASE("clock at the planned end -> complete") {
     manifest.on_tick(robots.at_tick(5).view());
     manifest.on_end(robots.view());
     CHECK(read(path)["status"] == "complete");
   }
-  SUBCASE("stopped when somebody ended it before") {
+  SUBCASE("ended earlier -> stopped") {
     manifest.on_tick(robots.at_tick(4).view());
     manifest.on_end(robots.view());
     CHECK(read(path)["status"] == "stopped");
   }
-  SUBCASE("failed with what was thrown") {
+  SUBCASE("exception -> failed, with its text") {
     manifest.on_failure("simulation diverged");
     CHECK(read(path)["status"] == "failed");
     CHECK(test::content(path).find("simulation diverged") != std::string::npos);
   }
-  SUBCASE("what is known later is added") {
+  SUBCASE("later facts -> added") {
     manifest.add({{"wall_s", "1.5"}});
     CHECK(read(path)["wall_s"] == "1.5");
     CHECK(read(path)["status"] == "running");

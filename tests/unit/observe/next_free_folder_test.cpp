@@ -7,7 +7,7 @@
 
 namespace {
 
-TEST_CASE("the first number of which nothing exists, not even a link to nowhere") {
+TEST_CASE("next free folder: existing folders and dangling links -> the first number without either") {
   using trophic::io::next_free_folder;
   const trophic::test::TemporaryFolder folder;
   const auto runs = folder.path() / "runs" / "first";

@@ -18,7 +18,7 @@ TEST_CASE("progress: durations and numbers as people write them") {
   CHECK(observe::short_text(100.4) == "100");
 }
 
-TEST_CASE("progress: the summary counts what it was told, with the engine's remarks") {
+TEST_CASE("progress: summary -> counts of the events, with the engine's remarks") {
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
   observe::RunDescription run = test::short_run();

@@ -29,7 +29,7 @@ using namespace trophic;
 using namespace trophic::test;
 using io::RecordingReader;
 
-TEST_CASE("what is recorded reads back to its units, block by block and in any order") {
+TEST_CASE("read recording: recorded frames -> the same to their units, block by block and in any order") {
   const test::TemporaryFolder folder;
   const Motion motion{250};
   record(folder.path() / "replay.trp", motion);
@@ -61,7 +61,7 @@ TEST_CASE("what is recorded reads back to its units, block by block and in any o
   CHECK_THROWS_AS(static_cast<void>(reader.root(0, robots)), std::out_of_range);
 }
 
-TEST_CASE("a run that failed keeps all its frames and has no end") {
+TEST_CASE("read recording: failed run -> all its frames and no end") {
   const test::TemporaryFolder folder;
   const Motion motion{130};
   record(folder.path() / "replay.trp", motion, false);
@@ -71,7 +71,7 @@ TEST_CASE("a run that failed keeps all its frames and has no end") {
   check_same(reader, motion, 130);
 }
 
-TEST_CASE("a recording that was cut anywhere has the frames before the cut or is refused") {
+TEST_CASE("read recording: cut anywhere -> the frames before the cut, or refused") {
   const test::TemporaryFolder folder;
   const Motion motion{210};
   record(folder.path() / "whole.trp", motion);
@@ -93,7 +93,7 @@ TEST_CASE("a recording that was cut anywhere has the frames before the cut or is
   CHECK(read > 10);
 }
 
-TEST_CASE("no flipped bit goes unnoticed") {
+TEST_CASE("read recording: any flipped bit -> refused") {
   const test::TemporaryFolder folder;
   const Motion motion{130};
   record(folder.path() / "whole.trp", motion);
@@ -114,7 +114,7 @@ TEST_CASE("no flipped bit goes unnoticed") {
   }
 }
 
-TEST_CASE("what is no recording is said to be none") {
+TEST_CASE("read recording: not a recording -> an error that names the file") {
   const test::TemporaryFolder folder;
   CHECK(refusal(folder.path() / "none.trp") == (folder.path() / "none.trp").string() + ": cannot be read");
   CHECK(refusal(folder.file("picture.trp", "\x89PNG\r\n\x1a\n and so on")).find(": is not a trophic recording") !=
@@ -123,7 +123,7 @@ TEST_CASE("what is no recording is said to be none") {
   CHECK(refusal(folder.file("short.trp", io::recording::magic)).find(": ends before its first frames") != std::string::npos);
 }
 
-TEST_CASE("a head with numbers that no run has is refused before anything is made of them") {
+TEST_CASE("read recording: head with impossible numbers -> refused before they are used") {
   const test::TemporaryFolder folder;
   record(folder.path() / "replay.trp", Motion{130});
   const std::string whole = bytes_of(folder.path() / "replay.trp");
@@ -155,7 +155,7 @@ TEST_CASE("a head with numbers that no run has is refused before anything is mad
         cannot + "nodes = 4294967296: must be a whole number from 2 to 4294967295");
 }
 
-TEST_CASE("a block that says it has more frames than its bytes can hold is refused at once") {
+TEST_CASE("read recording: block that claims more frames than its bytes can hold -> refused at once") {
   const test::TemporaryFolder folder;
   record(folder.path() / "replay.trp", Motion{50}, false);
   const std::string whole = bytes_of(folder.path() / "replay.trp");
@@ -167,7 +167,7 @@ TEST_CASE("a block that says it has more frames than its bytes can hold is refus
   CHECK(refusal(path).find(": damaged, a block of more frames than it can hold at byte ") != std::string::npos);
 }
 
-TEST_CASE("moments too close to be told apart are found") {
+TEST_CASE("read recording: moments that are almost equal -> each is found") {
   const test::TemporaryFolder folder;
   record(folder.path() / "replay.trp", Motion{50});
   const std::string whole = bytes_of(folder.path() / "replay.trp");

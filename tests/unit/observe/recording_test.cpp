@@ -31,7 +31,7 @@ using namespace trophic::test;
 using io::Recording;
 using io::RecordingReader;
 
-TEST_CASE("a recording is new, and its rate is a number that makes sense") {
+TEST_CASE("recording: existing file or bad rate -> refused") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.file("replay.trp", "mine");
   CHECK(test::message_of<std::runtime_error>([&] { Recording(path, 5.0); }) ==
@@ -44,7 +44,7 @@ TEST_CASE("a recording is new, and its rate is a number that makes sense") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "other.trp"));
 }
 
-TEST_CASE("a recording of many robots holds few frames back, and is where its robots were") {
+TEST_CASE("recording: many robots -> few frames are buffered, and poses are the robots'") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "replay.trp";
   Experiment<rules::Paper> numbers;
@@ -73,13 +73,13 @@ TEST_CASE("a recording of many robots holds few frames back, and is where its ro
   }
 }
 
-TEST_CASE("a checkpoint that tells of a recording that cannot be is refused") {
+TEST_CASE("recording: checkpoint with impossible numbers -> refused") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "replay.trp";
   Ecology<rules::Paper> ecology{Experiment<rules::Paper>{}, backend::Kinematic::Params{}};
   Recording recording{path, 5.0};
   struct Keep {
-    void on_tick(const View&) {  // with frames that wait for their block
+    void on_tick(const View&) {  // with frames that are not yet in a block
       Archive archive;
       recording.persist(archive);
       bytes = archive.bytes();
@@ -106,7 +106,7 @@ TEST_CASE("a checkpoint that tells of a recording that cannot be is refused") {
   }
 }
 
-TEST_CASE("a recorded run has the bytes of one that is not, and the recording is where its tables say") {
+TEST_CASE("recording: recorded run -> the bytes of an unrecorded one, and poses that match its tables") {
   using Kinematics = Ecology<rules::Paper>;
   const test::TemporaryFolder folder;
   for (const double hz : {0.0, 5.0, 30.0}) {

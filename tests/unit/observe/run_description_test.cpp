@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("fingerprint: what makes replicates, and nothing else, changes nothing") {
+TEST_CASE("fingerprint: another seed, duration or table name -> the same, and any other change -> another") {
   const observe::RunDescription run = test::short_run();
   const std::string print = observe::fingerprint(run, "models");
   CHECK(print.size() == 16);

@@ -10,7 +10,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("run folder: everything that a run leaves, and never twice") {
+TEST_CASE("run folder: a run -> all its files, and never overwritten") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "deep" / "run";
   test::HandPopulation robots = test::three_robots();
@@ -23,7 +23,7 @@ TEST_CASE("run folder: everything that a run leaves, and never twice") {
                    robots.view());
     }
     run.on_tick(robots.view());
-    // what has happened is there before the run ends
+    // past events are written before the run ends
     CHECK(test::content(path / "events.csv").find("birth,9,") != std::string::npos);
     run.on_end(robots.at_tick(5).view());
   }

@@ -43,7 +43,7 @@ RobotModel cube() {
 
 }  // namespace
 
-TEST_CASE("senses: what each brain was told and answered, empty where it was not asked") {
+TEST_CASE("senses: each brain -> its inputs and outputs, empty if it was not evaluated") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;
   const test::HandPopulation robots = test::three_robots();
@@ -75,7 +75,7 @@ TEST_CASE("senses: what each brain was told and answered, empty where it was not
   CHECK(log.sum().rows == 6);
 }
 
-TEST_CASE("senses: who was exempt and yet died was not exempt, nor is who lives in its body now") {
+TEST_CASE("senses: exempted robot that dies in the same tick -> no exemption for it or its body's next occupant") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;
   test::HandPopulation robots{{{.species = test::predator, .id = 4}}};
@@ -87,7 +87,7 @@ TEST_CASE("senses: who was exempt and yet died was not exempt, nor is who lives 
   CHECK(test::content(path) == header + "0,0,0,5,predator,,,,,0,,,,,,\n");
 }
 
-TEST_CASE("senses: height, tilt and contacts by the bodies of the last frame, at the ticks that are asked for") {
+TEST_CASE("senses: height, tilt and contacts -> those of the bodies in the last frame, at the chosen ticks") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;
   test::HandPopulation robots = test::three_robots();

@@ -48,7 +48,7 @@ TEST_CASE("state columns: SLOT.MEMBER, nested members by their path, and a cell 
   CHECK(row == ",-1,0.25,1 2.5,12");
 }
 
-TEST_CASE("state columns: the slots of a table in their order, and none where no rule keeps anything") {
+TEST_CASE("state columns: a table's rules with a State -> its slots in order, and no such rule -> no columns") {
   const RuleStates<rules::Released> released;
   CHECK(io::state_columns(released).names == std::vector<std::string>{"parent.starved.body", "parent.starved.victim",
                                                                       "parent.sacrificed.killer",

@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("stop on signal: the first ends the run, and says which it was") {
+TEST_CASE("stop on signal: first signal -> ends the run, and its number is kept") {
   static_assert(observe::Observer<const observe::StopOnSignal>);
   const observe::StopOnSignal stop;
   CHECK(stop.keep_running());

@@ -11,7 +11,7 @@ namespace {
 using namespace trophic::observe;
 const std::array<std::string, 3> parts{"10 of 20 s", "50 %", "1 left"};
 
-TEST_CASE("as many whole parts as leave the last column free") {
+TEST_CASE("terminal: parts of a line -> as many whole ones as leave the last column free") {
   CHECK(fitting_line(parts, 200) == "10 of 20 s  50 %  1 left");
   CHECK(fitting_line(parts, 25) == "10 of 20 s  50 %  1 left");
   CHECK(fitting_line(parts, 24) == "10 of 20 s  50 %");
@@ -23,7 +23,7 @@ TEST_CASE("as many whole parts as leave the last column free") {
   CHECK(fitting_line(std::array<std::string, 3>{"a", "", "b"}, 80) == "a  b");
 }
 
-TEST_CASE("a character of several bytes takes one column and is never cut") {
+TEST_CASE("terminal: character of several bytes -> takes one column and is never cut") {
   const std::array<std::string, 1> hares{"l\u00e8vres"};
   CHECK(columns_of(hares[0]) == 6);
   CHECK(fitting_line(hares, 7) == hares[0]);
@@ -31,7 +31,7 @@ TEST_CASE("a character of several bytes takes one column and is never cut") {
   CHECK(fitting_line(hares, 2) == "l");
 }
 
-TEST_CASE("without a terminal the environment says how wide it is, else 80") {
+TEST_CASE("terminal: no terminal -> width of the environment, else 80") {
   constexpr int no_terminal = -1;
   ::setenv("COLUMNS", "33", 1);
   CHECK(terminal_columns(no_terminal) == 33);
