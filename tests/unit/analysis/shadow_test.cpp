@@ -14,7 +14,7 @@ using test::message_of;
 using test::run_of;
 using test::TemporaryFolder;
 
-TEST_CASE("the shadow of a run is looked for in its folder") {
+TEST_CASE("shadow: run with a shadow in its folder -> found") {
   const TemporaryFolder folder;
   const auto run = run_of(folder.path() / "run", "copy");
   CHECK(analysis::shadow_folders(std::vector{run}).empty());
@@ -23,7 +23,7 @@ TEST_CASE("the shadow of a run is looked for in its folder") {
   CHECK_NOTHROW(analysis::check_shadow(analysis::read_manifest(run), analysis::read_manifest(shadow)));
 }
 
-TEST_CASE("what is no shadow is refused with what differs") {
+TEST_CASE("shadow: run that is not the neutral shadow -> refused, naming the difference") {
   const TemporaryFolder folder;
   const auto run = run_of(folder.path() / "run", "copy");
   const auto refusal = [&](const std::filesystem::path& shadow) {

@@ -66,7 +66,7 @@ TEST_CASE("equal innovations get equal numbers, new ones new numbers") {
   CHECK(continued.node(5, without) == 11);
 }
 
-TEST_CASE("a new node takes the place of a link") {
+TEST_CASE("genome: new node -> replaces a link") {
   gait_evolution::Innovations innovations;
   Genome genome{.nodes = {{7, Activation::sine}}, .links = {{2, 2, 7, 0.75, true}}};
   trophic::Rng rng{3, trophic::Stream::gait_variation};
