@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same scenes in MuJoCo and ODE: quantities that both must get right. Where they differ, the reason stands beside the
+// The same scenes in MuJoCo and ODE: quantities that both must get right. If they differ, the reason is next to the
 // tolerance.
 #include <doctest/doctest.h>
 #include <mujoco/mujoco.h>
@@ -38,8 +38,8 @@ constexpr double period_share = 0.005;
 /// Against the exact solution. MuJoCo takes the servo's damping from the step's start, ODE from its end: at 0.2 ms the overshoot
 /// of the one is a little above, of the other a little below.
 constexpr double step_response_rad = 0.006;
-/// ODE keeps each link's momentum, and what is seen are its hinges, which come apart by micrometres under load. MuJoCo integrates
-/// in joint coordinates, which keeps momentum only to first order in the timestep: half the step, half the drift.
+/// ODE keeps each link's momentum; the visible error are its hinges, which come apart by micrometres under load. MuJoCo
+/// integrates in joint coordinates, which keeps momentum only to first order in the timestep: half the step, half the drift.
 constexpr double ode_drift_m = 5e-6;
 constexpr double mujoco_drift_m_per_s_step = 60.0;
 constexpr double sliding_share = 0.05;
@@ -75,7 +75,7 @@ double resting_m() {
   return backend.pose(0).position_m.z();
 }
 
-/// What spiders that only stand there have gained and moved in a minute, after one to come to rest.
+/// Energy gained and distance moved by standing spiders in a minute, after one to come to rest.
 template <class B>
 test::Resting after_a_minute_at_rest(test::Resting resting) {
   const RobotModel robot = load_robot("spider");
@@ -193,18 +193,18 @@ double agm(double a, double b) {
 
 }  // namespace
 
-TEST_CASE("free fall") {
+TEST_CASE("engines: free fall -> the parabola") {
   const double steps = std::ceil(0.5 / 0.0012);
   const double expected_m = 9.81 * 0.0012 * 0.0012 * steps * (steps + 1.0) / 2.0;
   CHECK(std::abs(fallen_m<Mujoco>() - expected_m) < free_fall_m);
   CHECK(std::abs(fallen_m<Ode>() - expected_m) < free_fall_m);
 }
 
-TEST_CASE("resting height") {
+TEST_CASE("engines: robot at rest on the floor -> the same height in both") {
   CHECK(std::abs(resting_m<Mujoco>() - resting_m<Ode>()) < resting_height_m);
 }
 
-TEST_CASE("robots at rest gain no energy") {
+TEST_CASE("engines: robots at rest -> gain no energy") {
   const auto in_mujoco = after_a_minute_at_rest<Mujoco>(test::Resting{});
   CHECK(in_mujoco.gain_J() < 1e-9);
   CHECK(in_mujoco.drift_m() < 1e-9);
@@ -213,7 +213,7 @@ TEST_CASE("robots at rest gain no energy") {
   CHECK(in_ode.drift_m() > 0.0);
 }
 
-TEST_CASE("contact forces carry the weight: MuJoCo's from its solver") {
+TEST_CASE("engines: MuJoCo's contact forces of its solver -> carry the weight") {
   const RobotModel robot = load_robot("spider");
   Mujoco backend{robot, load_arena("walled_square"), one_at(robot.rest_height_m), Physics{}, {}};
   backend.advance_to(3.0);
@@ -235,7 +235,7 @@ TEST_CASE("contact forces carry the weight: MuJoCo's from its solver") {
   CHECK(force_N == doctest::Approx(robot.mass_kg() * 9.81).epsilon(weight_share));
 }
 
-TEST_CASE("contact forces carry the weight: ODE's from how far its springs are pressed") {
+TEST_CASE("engines: ODE's contact forces by the depth of its springs -> carry the weight") {
   // With the default of 8 sweeps the springs are pressed 23 % less than the weight asks for: the solver has not converged.
   const Ode::Params params{.sweeps = 100};
   const RobotModel robot = load_robot("spider");
@@ -256,7 +256,7 @@ TEST_CASE("contact forces carry the weight: ODE's from how far its springs are p
   CHECK(force_N == doctest::Approx(robot.mass_kg() * 9.81).epsilon(weight_share));
 }
 
-TEST_CASE("a pendulum without servo has its period") {
+TEST_CASE("engines: pendulum without servo -> its period") {
   const Pendulum pendulum;
   const double small_s =
       2.0 * std::numbers::pi * std::sqrt(Pendulum::inertia_kgm2() / (Pendulum::mass_kg * 9.81 * Pendulum::length_m));
@@ -265,7 +265,7 @@ TEST_CASE("a pendulum without servo has its period") {
   CHECK(period_s<Ode>() == doctest::Approx(expected_s).epsilon(period_share));
 }
 
-TEST_CASE("a servo's step response") {
+TEST_CASE("engines: step of a servo's target -> the exact response") {
   const Pendulum pendulum{.servo = {.position_gain = 5.0, .velocity_gain = 0.05, .target_limit_rad = 1.0}};
   const std::array<double, 4> times_s{0.01, 0.02, 0.04, 0.08};
   const auto mujoco_rad = step_response_rad_at<Mujoco>(times_s, pendulum, 0.0002);
@@ -278,7 +278,7 @@ TEST_CASE("a servo's step response") {
   }
 }
 
-TEST_CASE("a collision keeps the momentum: ODE at any timestep, MuJoCo as the timestep goes to zero") {
+TEST_CASE("engines: collision -> momentum is kept, by ODE at any timestep, by MuJoCo as the timestep goes to zero") {
   const Collision ode = collide<Ode>(0.0012);
   CHECK(ode.drift_m < ode_drift_m);
   CHECK(ode.separation_m > 0.02);
@@ -290,7 +290,7 @@ TEST_CASE("a collision keeps the momentum: ODE at any timestep, MuJoCo as the ti
   }
 }
 
-TEST_CASE("sliding down a slope against friction") {
+TEST_CASE("engines: brick on a steep slope -> slides as Coulomb friction predicts") {
   const double slope_rad = std::numbers::pi / 6.0;
   const double time_s = 0.6;
   const auto expected_m = [&](double friction) {
@@ -309,12 +309,12 @@ TEST_CASE("sliding down a slope against friction") {
   }
 }
 
-TEST_CASE("friction holds below its limit") {
+TEST_CASE("engines: brick on a slope below the friction limit -> stays") {
   CHECK(slid_m<Mujoco>(0.2, {1.0, 0.0}, 0.5, 1.0) < creep_m_s * 1.0);
   CHECK(slid_m<Ode>(0.2, {1.0, 0.0}, 0.5, 1.0) < creep_m_s * 1.0);
 }
 
-TEST_CASE("a hinge rests on its limit") {
+TEST_CASE("engines: hinge pushed beyond its limit -> rests on it") {
   CHECK(std::abs(rest_angle_at_limit_rad<Mujoco>() + 0.4) < limit_rad);
   CHECK(std::abs(rest_angle_at_limit_rad<Ode>() + 0.4) < limit_rad);
 }

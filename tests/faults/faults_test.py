@@ -80,7 +80,7 @@ class Faults(InFolder):
             shutil.rmtree(path)
 
     def cut_off(self):
-        """A run that stood in the middle, for --resume."""
+        """A run that was stopped in the middle, for --resume."""
         for at in range(1, self.count("write")):
             self.call("cut", fault="write", at=at, mode="from")
             if (self.folder / "cut" / "checkpoint.bin").exists():

@@ -5,7 +5,7 @@
 
 using trophic::backend::Mujoco;
 
-TEST_CASE("a crowd of 30 robots that bump into each other moves alike in islands and in one model for 20 s") {
+TEST_CASE("agreement: crowd of 30 robots that collide, 20 s -> the same motion in islands and in one model") {
   const trophic::RobotModel spider = trophic::load_robot("spider");
   const trophic::Arena arena = trophic::load_arena("walled_square");
   const std::vector<trophic::Pose> starts = trophic::test::tight_crowd(spider, 30, 4.0, 1000);

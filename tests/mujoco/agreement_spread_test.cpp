@@ -5,7 +5,7 @@
 
 using trophic::backend::Mujoco;
 
-TEST_CASE("30 robots that never touch move alike in islands and in one model for 20 s") {
+TEST_CASE("agreement: 30 robots that never touch, 20 s -> the same motion in islands and in one model") {
   const trophic::RobotModel spider = trophic::load_robot("spider");
   const trophic::Arena arena = trophic::load_arena("walled_square");
   std::vector<trophic::Pose> starts = trophic::test::lattice(spider, 30, 3.1);

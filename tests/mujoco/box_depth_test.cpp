@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How deep MuJoCo says that a box is in another, and the number of the backend that mends it.
+// Penetration depth of two boxes in MuJoCo, and the backend's number that corrects it.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ namespace {
 constexpr double pressed_m = 0.5e-3;
 constexpr double half_side_m = 0.05;
 
-/// Loads MJCF with nothing of ours in between.
+/// Loads MJCF with MuJoCo alone.
 engine::ModelPtr model_of(const std::string& mjcf) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "model.xml";
@@ -81,7 +81,7 @@ constexpr const char* declining = "<custom><numeric name='trophic.whole_box_dept
 
 }  // namespace
 
-TEST_CASE("MuJoCo alone: half the depth between a face of a box and another box, the whole depth everywhere else") {
+TEST_CASE("box depth: MuJoCo alone -> half the depth between a face of a box and another box, the whole depth elsewhere") {
   for (const auto& [turn, contacts] : {std::pair{flat, 4U}, std::pair{on_a_corner, 1U}, std::pair{on_an_edge, 2U}}) {
     CAPTURE(contacts);
     check_depths(depths_m(plate, turn), contacts, pressed_m / 2.0);
@@ -93,7 +93,7 @@ TEST_CASE("MuJoCo alone: half the depth between a face of a box and another box,
   check_depths(depths_m(ridge, along_x), 1, pressed_m);
 }
 
-TEST_CASE("a model that asks gets the whole depth, no other does") {
+TEST_CASE("box depth: model with the request -> whole depth, without -> MuJoCo's") {
   engine::install_box_test();
   for (const auto& [turn, contacts] : {std::pair{flat, 4U}, std::pair{on_a_corner, 1U}, std::pair{on_an_edge, 2U}}) {
     CAPTURE(contacts);
@@ -139,7 +139,7 @@ Overlap overlap(const mjModel& model, const mjData& data) {
 
 }  // namespace
 
-TEST_CASE("of any two boxes the deepest face contact is as deep as separating axes say, and edge contacts keep their depth") {
+TEST_CASE("box depth: any two boxes -> deepest face contact as deep as by separating axes, edge contacts unchanged") {
   engine::install_box_test();
   const std::string boxes = "<worldbody><geom type='box' size='1 1 1'/><geom type='box' size='1 1 1'/></worldbody></mujoco>";
   const std::array models{model_of("<mujoco>" + boxes), model_of(std::string{"<mujoco>"} + asking + boxes)};
@@ -202,7 +202,7 @@ double leaving_m_s(Mujoco::Stepping stepping, BoxDepth depth) {
 
 }  // namespace
 
-TEST_CASE("in every way of stepping the number gives boxes their whole depth") {
+TEST_CASE("box depth: each stepping mode -> whole depth") {
   using Stepping = Mujoco::Stepping;
   const double half_m_s = leaving_m_s(Stepping::one_model, BoxDepth::engine);
   const double whole_m_s = leaving_m_s(Stepping::one_model, BoxDepth::whole);
@@ -214,7 +214,7 @@ TEST_CASE("in every way of stepping the number gives boxes their whole depth") {
   }
 }
 
-TEST_CASE("a saved world keeps the request, and the default makes none") {
+TEST_CASE("box depth: saved world -> has the request, absent by default") {
   const test::TemporaryFolder folder;
   const RobotModel robot = compare::brick({0.3, 0.3, 0.1}, 0.5, 1.0);
   const std::vector<Pose> starts{{.position_m = {0.0, 0.0, 1.0}}};

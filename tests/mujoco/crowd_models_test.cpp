@@ -34,7 +34,7 @@ engine::RobotStates in_a_row(engine::Islands& islands, double distance_m, std::s
 
 }  // namespace
 
-TEST_CASE("a crowd holds no memory for the matrix of the dual solvers, however long it is stepped") {
+TEST_CASE("crowd models: crowd stepped for any time -> no memory for the matrix of the dual solvers") {
   constexpr std::size_t many = 30;
   engine::CompiledModel model{spider, square, {}, {}, many, 1};
   engine::RobotStates states{model.layout(), many};
@@ -54,7 +54,7 @@ TEST_CASE("a crowd holds no memory for the matrix of the dual solvers, however l
   CHECK(test::resident_bytes() - before < model.data(0).nbuffer - 0.9 * matrix);
 }
 
-TEST_CASE("the model of a crowd that nobody forms any more is dropped, and made again to the same bytes") {
+TEST_CASE("crowd models: crowd that has dissolved -> its model is dropped, and made again to the same bytes") {
   const std::vector<double> targets_rad(robots * spider.hinges.size(), 0.4);
   for (const bool fast : {true, false}) {
     CAPTURE(fast);
@@ -85,7 +85,7 @@ TEST_CASE("the model of a crowd that nobody forms any more is dropped, and made 
 }
 
 #ifndef __SANITIZE_ADDRESS__  // whose allocator keeps what is freed
-TEST_CASE("crowds that are dropped give their memory back, though other memory lies above it") {
+TEST_CASE("crowd models: dropped crowds -> their memory is returned, even below other memory") {
   std::vector<char>(std::size_t{31} << 20);  // glibc no longer maps what is smaller, once such a block was freed
   engine::Islands islands{spider, square, {}, 1, false, engine::BoxDepth::engine};
   const auto advance = [&](double distance_m, std::size_t many, std::size_t steps) {
@@ -110,7 +110,7 @@ TEST_CASE("crowds that are dropped give their memory back, though other memory l
 }
 #endif
 
-TEST_CASE("threads that step one model at the same time have a working memory each, one after the other the same") {
+TEST_CASE("crowd models: threads that step one model at once -> a working memory each, in turn -> a common one") {
   engine::CompiledModel model{spider, square, {}, {}, 1, 2};
   {
     const engine::CompiledModel::Turn first{model};
@@ -121,7 +121,7 @@ TEST_CASE("threads that step one model at the same time have a working memory ea
   for (int i = 0; i < 3; ++i) CHECK(engine::CompiledModel::Turn{model}.slot() == 0);
 }
 
-TEST_CASE("a thread for which there is no working memory waits for one") {
+TEST_CASE("crowd models: thread without a working memory -> waits for one") {
   engine::CompiledModel model{spider, square, {}, {}, 1, 1};
   std::atomic<bool> is_over = false;
   bool waited = false;
@@ -139,7 +139,7 @@ TEST_CASE("a thread for which there is no working memory waits for one") {
   CHECK(waited);
 }
 
-TEST_CASE("what the kernel leaves to MuJoCo takes one working memory a model, what it never steps one for each thread") {
+TEST_CASE("crowd models: steps left to MuJoCo -> one working memory a model, models without kernel -> one a thread") {
   constexpr std::size_t threads = 3;
   const auto memories = [&](bool fast, std::size_t together) {
     engine::Islands islands{spider, square, {}, threads, fast, engine::BoxDepth::engine};

@@ -37,7 +37,7 @@ bool contains(const std::string& text, std::string_view part) {
 
 }  // namespace
 
-TEST_CASE("too large a timestep ends in Diverged with time and robot, the last sound state still there") {
+TEST_CASE("failures: too large a timestep -> Diverged with time and robot, and the last sound state is kept") {
   const std::vector<Pose> starts = test::lattice(spider, 6, 2.0);
   for (const Mujoco::Params& params : all_modes()) {
     Mujoco backend{spider, square, starts, {.timestep_s = 0.02}, params};
@@ -56,7 +56,7 @@ TEST_CASE("too large a timestep ends in Diverged with time and robot, the last s
   }
 }
 
-TEST_CASE("robots that too long a timestep throws about end the run before all of them are one group") {
+TEST_CASE("failures: robots thrown about by too long a timestep -> the run ends before all of them are one group") {
   const std::vector<Pose> starts = test::lattice(spider, 200, 2.0);
   const double before = test::resident_bytes();
   for (const auto stepping : {Mujoco::Stepping::fast, Mujoco::Stepping::islands}) {
@@ -75,7 +75,7 @@ TEST_CASE("robots that too long a timestep throws about end the run before all o
   CHECK(test::resident_bytes() - before < 1e9);
 }
 
-TEST_CASE("a number that is not finite names its robot") {
+TEST_CASE("failures: number that is not finite -> an error that names the robot") {
   for (const Mujoco::Params& params : all_modes()) {
     Mujoco backend{spider, square, test::lattice(spider, 4, 0.45), {}, params};
     backend.advance_to(0.1);
@@ -98,7 +98,7 @@ TEST_CASE("a number that is not finite names its robot") {
   }
 }
 
-TEST_CASE("so does one over a height field") {
+TEST_CASE("failures: number that is not finite, over a height field -> an error that names the robot") {
   const Arena slopes = load_arena("height_field");
   for (const Mujoco::Params& params : all_modes()) {
     std::vector<Pose> starts = test::lattice(spider, 2, 2.0);
@@ -120,7 +120,7 @@ TEST_CASE("so does one over a height field") {
   }
 }
 
-TEST_CASE("robots that start inside one another drive apart and the run goes on") {
+TEST_CASE("failures: robots that start inside one another -> pushed apart, and the run continues") {
   std::vector<Pose> starts = test::lattice(spider, 4, 3.0);
   starts.push_back(starts[0]);                                 // exactly the same place
   starts.push_back(test::standing(spider, 3.02, 3.01, 0.3));   // nearly
@@ -135,7 +135,7 @@ TEST_CASE("robots that start inside one another drive apart and the run goes on"
   }
 }
 
-TEST_CASE("a heap of robots gets all the room for contacts that it needs") {
+TEST_CASE("failures: heap of robots -> room for all of its contacts") {
   const std::vector<Pose> starts = test::crowd(spider, 4, 0.1, 3);
   test::TouchWatch watch{spider, square, 4};
   const std::size_t first_room = watch.room();
@@ -146,13 +146,13 @@ TEST_CASE("a heap of robots gets all the room for contacts that it needs") {
   CHECK_NOTHROW(test::walk(backend, 1.0));
 }
 
-TEST_CASE("more contacts than MuJoCo can hold are an error, not a loss") {
+TEST_CASE("failures: more contacts than MuJoCo can hold -> error, no contact is dropped silently") {
   Mujoco backend{spider, square, test::crowd(spider, 12, 0.1, 3), {}, {}};
   CHECK_THROWS_AS(backend.advance_to(0.1), Diverged);
   CHECK(backend.time_s() == 0.0);
 }
 
-TEST_CASE("no contact is dropped while a crowd mills about") {
+TEST_CASE("failures: crowd in motion -> no contact is dropped") {
   const std::vector<Pose> starts = test::tight_crowd(spider, 24, 3.0, 5000);
   backend::mujoco::CompiledModel single{spider, square, {}, {}, 1, 1};
   Mujoco backend{spider, square, starts, {}, {.threads = 2}};
@@ -165,7 +165,7 @@ TEST_CASE("no contact is dropped while a crowd mills about") {
   CHECK(single.model().njmax >= 17 * 4 * 4);  // every box on its four lower corners, four rows each
 }
 
-TEST_CASE("bad input is refused by name before anything is simulated") {
+TEST_CASE("failures: bad input -> refused by name before anything is simulated") {
   const std::vector<Pose> starts = test::lattice(spider, 2, 1.0);
   const auto with_threads = [&](std::size_t threads) {
     return complaint([&] { Mujoco{spider, square, starts, {}, {.threads = threads}}; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The robots of both rule tables and the gecko walk in MuJoCo as their files say, so that kinematic runs move as MuJoCo's do.
+// The robots of both rule tables and the gecko walk in MuJoCo as stated in their files, so that kinematic runs move as MuJoCo's
+// do.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 constexpr double speed_tolerance = 0.03;
 constexpr double turn_tolerance = 0.08;
 
-/// Holds the walk of a robot file against one measured with its ecology's gait and physics.
+/// Compares the walk of a robot file with one measured with its ecology's gait and physics.
 void check_walk(const trophic::EcologyParams& ecology, const trophic::Physics& physics) {
   const trophic::Habitat habitat = trophic::load_habitat(ecology);
   CHECK(habitat.gait.name == trophic::load_gait(habitat.robot.gait).name);
@@ -34,15 +35,15 @@ void check_walk(const trophic::EcologyParams& ecology, const trophic::Physics& p
 
 }  // namespace
 
-TEST_CASE("the paper's robot walks with its table's gait and physics as its file says") {
+TEST_CASE("measured walk: the paper's robot with its table's gait and physics -> the walk of its file") {
   check_walk(trophic::rules::Paper::ecology(), trophic::rules::Paper::physics());
 }
 
-TEST_CASE("the released code's robot walks with its table's gait and physics as its file says") {
+TEST_CASE("measured walk: the released code's robot with its table's gait and physics -> the walk of its file") {
   check_walk(trophic::rules::Released::ecology(), trophic::rules::Released::physics());
 }
 
-TEST_CASE("the gecko walks with its own gait as its file says") {
+TEST_CASE("measured walk: the gecko with its own gait -> the walk of its file") {
   trophic::EcologyParams ecology;
   ecology.robot = "gecko";
   check_walk(ecology, {});

@@ -37,7 +37,7 @@ engine::ModelPtr load(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("masses, centres of mass and inertias in MuJoCo are the robot's") {
+TEST_CASE("model: compiled robot -> the robot's masses, centres of mass and inertias") {
   for (const char* name : {"spider", "spider_released", "gecko"}) {
     CAPTURE(name);
     const RobotModel robot = load_robot(name);
@@ -61,7 +61,7 @@ TEST_CASE("masses, centres of mass and inertias in MuJoCo are the robot's") {
   }
 }
 
-TEST_CASE("physics and contacts are as stated") {
+TEST_CASE("model: compiled world -> the stated physics and contacts") {
   const RobotModel robot = load_robot("spider");
   const Physics physics{.timestep_s = 0.012, .integrator = Integrator::rk4, .gravity_m_s2 = 1.62};
   Arena arena = load_arena("walled_square");
@@ -86,7 +86,7 @@ TEST_CASE("physics and contacts are as stated") {
   CHECK(walled.model().nu == 8);
 }
 
-TEST_CASE("pairs and MuJoCo's own sweep, combined and separate servos give the same motion") {
+TEST_CASE("model: pairs or MuJoCo's own sweep, combined or separate servos -> the same motion") {
   const RobotModel robot = load_robot("spider");
   const Arena arena = load_arena("walled_square");
   engine::CompiledModel one{robot, arena, {}, {.collisions = engine::Collisions::pairs, .servos = engine::Servos::combined},
@@ -106,7 +106,7 @@ TEST_CASE("pairs and MuJoCo's own sweep, combined and separate servos give the s
   }
 }
 
-TEST_CASE("a saved world opens in MuJoCo and goes on as ours") {
+TEST_CASE("model: saved world -> opens in MuJoCo and continues as in trophic") {
   const test::TemporaryFolder folder;
   const RobotModel robot = load_robot("gecko");
   for (const char* arena_name : {"walled_square", "height_field"}) {
@@ -144,7 +144,7 @@ TEST_CASE("a saved world opens in MuJoCo and goes on as ours") {
                   std::runtime_error);
 }
 
-TEST_CASE("MuJoCo's height field is the arena's") {
+TEST_CASE("model: height field in MuJoCo -> the arena's") {
   Arena arena = load_arena("height_field");
   HeightField& field = *arena.height_field;
   field.height_m[3 * field.nodes + 5] = 2.5;  // row y 3, column x 5

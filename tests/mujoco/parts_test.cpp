@@ -12,7 +12,7 @@
 using namespace trophic::backend;
 using Sets = std::vector<std::vector<std::size_t>>;
 
-TEST_CASE("discs that overlap, also through others, are one set") {
+TEST_CASE("clusters: discs that overlap, directly or through others -> one set") {
   const std::vector<Disc> discs{{0.0, 0.0, 0.3}, {5.0, 0.0, 0.3}, {0.5, 0.0, 0.3}, {1.0, 0.1, 0.3}, {5.0, 0.6001, 0.3}};
   CHECK(connected_sets(discs) == Sets{{0, 2, 3}, {1}, {4}});
   const std::vector<Disc> touching{{0.0, 0.0, 0.5}, {1.0, 0.0, 0.5}};
@@ -20,12 +20,12 @@ TEST_CASE("discs that overlap, also through others, are one set") {
   CHECK(connected_sets({}).empty());
 }
 
-TEST_CASE("a large disc reaches past small ones that lie between") {
+TEST_CASE("clusters: large disc -> reaches past small ones between") {
   const std::vector<Disc> discs{{0.0, 0.0, 4.0}, {1.0, 6.0, 0.1}, {3.5, 0.0, 0.1}};
   CHECK(connected_sets(discs) == Sets{{0, 2}, {1}});
 }
 
-TEST_CASE("sets are those of comparing all pairs") {
+TEST_CASE("clusters: random discs -> the sets of comparing all pairs") {
   for (std::uint64_t world = 0; world < 50; ++world) {
     CAPTURE(world);
     trophic::Rng rng{world, trophic::Stream::user};
@@ -57,7 +57,7 @@ TEST_CASE("sets are those of comparing all pairs") {
   }
 }
 
-TEST_CASE("a pool does each item once, job after job, on any number of threads") {
+TEST_CASE("thread pool: any number of threads, job after job -> each item once") {
   for (const std::size_t threads : {1U, 2U, 5U}) {
     trophic::ThreadPool pool{threads};
     CHECK(pool.threads() == threads);
@@ -74,7 +74,7 @@ TEST_CASE("a pool does each item once, job after job, on any number of threads")
   }
 }
 
-TEST_CASE("a pool hands on an exception and stays usable") {
+TEST_CASE("thread pool: exception in an item -> rethrown, and the pool stays usable") {
   trophic::ThreadPool pool{3};
   const auto fail_at_7 = [](std::size_t item, std::size_t) {
     if (item == 7) throw std::runtime_error{"seven"};

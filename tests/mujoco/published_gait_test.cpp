@@ -41,13 +41,13 @@ double mean_fitness(const std::string& robot_name, double exponent, int starts) 
 }  // namespace
 
 /// Replays of the released code give 0.745 to 0.754 m.
-TEST_CASE("the published gait walks as far as recorded, within one percent") {
+TEST_CASE("published gait: 20 s of walking -> the recorded distance within one percent") {
   const double mean_m = mean_fitness("spider_released", Numbers{}.steering.exponent, 40);
   CHECK(mean_m > 0.745);
   CHECK(mean_m < 0.758);
 }
 
-TEST_CASE("the details matter: with the intended core mass, or with the ecology's steering, it falls short") {
+TEST_CASE("published gait: intended core mass, or the ecology's steering -> falls short of the recorded distance") {
   const double light_m = mean_fitness("spider", 4.0, 12);
   CHECK(light_m > 0.66);  // replays: 0.69 to 0.70
   CHECK(light_m < 0.71);

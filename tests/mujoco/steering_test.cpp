@@ -19,7 +19,7 @@ using namespace trophic;
 
 namespace {
 
-/// What a robot did in 60 s. Legs make body and heading swing, hence the means over 10 s at both ends.
+/// A robot's walk of 60 s. Legs make body and heading swing, hence the means over 10 s at both ends.
 struct Walk {
   double turned_rad = 0.0;       ///< mean heading of the last 10 s minus that of the first, counter-clockwise
   double turn_rate_rad_s = 0.0;  ///< the same, a second
@@ -97,10 +97,10 @@ void check_steering(const std::array<Walk, 3>& walks) {
 
 }  // namespace
 
-TEST_CASE("the spider steers to both sides at the paper's timestep") {
+TEST_CASE("steering: spider at the paper's timestep -> steers to both sides") {
   check_steering(walk_60_s("spider", {}));
 }
 
-TEST_CASE("the released spider steers to both sides with the released physics") {
+TEST_CASE("steering: released spider with the released physics -> steers to both sides") {
   check_steering(walk_60_s("spider_released", {.timestep_s = 0.012, .integrator = Integrator::rk4}));
 }

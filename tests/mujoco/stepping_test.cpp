@@ -21,7 +21,7 @@ Mujoco::Params islands(std::size_t threads) {
 
 }  // namespace
 
-TEST_CASE("a crowd moves bitwise the same with 1, 2 and 4 threads") {
+TEST_CASE("stepping: crowd with 1, 2 and 4 threads -> the same bits") {
   const std::vector<Pose> starts = test::tight_crowd(spider, 16, 2.3, 5000);
   test::TouchWatch watch{spider, square, starts.size()};
   Mujoco first{spider, square, starts, {}, islands(1)};
@@ -37,7 +37,7 @@ TEST_CASE("a crowd moves bitwise the same with 1, 2 and 4 threads") {
   }
 }
 
-TEST_CASE("a restored crowd continues bitwise, in both ways of stepping") {
+TEST_CASE("stepping: restored crowd, each mode -> continues with the same bits") {
   const std::vector<Pose> starts = test::tight_crowd(spider, 12, 2.0, 5000);
   for (const Mujoco::Params& params : {islands(2), one_model()}) {
     Mujoco original{spider, square, starts, {}, params};
@@ -61,13 +61,13 @@ TEST_CASE("a restored crowd continues bitwise, in both ways of stepping") {
   }
 }
 
-TEST_CASE("the state of another world is refused") {
+TEST_CASE("stepping: state of another world -> refused") {
   Mujoco one{spider, square, test::lattice(spider, 1, 1.0), {}, {}};
   const Mujoco two{spider, square, test::lattice(spider, 2, 1.0), {}, {}};
   CHECK_THROWS_AS(one.restore(two.save()), std::invalid_argument);
 }
 
-TEST_CASE("RK4 at 0.012 s moves alike both ways") {
+TEST_CASE("stepping: RK4 at 0.012 s -> the same motion in both modes") {
   const std::vector<Pose> starts = test::lattice(spider, 9, 2.0);
   Mujoco fast{spider, square, starts, released, islands(2)};
   Mujoco whole{spider, square, starts, released, one_model()};
@@ -76,7 +76,7 @@ TEST_CASE("RK4 at 0.012 s moves alike both ways") {
   CHECK(test::largest_difference(fast, whole) < 1e-10);
 }
 
-TEST_CASE("the released physics on the released height field") {
+TEST_CASE("stepping: released physics on the released height field -> the same motion in both modes") {
   const RobotModel heavy = load_robot("spider_released");
   const Arena slopes = load_arena("height_field");
   std::vector<Pose> starts = test::lattice(heavy, 9, 2.0);
@@ -99,7 +99,7 @@ TEST_CASE("the released physics on the released height field") {
   }
 }
 
-TEST_CASE("a smooth fall is integrated to the order of the integrator") {
+TEST_CASE("stepping: free fall -> exact to the order of the integrator") {
   // Free fall from rest: semi-implicit Euler is h t g / 2 lower than the exact parabola, RK4 is exact.
   const std::vector<Pose> starts{{{0.0, 0.0, 5.0}, Eigen::Quaterniond::Identity()}};
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4}) {
@@ -112,14 +112,14 @@ TEST_CASE("a smooth fall is integrated to the order of the integrator") {
   }
 }
 
-TEST_CASE("time is whole steps and does not drift") {
+TEST_CASE("stepping: many ticks -> time is whole steps and does not drift") {
   Mujoco backend{spider, square, test::lattice(spider, 1, 1.0), {}, {}};
   for (int tick = 1; tick <= 600; ++tick) backend.advance_to(tick / 60.0);
   CHECK(backend.time_s() == 8334 * 0.0012);  // the first multiple of 0.0012 s not below 10 s
   CHECK(backend.save().steps == 8334);
 }
 
-TEST_CASE("robots far apart step as each would alone") {
+TEST_CASE("stepping: robots far apart -> each moves as it would alone") {
   const std::vector<Pose> starts = test::lattice(spider, 3, 3.0);
   Mujoco all{spider, square, starts, {}, islands(2)};
   test::walk(all, 2.0);
@@ -129,7 +129,7 @@ TEST_CASE("robots far apart step as each would alone") {
   CHECK(alone.pose(0).orientation.coeffs() == all.pose(0).orientation.coeffs());
 }
 
-TEST_CASE("a robot that moves faster than its slack is not missed by those it meets") {
+TEST_CASE("stepping: robot faster than its slack -> its collisions are found") {
   // Shot at 8 m/s at a standing robot 1 m away, from a state whose slack was measured before the shot.
   const std::vector<Pose> starts{test::standing(spider, 0.0, 0.0, 0.0), test::standing(spider, 1.0, 0.05, 0.0)};
   Mujoco fast{spider, square, starts, {}, islands(1)};

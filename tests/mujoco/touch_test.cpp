@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who touches whom by the shapes of boxes is who touches whom by the engine.
+// Touching robots by the shapes of boxes are those by the engine.
 #include <doctest/doctest.h>
 
 #include <mujoco/touching.hpp>
@@ -11,7 +11,7 @@
 
 using namespace trophic;
 
-TEST_CASE("robots in a crowd at a wall touch whom the engine says") {
+TEST_CASE("touch: crowd at a wall -> the touching pairs of the engine") {
   const std::size_t robots = 12;
   std::vector<Pose> starts = test::crowd(test::spider, robots, 1.6, 5);
   for (Pose& start : starts) {

@@ -31,7 +31,7 @@ bool contains(const std::string& text, std::string_view part) {
 
 }  // namespace
 
-TEST_CASE("the number of threads changes no bit, also where robots touch") {
+TEST_CASE("ODE: another number of threads, robots that touch -> the same bits") {
   for (const Solver solver : {Solver::quick_step, Solver::world_step}) {
     OdeWorld world;
     world.starts = crowd(solver == Solver::quick_step ? 3 : 2, 0.27, world.robot.rest_height_m);
@@ -46,7 +46,7 @@ TEST_CASE("the number of threads changes no bit, also where robots touch") {
   }
 }
 
-TEST_CASE("more than eight sweeps are as reproducible") {
+TEST_CASE("ODE: more than eight sweeps -> the same bits") {
   OdeWorld world;
   world.starts = crowd(2, 0.27, world.robot.rest_height_m);
   world.params.sweeps = 30;
@@ -59,7 +59,7 @@ TEST_CASE("more than eight sweeps are as reproducible") {
   CHECK(one.save() == two.save());
 }
 
-TEST_CASE("up to eight sweeps ODE draws no random number") {
+TEST_CASE("ODE: up to eight sweeps -> no random number is drawn") {
   OdeWorld world;
   Ode backend = world.make();
   dRandSetSeed(77);
@@ -67,7 +67,7 @@ TEST_CASE("up to eight sweeps ODE draws no random number") {
   CHECK(dRandGetSeed() == 77);
 }
 
-TEST_CASE("robots that do not touch move as if each were alone") {
+TEST_CASE("ODE: robots that do not touch -> each moves as if alone") {
   OdeWorld world;
   // Bounding spheres overlap, but legs point past each other.
   const Eigen::Quaterniond diagonal{Eigen::AngleAxisd{0.25 * std::numbers::pi, Eigen::Vector3d::UnitZ()}};
@@ -86,7 +86,7 @@ TEST_CASE("robots that do not touch move as if each were alone") {
   }
 }
 
-TEST_CASE("robots push each other and do not pass through") {
+TEST_CASE("ODE: robots that meet -> push each other and do not pass through") {
   OdeWorld world;
   world.starts = {{.position_m = {0.0, 0.0, world.robot.rest_height_m}}, {.position_m = {0.0, 0.0, 0.16}}};
   Ode backend = world.make();
@@ -96,7 +96,7 @@ TEST_CASE("robots push each other and do not pass through") {
   CHECK(backend.pose(1).position_m.z() > 0.08);
 }
 
-TEST_CASE("on the height field: flat in the middle as the plane, a slope that holds robots in") {
+TEST_CASE("ODE: height field -> flat in the middle as the plane, with a slope that holds robots in") {
   OdeWorld plane;
   OdeWorld field;
   field.arena = trophic::load_arena("height_field");
@@ -117,7 +117,7 @@ TEST_CASE("on the height field: flat in the middle as the plane, a slope that ho
   CHECK(at.z() < 0.2);
 }
 
-TEST_CASE("heights lie where the field says") {
+TEST_CASE("ODE: height field with a ridge -> heights at the field's places") {
   // A ridge along y = +5: only there the floor is high.
   OdeWorld world;
   world.arena.height_field = trophic::HeightField{.nodes = 5, .half_extent_m = 10.0, .height_m = std::vector<double>(25, 0.0)};
@@ -145,7 +145,7 @@ TEST_CASE("heights lie where the field says") {
   CHECK(depth_at(5.0, 1.3, 0.55) > 0.0);
 }
 
-TEST_CASE("what ODE cannot do is refused by name") {
+TEST_CASE("ODE: unsupported settings -> refused by name") {
   OdeWorld world;
   const auto complaint = [](const OdeWorld& bad) { return message_of<std::invalid_argument>([&] { (void)bad.make(); }); };
   CHECK(complaint(world).empty());
@@ -166,7 +166,7 @@ TEST_CASE("what ODE cannot do is refused by name") {
   CHECK(contains(complaint(bad), "start pose 0"));
 }
 
-TEST_CASE("asked for rk4, ODE steps as ever and says so") {
+TEST_CASE("ODE: integrator rk4 -> the same motion, and a remark") {
   OdeWorld world;
   CHECK(Ode::remarks(world.physics).empty());
   Ode usual = world.make();
@@ -179,7 +179,7 @@ TEST_CASE("asked for rk4, ODE steps as ever and says so") {
         std::vector<std::string>{"physics.integrator = rk4 has no effect: ode steps by its own semi-implicit Euler method"});
 }
 
-TEST_CASE("bad commands and states are refused") {
+TEST_CASE("ODE: bad commands and states -> refused") {
   const OdeWorld world;
   Ode backend = world.make();
   const std::array<double, 3> too_few{};
@@ -192,7 +192,7 @@ TEST_CASE("bad commands and states are refused") {
   CHECK(contains(message_of<std::invalid_argument>([&] { backend.restore(state); }), "state.links.size() = 4: must be 5"));
 }
 
-TEST_CASE("a robot that blows up is reported with time and name, the last sound state stays") {
+TEST_CASE("ODE: robot that diverges -> reported with time and number, and the last sound state is kept") {
   OdeWorld world;
   world.starts.push_back({.position_m = {3.0, 0.0, -15.0}});  // a hard floor shoots it up
   world.params.contact_stiffness_N_m = 1e9;
@@ -209,7 +209,7 @@ TEST_CASE("a robot that blows up is reported with time and name, the last sound 
   CHECK(backend.save() == start);
 }
 
-TEST_CASE("what ODE itself complains about is a divergence, and the backend can be used again") {
+TEST_CASE("ODE: an error of ODE itself -> Diverged, and the backend can be used again") {
   OdeWorld world;
   Ode backend = world.make();
   backend.advance_to(0.12);

@@ -9,7 +9,7 @@
 
 namespace ode = trophic::backend::ode;
 
-TEST_CASE("ODE's assertions, errors and messages become exceptions") {
+TEST_CASE("ODE: its assertions, errors and messages -> exceptions") {
   const ode::EngineGuard guard;
   CHECK_THROWS_AS(dDebug(d_ERR_IASSERT, "assertion %d", 7), ode::EngineError);
   CHECK_THROWS_AS(dError(d_ERR_UNKNOWN, "error"), ode::EngineError);
@@ -27,7 +27,7 @@ TEST_CASE("ODE's assertions, errors and messages become exceptions") {
   CHECK_THROWS_AS(dBodySetMass(body, &no_mass), ode::EngineError);
 }
 
-TEST_CASE("backends live and walk in several threads at once") {
+TEST_CASE("ODE: backends in several threads at once -> the same motion") {
   const trophic::test::OdeWorld world;
   trophic::backend::Ode alone = world.make();
   trophic::test::walk(alone, 0.5);

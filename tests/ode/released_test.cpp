@@ -32,7 +32,7 @@ std::vector<Pose> poses_of(const backend::Ode& backend) {
 
 }  // namespace
 
-TEST_CASE("the released rules run in ODE, with their height field and timestep") {
+TEST_CASE("ODE: released rules -> run with their height field and timestep") {
   ReleasedInOde ecology{{}, backend::Ode::Params{}};
   REQUIRE(ecology.params().physics.integrator == Integrator::rk4);
   REQUIRE(ecology.params().physics.timestep_s == 0.012);
@@ -54,7 +54,7 @@ TEST_CASE("the released rules run in ODE, with their height field and timestep")
   CHECK(walked_m < 1.6);
 }
 
-TEST_CASE("the run's record says which integrator it had") {
+TEST_CASE("ODE: rk4 in the manifest -> a remark in manifest and summary") {
   const test::TemporaryFolder folder;
   ReleasedInOde ecology{{}, backend::Ode::Params{}};
   io::RunFolder files{folder.path() / "run", {}};

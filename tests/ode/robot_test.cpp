@@ -12,7 +12,7 @@
 
 namespace ode = trophic::backend::ode;
 
-TEST_CASE("bodies have the model's masses and inertias to 1e-9") {
+TEST_CASE("ODE: bodies -> the model's masses and inertias to 1e-9") {
   const ode::EngineGuard guard;
   for (const char* name : {"spider", "gecko"}) {
     CAPTURE(name);
@@ -36,7 +36,7 @@ TEST_CASE("bodies have the model's masses and inertias to 1e-9") {
   }
 }
 
-TEST_CASE("boxes stand where the model says") {
+TEST_CASE("ODE: boxes -> the model's poses") {
   const ode::EngineGuard guard;
   const trophic::RobotModel model = trophic::load_robot("gecko");
   const ode::WorldPtr world{dWorldCreate()};
@@ -72,7 +72,7 @@ TEST_CASE("boxes stand where the model says") {
   CHECK(geom == robot.geoms().size());
 }
 
-TEST_CASE("links that a hinge joins do not touch each other, all others may") {
+TEST_CASE("ODE: links joined by a hinge -> no contact, all others -> contacts") {
   const ode::EngineGuard guard;
   const trophic::RobotModel model = trophic::load_robot("spider");
   const ode::WorldPtr world{dWorldCreate()};
@@ -87,7 +87,7 @@ TEST_CASE("links that a hinge joins do not touch each other, all others may") {
   }
 }
 
-TEST_CASE("a spring as a row: the force at the end of an implicit step") {
+TEST_CASE("ODE: spring as a constraint row -> the force at the end of an implicit step") {
   // One row on a mass m: m (v' - v) / h = f, v' + CFM f = ERP (-x) / h.
   const double mass_kg = 0.3, timestep_s = 0.01, x_m = 0.02, v_m_s = -0.4;
   const ode::Spring spring{.stiffness = 70.0, .damping = 1.5};
