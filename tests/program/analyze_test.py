@@ -91,7 +91,7 @@ class Analyze(InFolderWithSets):
         self.assertEqual(named.stdout.replace("named", "analysis"), result.stdout)
         wrong = self.analyze("paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
         self.assertEqual(wrong.returncode, 2)
-        self.assertIn("is no neutral shadow of paper/replicate-00: params/", wrong.stderr)
+        self.assertIn("is not a neutral shadow of paper/replicate-00: params/", wrong.stderr)
         self.assertFalse((self.folder / "wrong").exists())
 
     def test_few_runs_have_means_but_no_conclusion(self):

@@ -246,7 +246,7 @@ class Pages(InFolderWithSets):
             (content[:7000] + bytes([content[7000] ^ 1]) + content[7001:], r"replay.trp: damaged, a wrong checksum of the block at byte \d+"),
             (content[:100], r"replay.trp: ends before its first frames"),
             (b"\x89PNG\r\n\x1a\n" + content[8:], r"replay.trp: is not a trophic recording"),
-            ((self.sets / "other" / "replay.trp").read_bytes(), r"manifest.json: fingerprint \w+, seed 1, but replay.trp beside it is of .* two runs"),
+            ((self.sets / "other" / "replay.trp").read_bytes(), r"manifest.json: fingerprint \w+, seed 1, but replay.trp next to it is of .* two runs"),
         ):
             (run / "replay.trp").write_bytes(damaged)
             self.assert_refused(sentence, run)
@@ -254,15 +254,15 @@ class Pages(InFolderWithSets):
     def test_tables_of_another_run_are_refused(self):
         run = self.copy()
         (run / "events.csv").write_bytes((self.sets / "other" / "events.csv").read_bytes())
-        self.assert_refused(r"events.csv:2: body 0 at 0 s is at .* in the recording beside it elsewhere; they are of two runs", run)
+        self.assert_refused(r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they are of two runs", run)
 
     def test_each_table_of_another_run_with_the_same_start_is_refused(self):
         """A run of the same seed with other rules begins alike: rows that belong to it alone are found."""
         Recordings.make.__func__(self, "sister", "--backend", "kinematic", "--duration", 60, "--seed", 1, "--set", "rules.capture.reach_m=9")
         for table, sentence in (
             ("events.csv", r"events.csv:\d+: body \d+ at \d+ s"),
-            ("agents.csv", r"agents.csv: checksum \d+: must be \d+, as the manifest beside it says; it is of another run, or was changed"),
-            ("phylogeny.csv", r"phylogeny.csv: checksum \d+: must be \d+, as the manifest beside it says; it is of another run, or was changed"),
+            ("agents.csv", r"agents.csv: checksum \d+: must be \d+, as in the manifest next to it; it is of another run, or was changed"),
+            ("phylogeny.csv", r"phylogeny.csv: checksum \d+: must be \d+, as in the manifest next to it; it is of another run, or was changed"),
         ):
             with self.subTest(table):
                 run = self.copy()
@@ -283,7 +283,7 @@ class Pages(InFolderWithSets):
         run = self.copy("sensed")
         own, foreign = ((self.sets / name / "senses.csv").read_bytes() for name in ("sensed", "sensed-2"))
         (run / "senses.csv").write_bytes(foreign)
-        self.assert_refused(r"senses.csv: checksum \d+: must be \d+, as the manifest beside it says", run)
+        self.assert_refused(r"senses.csv: checksum \d+: must be \d+, as in the manifest next to it", run)
         self.forget_sums(run)
         self.assert_refused(r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run)
         for cut_off in (own, own[:-1000]):
@@ -297,11 +297,11 @@ class Pages(InFolderWithSets):
         events = (run / "events.csv").read_text().splitlines(keepends=True)
         born = events[1].split(",")
         for changes, sentence in (
-            ({0: "61", 1: "30"}, r"events.csv:2: body 0 at 61 s: must be at 60 s, tick 30 of the recording beside it"),
-            ({0: "62", 1: "31"}, r"events.csv:2: body 0 at 62 s: the recording beside it ends at 60 s"),
-            ({5: "30"}, r"events.csv:2: body 30 at 0 s: the recording beside it has 30 bodies"),
+            ({0: "61", 1: "30"}, r"events.csv:2: body 0 at 61 s: must be at 60 s, tick 30 of the recording next to it"),
+            ({0: "62", 1: "31"}, r"events.csv:2: body 0 at 62 s: the recording next to it ends at 60 s"),
+            ({5: "30"}, r"events.csv:2: body 30 at 0 s: the recording next to it has 30 bodies"),
             ({2: "activation", 3: "4711"}, r"events.csv:2: body 0 at 0 s: robot 4711 was never born there; they are of two runs"),
-            ({13: "5"}, r"events.csv: checksum \d+: must be \d+, as the manifest beside it says"),
+            ({13: "5"}, r"events.csv: checksum \d+: must be \d+, as in the manifest next to it"),
         ):
             row = list(born)
             for column, cell in changes.items():

@@ -100,7 +100,7 @@ class Rewind(InFolder):
         for arguments, text in [
             ([*begun, "--at", 900], "seed: its run began at 702 s of whole; it can be resumed, but not begin at 900 s of whole"),
             (["--from", "alone", *begun[2:], "--at", 701], "not begin at 701 s of alone"),
-            ([*begun[:-1], "alone", "--at", 701], "alone: its run began by itself"),
+            ([*begun[:-1], "alone", "--at", 701], "alone: its run began at 0 s"),
         ]:
             with self.subTest(arguments=arguments):
                 done = self.call(*arguments, "--resume")

@@ -418,7 +418,7 @@ class Refusals(Sweeps):
 
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
-        self.assertIn("is no sweep's folder", self.refused())
+        self.assertIn("is not a sweep's folder", self.refused())
 
     def test_dry_run_prints_what_would_be_run(self):
         done = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--dry-run")

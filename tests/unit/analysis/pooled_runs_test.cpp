@@ -76,7 +76,7 @@ TEST_CASE("pooled runs: futures of one moment -> pooled with a remark on their c
   const auto set = pooled_runs(Paths{first, second}, false);
   REQUIRE(set.remarks.size() == 1);
   CHECK(set.remarks[0] ==
-        "all runs begin at 700 s of tape (seed 7): they share that past, so that intervals tell of its futures, not of runs");
+        "all runs begin at 700 s of tape (seed 7): they share that past, so that intervals are over its futures, not over runs");
   for (const bool is_cut : {false, true}) {
     for (const auto& [stranger, beginning] :
          {std::pair{later, "at 900 s of tape (seed 7)"}, std::pair{other, "at its beginning"}}) {

@@ -30,7 +30,7 @@ TEST_CASE("shadow: run that is not the neutral shadow -> refused, naming the dif
     return message_of<std::invalid_argument>(
         [&] { analysis::check_shadow(analysis::read_manifest(run), analysis::read_manifest(shadow)); });
   };
-  const std::string from = ": is no neutral shadow of " + run.string() + ": ";
+  const std::string from = ": is not a neutral shadow of " + run.string() + ": ";
   const auto same = run_of(folder.path() / "same", "copy", 7, 2);
   CHECK(refusal(same) == same.string() + from + "its rule in slot heredity is copy: must be nothing_inherited");
   const auto floor = run_of(folder.path() / "floor", "nothing_inherited", 6);

@@ -88,5 +88,5 @@ TEST_CASE("sweep runs: another run in the place of the planned one -> refused") 
 TEST_CASE("sweep runs: run in a shadow's place that is not a shadow -> refused") {
   const Disk disk;
   disk.change(6, "nothing_inherited", "own_copy");
-  CHECK(disk.refused().find("cell-1/shadow/replicate-0: is no neutral shadow of ") != std::string::npos);
+  CHECK(disk.refused().find("cell-1/shadow/replicate-0: is not a neutral shadow of ") != std::string::npos);
 }

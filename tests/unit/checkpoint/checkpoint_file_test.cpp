@@ -35,7 +35,7 @@ TEST_CASE("checkpoint file: written -> reads back, and cut or changed in any byt
   CHECK(back.section("files") == "abc");
   CHECK(message_of<std::invalid_argument>([&] {
           static_cast<void>(back.section("replay"));
-        }).starts_with("the checkpoint holds nothing of \"replay\""));
+        }).starts_with("the checkpoint has no section \"replay\""));
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     CAPTURE(i);
     CHECK_THROWS_AS(static_cast<void>(checkpoint::from_bytes(std::string_view{bytes}.substr(0, i), "it")), std::invalid_argument);
@@ -50,7 +50,7 @@ TEST_CASE("checkpoint file: missing, of another format or version -> errors name
     return message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::from_bytes(bytes, "x.bin")); });
   };
   const std::string bytes = to_bytes(moment(5));
-  CHECK(refusal("") == "x.bin: is no checkpoint of trophic");
+  CHECK(refusal("") == "x.bin: is not a checkpoint of trophic");
   CHECK(refusal("trophic checkpoint\n12") == "x.bin: is cut short");
   CHECK(refusal(bytes + "x") == "x.bin: is cut short or damaged: its checksum is another");
   std::string newer = bytes;

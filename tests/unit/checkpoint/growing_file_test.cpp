@@ -71,7 +71,7 @@ TEST_CASE("growing file: exists, or is too short, missing or a pipe on resuming 
   GrowingFile file{path, Opening::resumed};
   Archive back{archive.bytes()};
   CHECK(message_of<std::runtime_error>([&] { file.persist(back); }) ==
-        "cannot go on with " + path.string() + ": it has 4 bytes: must be >= 10, as many as it had at the checkpoint");
+        "cannot continue " + path.string() + ": it has 4 bytes: must be >= 10, as many as it had at the checkpoint");
   CHECK_THROWS_AS((GrowingFile{folder.path() / "none", Opening::resumed}), std::runtime_error);
   REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
   CHECK_THROWS_AS((GrowingFile{folder.path() / "pipe", Opening::resumed}), std::runtime_error);

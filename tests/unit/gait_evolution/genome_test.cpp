@@ -154,7 +154,7 @@ TEST_CASE("an invalid genome is refused with gene and rule") {
   CHECK(refusal(genome) == "cppn: link 9: to = 3 is an input");
   genome = small();
   genome.links.push_back({9, 12, 7, 1.0, true});
-  CHECK(refusal(genome) == "cppn: link 9: from = 12 is no node of this genome");
+  CHECK(refusal(genome) == "cppn: link 9: from = 12 is not a node of this genome");
   genome = small();
   genome.links.push_back({9, 0, 7, 1.0, true});
   CHECK(refusal(genome) == "cppn: link 9: joins the same nodes as an earlier link");

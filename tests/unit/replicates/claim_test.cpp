@@ -378,7 +378,7 @@ TEST_CASE("sweep folder: exists with the same plan -> joined, and with another -
   }
   fs::create_directory(folder.path() / "notes");
   CHECK_THROWS_WITH_AS(sweep::make_or_join(folder.path() / "notes", plan, {}),
-                       doctest::Contains("is no sweep's folder; runs are never overwritten"), std::invalid_argument);
+                       doctest::Contains("is not a sweep's folder; runs are never overwritten"), std::invalid_argument);
   for (const auto& entry : fs::directory_iterator{folder.path()}) {
     CHECK(entry.path().filename().string().find("making") == std::string::npos);
   }
