@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same scenes in MuJoCo and ODE: quantities that both must get right. Where they differ, the reason stands beside the
+// The same scenes in MuJoCo and ODE: quantities that both must get right. If they differ, the reason is next to the
 // tolerance.
 #include <doctest/doctest.h>
 #include <mujoco/mujoco.h>
@@ -38,8 +38,8 @@ constexpr double period_share = 0.005;
 /// Against the exact solution. MuJoCo takes the servo's damping from the step's start, ODE from its end: at 0.2 ms the overshoot
 /// of the one is a little above, of the other a little below.
 constexpr double step_response_rad = 0.006;
-/// ODE keeps each link's momentum, and what is seen are its hinges, which come apart by micrometres under load. MuJoCo integrates
-/// in joint coordinates, which keeps momentum only to first order in the timestep: half the step, half the drift.
+/// ODE keeps each link's momentum; the visible error are its hinges, which come apart by micrometres under load. MuJoCo
+/// integrates in joint coordinates, which keeps momentum only to first order in the timestep: half the step, half the drift.
 constexpr double ode_drift_m = 5e-6;
 constexpr double mujoco_drift_m_per_s_step = 60.0;
 constexpr double sliding_share = 0.05;
@@ -75,7 +75,7 @@ double resting_m() {
   return backend.pose(0).position_m.z();
 }
 
-/// What spiders that only stand there have gained and moved in a minute, after one to come to rest.
+/// Energy gained and distance moved by standing spiders in a minute, after one to come to rest.
 template <class B>
 test::Resting after_a_minute_at_rest(test::Resting resting) {
   const RobotModel robot = load_robot("spider");

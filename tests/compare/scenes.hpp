@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small robots with textbook motions, and what can be read off any backend.
+// Small robots with textbook motions, and quantities that any backend gives.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -30,7 +30,7 @@ namespace trophic::compare {
   return link;
 }
 
-/// One box and nothing else.
+/// A robot of one box.
 [[nodiscard]] inline RobotModel brick(const Eigen::Vector3d& extents_m, double mass_kg, double friction) {
   RobotModel robot;
   robot.name = "brick";
@@ -41,8 +41,8 @@ namespace trophic::compare {
   return robot;
 }
 
-/// An arm that hangs beside a heavy tower and turns about the tower's x axis. At angle 0 it points `start_rad` away from straight
-/// down, towards +y; its centre of mass is `length_m` from the hinge.
+/// An arm that hangs next to a heavy tower and turns about the tower's x axis. At angle 0 it points `start_rad` away from
+/// straight down, towards +y; its centre of mass is `length_m` from the hinge.
 struct Pendulum {
   static constexpr double mass_kg = 0.1;
   static constexpr double length_m = 0.08;

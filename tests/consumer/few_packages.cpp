@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A habitat of one's own on the kinematic backend, without files: needs Eigen and Random123, and nothing to link.
+// A self-made habitat on the kinematic backend, without files: needs Eigen and Random123, and nothing to link.
 #include <iostream>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>

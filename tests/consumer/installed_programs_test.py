@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """installed_programs_test.py FOLDER: the programs in PREFIX/bin, under names that begin with trophic, with the models of PREFIX/share, and the
-libraries beside them."""
+libraries next to them."""
 
 import pathlib
 import shutil
@@ -24,7 +24,7 @@ class InstalledPrograms(unittest.TestCase):
             self.assertIn("backends  kinematic", shown.stdout)
 
     def test_libraries_name_no_models(self):
-        """A program that links them looks where they were installed, which only its own translation unit knows."""
+        """A program that links them looks in the installed folder, whose path only its own translation unit contains."""
         libraries = list(BIN.parent.rglob("libtrophic_*.a"))
         self.assertGreater(len(libraries), 0)
         for library in libraries:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""one_definition_test.py OBJECT FUNCTION: of everything that an object defines, the linker would refuse this function alone in a second
-object. What the headers define, which the object's source includes all, may thus stand in every part of a program."""
+"""one_definition_test.py OBJECT FUNCTION: of all definitions of an object, the linker would refuse this function alone in a second
+object. The object's source includes all headers, so their definitions may stand in every part of a program."""
 
 import subprocess
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""missing_folder_test.py ROOT CMAKE COMPILER: a folder of tests that is gone, or that nobody lists, fails configuration."""
+"""missing_folder_test.py ROOT CMAKE COMPILER: a folder of tests that is missing, or that no list contains, fails configuration."""
 
 import pathlib
 import shutil

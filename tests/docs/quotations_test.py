@@ -141,7 +141,7 @@ def in_tree(root: pathlib.Path, paper: Paper) -> list[str]:
 
 
 def in_source(tex: str, paper: Paper) -> list[str]:
-    """What of the file is not in the LaTeX source, in order, with its markup left out as the file says."""
+    """Parts of the file that are not in the LaTeX source, in order, with its markup left out as the file states."""
 
     def plain(text: str) -> str:
         text = re.sub(r"~?\\(cite|label|ref|footnote)\{[^}]*\}", "", text)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Preloaded into a program, makes the system refuse: LD_PRELOAD=this FAULT_CALL=write FAULT_AT=3 makes the third write to a file
+// Preloaded into a program, makes system calls fail: LD_PRELOAD=this FAULT_CALL=write FAULT_AT=3 makes the third write to a file
 // fail as on a full disk, with FAULT_MODE=from every later one, too. FAULT_CALL: write, fsync, rename, ftruncate or new.
 // FAULT_AT=0: nothing fails, and FAULT_COUNT names a file for the number of calls that there were.
 #include <dlfcn.h>
@@ -64,7 +64,7 @@ struct Counter {
 
 extern "C" {
 
-/// Calls before main, of libraries that come up, do not count: nobody could say that they failed.
+/// Calls before main, of libraries that start, do not count: the program could not report their failure.
 int __libc_start_main(Main main, int argc, char** argv, void (*init)(), void (*fini)(), void (*loader_fini)(), void* stack_end) {
   using Start = int (*)(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);
   program_main = main;

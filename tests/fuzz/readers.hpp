@@ -92,7 +92,7 @@ inline void read_manifest(std::string_view bytes) {
 inline void read_checkpoint_file(std::string_view bytes) {
   static_cast<void>(checkpoint::from_bytes(bytes, "checkpoint.bin"));
 }
-/// What a checkpoint holds of an ecology: bytes behind the checksum, which must not do harm even where they are forged.
+/// A checkpoint's section of an ecology: bytes behind the checksum, which must do no harm even if they are forged.
 inline void read_ecology(std::string_view bytes) {
   FuzzedExperiment experiment;
   experiment.ecology.robots = 4;
@@ -104,7 +104,7 @@ inline void read_ecology(std::string_view bytes) {
   archive.finish();
 }
 
-/// A recording whose checksums are right: what lies behind them must not do harm even where it is forged.
+/// A recording whose checksums are right: the bytes behind them must do no harm even if they are forged.
 inline void read_whole_recording(const std::string& bytes) {
   const FileInMemory file{bytes};
   const io::RecordingReader recording{file.path()};
@@ -121,7 +121,7 @@ inline void read_whole_recording(const std::string& bytes) {
 inline void read_recording(std::string_view bytes) {
   read_whole_recording(with_right_checksums(std::string{bytes}));
 }
-/// What a recording says of itself, before a frame of one robot without joints.
+/// The head of a recording, before a frame of one robot without joints.
 inline void read_head(std::string_view bytes) {
   using namespace io::recording;
   std::string frames;
@@ -158,8 +158,8 @@ inline constexpr std::array readers{Reader{"robot", read_robot},
                                     Reader{"sweep", read_sweep},
                                     Reader{"plan", read_plan}};
 
-/// Reads bytes that may be anything. What a reader may say of them is std::invalid_argument or std::runtime_error; whatever else
-/// it throws goes on.
+/// Reads arbitrary bytes. A reader may throw std::invalid_argument or std::runtime_error; any other exception
+/// propagates.
 inline void try_reader(const Reader& reader, std::string_view bytes) {
   try {
     reader.read(bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick part of fuzzing: the corpus, and changes of it that chance makes, through every reader.
+// The quick part of fuzzing: the corpus, and random changes of it, through every reader.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<std::string> corpus_of(const Reader& reader) {
   return texts;
 }
 
-/// Bytes flipped, cut out, doubled or put in from elsewhere.
+/// Bytes flipped, removed, doubled or inserted from another place.
 std::string changed(std::string text, const std::vector<std::string>& corpus, Rng& rng) {
   for (std::size_t changes = 1 + rng.index(4); changes > 0; --changes) {
     const std::size_t at = rng.index(text.size() + 1);
@@ -62,7 +62,7 @@ std::string changed(std::string text, const std::vector<std::string>& corpus, Rn
 
 }  // namespace
 
-TEST_CASE("every reader says a sentence or reads, whatever its bytes are") {
+TEST_CASE("readers: any bytes -> read, or an error of one sentence") {
   constexpr std::size_t tries = 400;
   for (const Reader& reader : readers) {
     const auto corpus = corpus_of(reader);
@@ -81,7 +81,7 @@ TEST_CASE("every reader says a sentence or reads, whatever its bytes are") {
   }
 }
 
-// fuzz_readers --no-skip -tc="write*" makes them anew where a format changed.
+// fuzz_readers --no-skip -tc="write*" writes them again after a change of format.
 TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   FuzzedExperiment experiment;
   experiment.ecology.robots = 4;
@@ -99,7 +99,7 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   write("ecology", moment.section(checkpoint::ecology_section));
 }
 
-TEST_CASE("of every reader's corpus something is read, or it would be no test of what lies behind the first byte") {
+TEST_CASE("readers: each corpus -> at least one file is read to its end") {
   for (const Reader& reader : readers) {
     CAPTURE(reader.name);
     std::size_t read = 0;

@@ -88,23 +88,23 @@ double disagreement(const std::string& name, std::size_t robots, double side_m, 
 
 }  // namespace
 
-TEST_CASE("30 spread robots walk 20 s as in one model") {
+TEST_CASE("kernel backend: 30 spread robots, 20 s -> the motion of one model") {
   CHECK(disagreement("spider", 30, 18.0, 20.0) < 1e-9);
 }
 
-TEST_CASE("a crowd that touches walks 20 s as in one model") {
+TEST_CASE("kernel backend: crowd that touches, 20 s -> the motion of one model") {
   CHECK(disagreement("spider", 16, 1.8, 20.0) < 1e-8);
 }
 
-TEST_CASE("so does a crowd with the whole depth between boxes") {
+TEST_CASE("kernel backend: crowd with the whole depth between boxes -> the motion of one model") {
   CHECK(disagreement("spider", 16, 1.8, 10.0, 10.0, BoxDepth::whole) < 1e-8);
 }
 
-TEST_CASE("robots that run into walls walk as in one model") {
+TEST_CASE("kernel backend: robots that run into walls -> the motion of one model") {
   CHECK(disagreement("spider", 4, 1.3, 10.0, 0.75) < 1e-8);
 }
 
-TEST_CASE("geckos, whose legs touch often, walk as in one model") {
+TEST_CASE("kernel backend: geckos, whose legs touch often -> the motion of one model") {
   CHECK(disagreement("gecko", 4, 6.0, 10.0) < 1e-9);
 }
 
@@ -132,7 +132,7 @@ void check_threads_and_restore(const std::string& name, const Arena& arena, cons
 
 }  // namespace
 
-TEST_CASE("the number of threads does not change a bit, nor does a restored state") {
+TEST_CASE("kernel backend: another number of threads, or a restored state -> the same bits") {
   check_threads_and_restore("spider", {}, {});
   check_threads_and_restore("spider", {}, {}, BoxDepth::whole);
   check_threads_and_restore("spider_released", load_arena("height_field"), {.timestep_s = 0.012, .integrator = Integrator::rk4});

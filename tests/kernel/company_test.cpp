@@ -40,7 +40,7 @@ struct Tally {
   double acceleration = 0.0;
 };
 
-/// Companies of `robots` in lanes 1, 2, ... beside a robot of another company in lane 0.
+/// Companies of `robots` in lanes 1, 2, ... next to a robot of another company in lane 0.
 Tally compare_companies(const std::string& name, const Physics& physics, std::size_t robots, std::size_t companies,
                         BoxDepth depth = BoxDepth::engine) {
   const RobotModel robot = load_robot(name);
@@ -106,7 +106,7 @@ Tally compare_companies(const std::string& name, const Physics& physics, std::si
 
 }  // namespace
 
-TEST_CASE("robots near each other step as in one model, whether they touch or not") {
+TEST_CASE("kernel companies: robots near each other, touching or not -> the step of one model") {
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4}) {
     for (const std::size_t robots : {2U, 3U}) {
       const Tally tally = compare_companies("spider", {.integrator = integrator}, robots, 400);
@@ -118,7 +118,7 @@ TEST_CASE("robots near each other step as in one model, whether they touch or no
   CHECK(compare_companies("gecko", {}, 2, 200).acceleration < 1e-10);
 }
 
-TEST_CASE("so they do with the whole depth between boxes") {
+TEST_CASE("kernel companies: robots near each other, whole depth between boxes -> the step of one model") {
   for (const std::size_t robots : {2U, 3U}) {
     const Tally tally = compare_companies("spider", {}, robots, 400, BoxDepth::whole);
     CHECK(tally.acceleration < 1e-10);
@@ -128,7 +128,7 @@ TEST_CASE("so they do with the whole depth between boxes") {
   CHECK(compare_companies("gecko", {}, 2, 200, BoxDepth::whole).acceleration < 1e-10);
 }
 
-TEST_CASE("lanes are filled with whole groups, each robot once") {
+TEST_CASE("kernel companies: groups -> lanes filled with whole groups, each robot once") {
   Rng rng{32, Stream::user};
   const RobotModel robot = load_robot("spider");
   CompiledModel model{robot, Arena{}, Physics{}, reference_scene(), 1, 1};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the kernel adds for robots that touch each other: contacts of boxes and the system of equations.
+// The kernel's parts for robots that touch each other: contacts of boxes and the system of equations.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
@@ -83,7 +83,7 @@ Eigen::Quaterniond random_turn(Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("property: contacts of two boxes are those of mj_collision, frames included") {
+TEST_CASE("kernel contacts: two random boxes -> the contacts of mj_collision, frames included") {
   std::array<BoxCollider, 2> colliders{BoxCollider{BoxDepth::engine}, BoxCollider{BoxDepth::whole}};
   std::size_t found = 0;
   CHECK(rc::check([&](std::uint64_t seed, bool whole) {
@@ -117,7 +117,7 @@ TEST_CASE("property: contacts of two boxes are those of mj_collision, frames inc
   CHECK(found > 500);
 }
 
-TEST_CASE("boxes with parallel edges, or an edge along a face, are left to MuJoCo") {
+TEST_CASE("kernel contacts: boxes with parallel edges, or an edge along a face -> left to MuJoCo") {
   BoxCollider collider;
   const auto sure = [&](const Eigen::Quaterniond& turn) {
     const Eigen::Vector3d half_m{0.02, 0.03, 0.04};
@@ -129,7 +129,7 @@ TEST_CASE("boxes with parallel edges, or an edge along a face, are left to MuJoC
   CHECK(sure(Eigen::Quaterniond{Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized())}));
 }
 
-TEST_CASE("property: a sparse symmetric positive definite system is solved") {
+TEST_CASE("kernel equations: random sparse symmetric positive definite system -> solved") {
   SymmetricSystem system;
   CHECK(rc::check([&](std::uint64_t seed) {
     Rng rng{seed, Stream::user};

@@ -103,7 +103,7 @@ void check_robot_on_field(const std::string& name, const Physics& physics) {
 
 }  // namespace
 
-TEST_CASE("contacts of a robot's boxes with a height field are those of mj_collision") {
+TEST_CASE("kernel height field: contacts of a robot's boxes -> those of mj_collision") {
   const Arena arena = load_arena("height_field");
   std::size_t total = 0;
   for (const std::string name : {"spider_released", "gecko"}) {
@@ -148,7 +148,7 @@ TEST_CASE("contacts of a robot's boxes with a height field are those of mj_colli
   CHECK(total > 1500);
 }
 
-TEST_CASE("the highest node near a point bounds the ground there") {
+TEST_CASE("kernel height field: highest node near a point -> bounds the ground there") {
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot("gecko");
   const Reference reference{robot, arena, {}};
@@ -160,7 +160,7 @@ TEST_CASE("the highest node near a point bounds the ground there") {
   CHECK(collider.highest_m(50.0, 0.0, 0.1) == doctest::Approx(10.0));  // beyond the edge: that of the edge
 }
 
-TEST_CASE("a box that lies along the world's axes is left to MuJoCo where it touches the height field") {
+TEST_CASE("kernel height field: touching box along the world's axes -> left to MuJoCo") {
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot("gecko");
   Reference reference{robot, arena, {}};
@@ -175,13 +175,13 @@ TEST_CASE("a box that lies along the world's axes is left to MuJoCo where it tou
   CHECK(kernel::fastest_step()(reference.constants, lanes, work, 1u) == 1);
 }
 
-TEST_CASE("one Runge-Kutta step on a height field differs from mj_step's as mj_step's own do from rounding") {
+TEST_CASE("kernel height field: one Runge-Kutta step -> mj_step's to within the effect of rounding") {
   const Physics physics{.timestep_s = 0.012, .integrator = Integrator::rk4};
   check_robot_on_field("spider_released", physics);
   check_robot_on_field("gecko", physics);
 }
 
-TEST_CASE("so does one Euler step") {
+TEST_CASE("kernel height field: one Euler step -> mj_step's to within the effect of rounding") {
   check_robot_on_field("spider_released", {});
   check_robot_on_field("gecko", {});
 }

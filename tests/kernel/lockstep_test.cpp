@@ -13,7 +13,7 @@ using namespace trophic::test;
 
 namespace {
 
-/// What a comparison of many steps found.
+/// Result of a comparison of many steps.
 struct Comparison {
   std::size_t steps = 0;
   std::size_t contacts = 0;
@@ -91,29 +91,29 @@ void check_robot(const std::string& name, const Physics& physics, std::size_t gr
 
 }  // namespace
 
-TEST_CASE("one Euler step from thousands of random states is mj_step's") {
+TEST_CASE("kernel step: Euler, thousands of random states -> mj_step's") {
   check_robot("spider", {}, 1000);
   check_robot("gecko", {}, 1000);
   check_robot("spider_released", {}, 500);
 }
 
-TEST_CASE("so it is with another timestep and gravity, and with one that the contacts' time constant gives way to") {
+TEST_CASE("kernel step: Euler, another gravity and timesteps, one beyond the contacts' time constant -> mj_step's") {
   check_robot("spider", {.timestep_s = 0.003, .gravity_m_s2 = 3.7}, 250);
   check_robot("spider", {.timestep_s = 0.012}, 250);
 }
 
-TEST_CASE("one Runge-Kutta step from thousands of random states is mj_step's") {
+TEST_CASE("kernel step: Runge-Kutta, thousands of random states -> mj_step's") {
   check_robot("spider", {.integrator = Integrator::rk4}, 500);
   check_robot("gecko", {.integrator = Integrator::rk4}, 500);
   check_robot("spider_released", {.timestep_s = 0.012, .integrator = Integrator::rk4}, 500);
 }
 
-TEST_CASE("joint damping is taken as MuJoCo takes it") {
+TEST_CASE("kernel step: joint damping -> mj_step's") {
   check_robot("spider", {}, 250, 0.02);
   check_robot("gecko", {.integrator = Integrator::rk4}, 250, 0.02);
 }
 
-TEST_CASE("any module tree steps as in MuJoCo") {
+TEST_CASE("kernel step: random module trees -> mj_step's") {
   Rng rng{2, Stream::user};
   Comparison comparison;
   std::size_t most_hinges = 0;
@@ -128,7 +128,7 @@ TEST_CASE("any module tree steps as in MuJoCo") {
   CHECK(comparison.steps > 1500);
 }
 
-TEST_CASE("any tree of skewed hinges and boxes steps as in MuJoCo") {
+TEST_CASE("kernel step: random trees of skewed hinges and boxes -> mj_step's") {
   Rng rng{3, Stream::user};
   Comparison comparison;
   for (std::size_t i = 0; i < 60; ++i) compare_random_states(random_skew_robot(rng, 1 + rng.index(8)), {}, 10, rng, comparison);
@@ -138,7 +138,7 @@ TEST_CASE("any tree of skewed hinges and boxes steps as in MuJoCo") {
   CHECK(comparison.touching > 10);
 }
 
-TEST_CASE("so do links that touch each other with the whole depth between boxes") {
+TEST_CASE("kernel step: links that touch, whole depth between boxes -> mj_step's") {
   Rng rng{4, Stream::user};
   Comparison comparison;
   for (std::size_t i = 0; i < 60; ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("so do links that touch each other with the whole depth between boxes"
   CHECK(comparison.touching > 10);
 }
 
-TEST_CASE("property: whatever the robot, the state and the physics, a step that the kernel takes is mj_step's") {
+TEST_CASE("kernel step: random robot, state and physics -> mj_step's, or declined") {
   CHECK(rc::check([](std::uint64_t seed, bool modules, bool euler) {
     Rng rng{seed, Stream::user};
     const RobotModel robot = modules ? random_module_robot(rng, 1 + rng.index(16)) : random_skew_robot(rng, 1 + rng.index(6));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel against mj_step over whole walks, and what must not change them.
+// The kernel against mj_step over whole walks, and settings that must not change them.
 #include <doctest/doctest.h>
 
 #include <trophic/habitat/load/robot.hpp>
@@ -121,16 +121,16 @@ void compare_walks(const std::string& name, std::size_t robots, double duration_
 
 }  // namespace
 
-TEST_CASE("48 random gaits walk as in MuJoCo") {
+TEST_CASE("kernel walk: 48 random gaits -> MuJoCo's") {
   compare_walks("spider", 48, 5.0);
   compare_walks("gecko", 12, 5.0);
 }
 
-TEST_CASE("a long walk is MuJoCo's") {
+TEST_CASE("kernel walk: long walk -> MuJoCo's") {
   compare_walks("spider", 6, 20.0);
 }
 
-TEST_CASE("neither company nor instruction set nor lane changes a bit of a robot's walk") {
+TEST_CASE("kernel walk: another company, instruction set or lane -> the same bits") {
   const RobotModel robot = load_robot("spider");
   const std::vector<Gait> gaits = random_gaits(robot, 13, 12);
   Walk together{robot, gaits};
@@ -153,7 +153,7 @@ TEST_CASE("neither company nor instruction set nor lane changes a bit of a robot
   }
 }
 
-TEST_CASE("the first guess of the rows that push changes no bit of a robot's walk") {
+TEST_CASE("kernel walk: another first guess of the active rows -> the same bits") {
   const RobotModel robot = load_robot("spider");
   const std::vector<Gait> gaits = random_gaits(robot, 12, 13);
   Walk usual{robot, gaits};
@@ -169,7 +169,7 @@ TEST_CASE("the first guess of the rows that push changes no bit of a robot's wal
   }
 }
 
-TEST_CASE("sine and cosine are those of the C library to one unit in the last place") {
+TEST_CASE("kernel walk: sine and cosine -> the C library's to one unit in the last place") {
   Rng rng{6, Stream::user};
   double worst = 0.0;
   for (int i = 0; i < 100000; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How deep MuJoCo says that a box is in another, and the number of the backend that mends it.
+// Penetration depth of two boxes in MuJoCo, and the backend's number that corrects it.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ namespace {
 constexpr double pressed_m = 0.5e-3;
 constexpr double half_side_m = 0.05;
 
-/// Loads MJCF with nothing of ours in between.
+/// Loads MJCF with MuJoCo alone.
 engine::ModelPtr model_of(const std::string& mjcf) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "model.xml";

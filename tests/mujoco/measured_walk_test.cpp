@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The robots of both rule tables and the gecko walk in MuJoCo as their files say, so that kinematic runs move as MuJoCo's do.
+// The robots of both rule tables and the gecko walk in MuJoCo as stated in their files, so that kinematic runs move as MuJoCo's
+// do.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 constexpr double speed_tolerance = 0.03;
 constexpr double turn_tolerance = 0.08;
 
-/// Holds the walk of a robot file against one measured with its ecology's gait and physics.
+/// Compares the walk of a robot file with one measured with its ecology's gait and physics.
 void check_walk(const trophic::EcologyParams& ecology, const trophic::Physics& physics) {
   const trophic::Habitat habitat = trophic::load_habitat(ecology);
   CHECK(habitat.gait.name == trophic::load_gait(habitat.robot.gait).name);

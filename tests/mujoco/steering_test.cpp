@@ -19,7 +19,7 @@ using namespace trophic;
 
 namespace {
 
-/// What a robot did in 60 s. Legs make body and heading swing, hence the means over 10 s at both ends.
+/// A robot's walk of 60 s. Legs make body and heading swing, hence the means over 10 s at both ends.
 struct Walk {
   double turned_rad = 0.0;       ///< mean heading of the last 10 s minus that of the first, counter-clockwise
   double turn_rate_rad_s = 0.0;  ///< the same, a second

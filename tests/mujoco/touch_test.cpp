@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who touches whom by the shapes of boxes is who touches whom by the engine.
+// Touching robots by the shapes of boxes are those by the engine.
 #include <doctest/doctest.h>
 
 #include <mujoco/touching.hpp>

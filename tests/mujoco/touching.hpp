@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds out which robots touch others, by looking at a world's state in a model of its own.
+// Finds the robots that touch others, from a world's state in a separate model.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class TouchWatch {
   TouchWatch(const RobotModel& robot, const Arena& arena, std::size_t robots)
       : compiled_{robot, arena, Physics{}, backend::mujoco::Scene{}, robots, 1}, states_{compiled_.layout(), robots} {}
 
-  /// Notes who touches another robot now.
+  /// Notes the robots that touch another one now.
   void look(const backend::Mujoco& backend) {
     const backend::mujoco::EngineGuard guard;
     states_.set_values(backend.save().robots);
@@ -44,7 +44,7 @@ class TouchWatch {
   }
 
   [[nodiscard]] const std::set<int>& touched() const { return touched_; }
-  /// Who touched whom, the lower number first, and who touched a wall, at the last look.
+  /// Pairs of robots that touched, the lower number first, and robots that touched a wall, at the last look.
   [[nodiscard]] const std::set<std::pair<int, int>>& pairs() const { return pairs_; }
   [[nodiscard]] const std::set<int>& at_wall() const { return at_wall_; }
   [[nodiscard]] int most_rows() const { return most_rows_; }
@@ -58,7 +58,7 @@ class TouchWatch {
     return data;
   }
 
-  /// Of what belongs to no robot: a plane that stands.
+  /// Of geometry that belongs to no robot: a fixed plane.
   [[nodiscard]] static bool is_wall(const mjData& data, int geom) { return std::abs(data.geom_xmat[9 * geom + 8]) < 0.5; }
 
   /// -1 for floor and walls.

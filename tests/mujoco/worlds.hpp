@@ -52,7 +52,7 @@ inline std::vector<Pose> lattice(const RobotModel& robot, std::size_t robots, do
   return poses;
 }
 
-/// `robots` anywhere in a square of the given side, overlapping as chance has it.
+/// `robots` anywhere in a square of the given side, which may overlap.
 inline std::vector<Pose> crowd(const RobotModel& robot, std::size_t robots, double side_m, std::uint64_t seed) {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < robots; ++i) {
@@ -64,7 +64,7 @@ inline std::vector<Pose> crowd(const RobotModel& robot, std::size_t robots, doub
   return poses;
 }
 
-/// The same without any two robots nearer than 0.42 m, so that nobody starts inside another.
+/// The same without any two robots nearer than 0.42 m, so that no robot starts inside another.
 inline std::vector<Pose> tight_crowd(const RobotModel& robot, std::size_t robots, double side_m, std::uint64_t seed) {
   std::vector<Pose> poses;
   for (; poses.size() < robots; ++seed) {

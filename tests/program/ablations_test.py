@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""ablations_test.py ABLATIONS PREDATOR_PREY TROPHIC: flips of the two tables, as users run and read them."""
+"""ablations_test.py ABLATIONS PREDATOR_PREY TROPHIC: ablations of the two tables, as users run and read them."""
 
 import collections
 import csv
@@ -76,7 +76,7 @@ class Ablations(InFolderWithSets):
         return changed_rules(paper, released) - {"ecology.duration_s"}
 
     def sensor_swaps(self, towards):
-        """The flips that take one sensor of the other table."""
+        """The ablations that take one sensor of the other table."""
         return {f"sensor_{name}" for name in manifest(self.sets / towards)["rules"]["sensors"].split(" + ")}
 
     def test_every_difference_is_listed(self):
@@ -93,13 +93,13 @@ class Ablations(InFolderWithSets):
         return changed_rules(a, b) - {"seed"}
 
     def assert_lived(self, run):
-        """Robots died, and every place of the dead and of the 30 at the start had a birth."""
+        """Robots died; every vacancy and each of the 30 bodies at the start had a birth."""
         with open(run / "events.csv", newline="") as file:
             kinds = collections.Counter(row["event"] for row in csv.DictReader(file))
         self.assertGreater(kinds["death"], 0, run)
         self.assertEqual(kinds["birth"], kinds["death"] + 30, run)
 
-    def test_each_flip_changes_what_it_says_and_nothing_else(self):
+    def test_each_ablation_changes_the_rules_in_its_name_and_no_others(self):
         out = self.folder / "out"
         self.run_ok("--duration", 300, "--replicates", 1, "--jobs", 2, "--out", out)
         skipped = {"ecology.robot", "ecology.cpg_integration", "ecology.idle_control_steps", "physics.timestep_s", "physics.integrator"}

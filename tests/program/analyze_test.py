@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""analyze_test.py PREDATOR_PREY TROPHIC PLOT: from replicates to figures, as users meet it: files, errors, exit codes."""
+"""analyze_test.py PREDATOR_PREY TROPHIC PLOT: from replicates to figures, as users run it: files, errors, exit codes."""
 
 import csv
 import html
@@ -91,10 +91,10 @@ class Analyze(InFolderWithSets):
         self.assertEqual(named.stdout.replace("named", "analysis"), result.stdout)
         wrong = self.analyze("paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
         self.assertEqual(wrong.returncode, 2)
-        self.assertIn("is no neutral shadow of paper/replicate-00: params/", wrong.stderr)
+        self.assertIn("is not a neutral shadow of paper/replicate-00: params/", wrong.stderr)
         self.assertFalse((self.folder / "wrong").exists())
 
-    def test_few_runs_have_numbers_and_no_verdict(self):
+    def test_few_runs_have_means_but_no_conclusion(self):
         self.remove_replicates(5, 4, 3, 2, 1)
         (self.folder / "paper/replicates.json").unlink()
         for count, arguments in ((1, ["paper/replicate-00"]), (5, [f"{self.sets}/paper/replicate-0{i}" for i in range(5)])):
@@ -175,7 +175,7 @@ class Analyze(InFolderWithSets):
             self.assertEqual(d["raw"]["differs"], None if adjusted is None else adjusted <= 0.05)
         self.assertFalse(any(d["over_shadow"]["value"] for d in summary["differences"]))
 
-    def test_differences_over_the_shadows_are_told_from_raw_ones(self):
+    def test_differences_over_the_shadows_are_distinguished_from_raw_ones(self):
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
         shutil.copytree(self.sets / "released", self.folder / "released")
         shutil.copytree(self.sets / "released-as-shadow", self.folder / "released/shadow")
@@ -193,7 +193,7 @@ class Analyze(InFolderWithSets):
                     self.assertGreaterEqual(d[part]["p_adjusted"], d[part]["p"])
 
     def test_bad_input_is_named_and_the_rest_is_used(self):
-        for replicate in (0, 1):  # as of runs that were killed, whose tables nobody summed up
+        for replicate in (0, 1):  # as of runs that were killed before their tables had a checksum
             path = self.folder / f"paper/replicate-0{replicate}/manifest.json"
             content = json.loads(path.read_text())
             del content["tables"]
@@ -240,7 +240,7 @@ class Analyze(InFolderWithSets):
         self.assertIn("exists already", refused.stderr)
         resumed = self.call(*command, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
-        self.assertIn("replicate-00 goes on from its checkpoint at", resumed.stdout)
+        self.assertIn("replicate-00 resumes from its checkpoint at", resumed.stdout)
         self.assertIn("3 of 3 replicates complete", resumed.stdout)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
@@ -275,7 +275,7 @@ class Analyze(InFolderWithSets):
         done = self.call(TROPHIC, "analyze", set_, "--html", "page.html", "--figures", "figures", "--replays", "0")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("page    page.html: 1 figures, 0 replays, 0.", done.stdout)
-        self.assertFalse((self.folder / "analysis").exists())  # a page alone was asked for
+        self.assertFalse((self.folder / "analysis").exists())  # only a page was asked for
         page = (self.folder / "page.html").read_text()
         table = done.stdout[: done.stdout.index("page    ")]
         self.assertIn(html.escape(table, quote=False).replace('"', "&quot;"), page)

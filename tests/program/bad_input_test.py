@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""bad_input_test.py PREDATOR_PREY TROPHIC: what was once mishandled is refused in one line, at once, and leaves nothing behind."""
+"""bad_input_test.py PREDATOR_PREY TROPHIC: bad input is refused in one line, at once, and leaves no files behind."""
 
 import json
 import os
@@ -51,7 +51,7 @@ class BadInput(InFolder):
     def run_refused(self, *arguments, code=2):
         return self.refused(PREDATOR_PREY, "--backend", "kinematic", "--duration", 10, "--out", "out", *arguments, code=code)
 
-    def test_numbers_that_are_none_or_absurd(self):
+    def test_numbers_that_are_malformed_or_absurd(self):
         for argument, must in [
             ("--replicates=-1", ">= 0"),
             ("--jobs=-1", ">= 0"),
@@ -71,7 +71,7 @@ class BadInput(InFolder):
                 said = self.refused(PREDATOR_PREY, "--backend", "kinematic", f"--duration={duration}", "--out", "out")
                 self.assertIn(must, said)
 
-    def test_texts_that_are_empty(self):
+    def test_empty_texts(self):
         texts = ["--config", "--from", "--sweep", "--shard", "--save-mjcf", "--robot", "--rules", "--backend", "--set", "--print-table"]
         for option in [*texts, "--completion"]:
             with self.subTest(option=option):
@@ -103,7 +103,7 @@ class BadInput(InFolder):
         self.assertIn("--seed 7\\x0a: must be", self.run_refused("--seed", "7\n"))
         self.assertIn("a\\x0ab", self.refused(TROPHIC, "analyze", "a\nb"))
 
-    def test_a_folder_whose_name_is_no_utf_8(self):
+    def test_a_folder_whose_name_is_not_utf_8(self):
         for replicates in ([], ["--replicates", "2"]):
             out = os.fsencode(self.folder / f"jos{len(replicates)}") + b"\xe9"
             done = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--duration", "10", *replicates, "--out", out], capture_output=True)
@@ -131,7 +131,7 @@ class BadInput(InFolder):
         self.assertEqual((self.folder / "one/agents.csv").read_bytes(), (self.folder / "few/agents.csv").read_bytes())
 
     def test_standard_streams_that_are_closed(self):
-        """What is printed must not go into the tables, whose files would have the streams' numbers."""
+        """Printed text must not end up in the tables, whose files would have the streams' numbers."""
         command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "100", "--seed", "3"]
         self.assertEqual(subprocess.run([*command, "--out", "open"], cwd=self.folder, capture_output=True).returncode, 0)
         for number, (closed, code) in enumerate([("<&-", 0), (">&-", 1), ("2>&-", 0), ("<&- >&-", 1), (">&- 2>&-", 1), ("<&- >&- 2>&-", 1)]):
@@ -152,7 +152,7 @@ class BadInput(InFolder):
         self.assertIn("a key of more than 32 parts", self.run_refused("--set", "ecology.robot=./dots.toml"))
         self.run_refused("--set", "a" + ".a" * 30_000 + "=1")
 
-    def test_what_breaks_the_parser(self):
+    def test_texts_that_break_the_parser(self):
         for number, text in enumerate([b"[# a]\n", b"\xcd\x8b = 1\n", b"a = " + b"[" * 100_000, b"\x00", b"\xff\xfe", b"a = 1e"]):
             with self.subTest(text=text[:20]):
                 (self.folder / f"{number}.toml").write_bytes(text)

@@ -29,7 +29,7 @@ class EvolveGait(InFolder):
         return result
 
     def interrupt(self, out, how, after):
-        """Starts a run, waits until that file exists, ends it."""
+        """Starts a run, waits until that file exists, and ends the run."""
         running = subprocess.Popen([*EVOLVE, *map(str, SMALL), "--out", out], cwd=self.folder, stdout=subprocess.PIPE, text=True)
         while not (self.folder / out / after).exists() and running.poll() is None:
             time.sleep(0.005)
@@ -49,7 +49,7 @@ class EvolveGait(InFolder):
             self.assert_same_files("whole", "killed-" + after)
         code, printed = self.interrupt("stopped", signal.SIGINT, "gait.toml")
         self.assertIn(code, (0, 3))
-        self.assertTrue((code == 3 and "go on with --resume stopped" in printed) or "generation 3 of 3" in printed, printed)
+        self.assertTrue((code == 3 and "continue with --resume stopped" in printed) or "generation 3 of 3" in printed, printed)
         self.evolve("--resume", "stopped")
         self.assert_same_files("whole", "stopped")
 
@@ -68,7 +68,7 @@ class EvolveGait(InFolder):
         self.assertEqual([float(row["target_angle_rad"]) for row in table], [0.7, 0.0, -0.7] * 2)
         self.assertAlmostEqual(float(table[1]["timestep_s"]), 0.0012)
 
-    def test_one_program_at_a_time_goes_on(self):
+    def test_one_program_at_a_time_resumes(self):
         self.evolve(*SMALL, "--out", "whole")
         self.interrupt("run", signal.SIGKILL, "checkpoint.toml")
         pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""export_test.py PREDATOR_PREY TROPHIC: a stretch of a run as glTF: who is in it, where and when, and what is wrong with asking for others."""
+"""export_test.py PREDATOR_PREY TROPHIC: a stretch of a run as glTF: which robots are in it, where and when, and bad requests."""
 
 import base64
 import csv
@@ -85,7 +85,7 @@ class Exports(InFolderWithSets):
         with open(self.sets / "run/agents.csv", newline="") as table:
             return [row for row in csv.DictReader(table) if float(row["time_s"]) == time_s]
 
-    def test_whoever_lives_is_seen_where_the_table_says_and_nobody_else(self):
+    def test_the_living_are_seen_at_their_rows_positions_and_no_other_robot_is(self):
         scene = self.scene("all.glb")
         robots = scene.robots()
         with open(self.sets / "run/phylogeny.csv", newline="") as table:
@@ -99,7 +99,7 @@ class Exports(InFolderWithSets):
                 place = scene.value(robots[robot], "translation", time_s)
                 self.assertLess(numpy.hypot(place[0] - float(row["x_m"]), place[1] - float(row["y_m"])), 0.002)
 
-    def test_who_dies_in_the_last_frame_is_gone_there(self):
+    def test_robots_that_die_in_the_last_frame_are_gone_there(self):
         with open(self.sets / "run/events.csv", newline="") as table:
             death = next(row for row in csv.DictReader(table) if row["event"] == "death" and float(row["time_s"]) >= 20)
         end = float(death["time_s"])
@@ -109,7 +109,7 @@ class Exports(InFolderWithSets):
             self.assertEqual(scene.value(node, "scale", 10)[0], 1.0 if robot in alive else 0.0, robot)
         self.assertEqual(scene.value(scene.robots()[int(death["id"])], "scale", 9.7)[0], 1.0)
 
-    def test_text_and_bytes_say_the_same(self):
+    def test_gltf_and_glb_have_the_same_contents(self):
         one, other = (self.scene(name, "--from", 20, "--to", 30) for name in ("a.glb", "a.gltf"))
         self.assertEqual(one.json["nodes"], other.json["nodes"])
         self.assertEqual(one.channels.keys(), other.channels.keys())
@@ -147,7 +147,7 @@ class Exports(InFolderWithSets):
             (["-o", "x.obj"], "--out x.obj: must end in .glb or .gltf"),
             (["-o", "x.glb", "--from", "301"], "time 301 s: must be between 0 and 300"),
             (["-o", "x.glb", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
-            (["-o", "x.glb", "--follow", "9999", "--to", "10"], "--follow 9999: nobody of that id lives between 0 and 10 s"),
+            (["-o", "x.glb", "--follow", "9999", "--to", "10"], "--follow 9999: no individual of that id lives between 0 and 10 s"),
         ):
             with self.subTest(arguments):
                 result = self.export(*arguments)

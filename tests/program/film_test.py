@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""film_test.py PREDATOR_PREY TROPHIC: pictures and films of a recorded run, and what is wrong with asking for others."""
+"""film_test.py PREDATOR_PREY TROPHIC: pictures and films of a recorded run, and bad requests."""
 
 import csv
 import json
@@ -65,7 +65,7 @@ class Films(InFolderWithSets):
             picture = self.draw("--from", 100, "--follow", row["id"], "--size", "640x480")
             self.assertGreater(near(picture[200:280, 270:370], colour, 110), 400, species)
 
-    def test_from_above_robots_are_where_the_table_says(self):
+    def test_from_above_robots_are_at_their_rows_positions(self):
         picture = self.draw("--from", 100, "--view", "top", "--size", "800x800").astype(int)
         half = json.loads((self.sets / "run/manifest.json").read_text())["arena"]["half_side_m"]
         # The camera is 3.255 half sides high and sees 38 degrees.
@@ -95,7 +95,7 @@ class Films(InFolderWithSets):
         stream = json.loads(subprocess.run([*asked, "film.mp4"], capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
         self.assertEqual((stream["codec_name"], stream["width"], stream["height"], stream["nb_read_frames"]), ("h264", 320, 180, "11"))
 
-    def test_a_killed_film_is_none(self):
+    def test_a_killed_film_leaves_no_file(self):
         arguments = ["--size", "320x180", "--to", "100", "-o", "film.mp4"]
         program = subprocess.Popen([TROPHIC, "film", str(self.sets / "run"), *arguments], cwd=self.folder, stderr=subprocess.DEVNULL)
         part = self.folder / "film.mp4.part"
@@ -104,7 +104,7 @@ class Films(InFolderWithSets):
         program.kill()
         program.wait()
         self.assertEqual([path.name for path in self.folder.iterdir()], ["film.mp4.part"])
-        done = self.film(*arguments)  # while ffmpeg still ends what the other was given
+        done = self.film(*arguments)  # while the other's ffmpeg still finishes
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["film.mp4"])
 
@@ -129,7 +129,7 @@ class Films(InFolderWithSets):
             (["-o", "x.gif"], "--out x.gif: must end in .png or .mp4"),
             (["-o", "x.png", "--from", "201"], "time 201 s: must be between 0 and 200"),
             (["-o", "x.mp4", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
-            (["-o", "x.png", "--from", "10", "--follow", "9999"], "--follow 9999: nobody of that id lives between 10 and 10 s"),
+            (["-o", "x.png", "--from", "10", "--follow", "9999"], "--follow 9999: no individual of that id lives between 10 and 10 s"),
             (["-o", "x.png", "--size", "639x360"], "width = 639: must be even, >= 16 and <= 4096"),
             (["-o", "x.png", "--size", "big"], "--size big: must be two whole numbers such as 4x3, each from 1 to 4096"),
             (["-o", "x.png", "--sheet", "0x3"], "--sheet 0x3: must be two whole numbers such as 4x3, each from 1 to 20"),

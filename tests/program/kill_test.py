@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""kill_test.py PREDATOR_PREY [--long CASES] [unittest arguments]: programs that are killed or stopped and go on to the same bytes.
+"""kill_test.py PREDATOR_PREY [--long CASES] [unittest arguments]: programs that are killed or stopped and resume to the same bytes.
 
 The quick part kills a few runs. scripts/kill-and-resume runs `--long 100`."""
 
@@ -87,8 +87,8 @@ class Killed(InFolder):
         print(f"{OPTIONS.long} runs, killed {killed} times", file=sys.stderr)
         self.assertGreater(killed, 0)
 
-    def test_killed_at_the_end_of_a_time_that_is_no_whole_number_of_ticks(self):
-        """The last checkpoint is then later than the end, and the manifest still says that the run goes on."""
+    def test_killed_at_the_end_of_a_time_that_is_not_a_whole_number_of_ticks(self):
+        """The last checkpoint is then later than the end, and the manifest still has the status of a running run."""
         self.assertEqual(self.finish(*self.command("whole", 7, duration="301")).returncode, 0)
         self.assertEqual(self.finish(*self.command("parts", 7, duration="301")).returncode, 0)
         manifest = self.manifest("parts")
@@ -133,11 +133,11 @@ class Killed(InFolder):
                 self.assertEqual(self.manifest(out)["status"], "stopped")
                 again = self.finish(*self.command(out, 7, "--resume"))
                 self.assertEqual(again.returncode, 0, again.stderr)
-                self.assertIn("goes on from its checkpoint at", again.stdout)
+                self.assertIn("resumes from its checkpoint at", again.stdout)
                 self.assert_same("whole", out)
 
     def started_and_kept(self, out, preexec=None):
-        """A run that has kept two checkpoints and goes on."""
+        """A run that has kept two checkpoints and still runs."""
         run = self.start(*self.command(out, 7), preexec=preexec)
         while not (self.folder / out / "checkpoint.old.bin").exists() and run.poll() is None:
             time.sleep(0.001)
@@ -150,18 +150,18 @@ class Killed(InFolder):
         self.assertIn(": cannot ", complaint)
         return where
 
-    def test_a_folder_that_is_no_longer_there(self):
+    def test_a_folder_that_is_moved_during_the_run(self):
         self.whole(7)
         run = self.started_and_kept("here")
         (self.folder / "here").rename(self.folder / "there")
-        self.assertEqual(self.failed(run), "somebody took away or moved here")
+        self.assertEqual(self.failed(run), "its folder was removed or moved: here")
         self.assertNotEqual(self.manifest("there")["status"], "complete")
         again = self.finish(*self.command("there", 7, "--resume"))
-        self.assertIn("goes on from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "there")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["there", "whole"])
 
-    def test_a_folder_that_can_no_longer_be_written(self):
+    def test_a_folder_that_becomes_read_only(self):
         nobody = 65534
 
         def become_nobody():
@@ -169,24 +169,24 @@ class Killed(InFolder):
             os.setuid(nobody)
 
         preexec = None
-        if os.geteuid() == 0:  # whom no folder refuses anything
+        if os.geteuid() == 0:  # root may write to any folder
             preexec = become_nobody
             os.chown(self.folder, nobody, nobody)
             try:
                 subprocess.run([OPTIONS.program, "--version"], cwd=self.folder, preexec_fn=preexec, capture_output=True, check=True)
             except (OSError, subprocess.SubprocessError):
-                self.skipTest("nobody may not run the program here")
+                self.skipTest("an unprivileged user may not run the program here")
         self.whole(7)
         run = self.started_and_kept("run", preexec)
         (self.folder / "run").chmod(0o555)
-        self.assertEqual(self.failed(run), "what was written before is in run")
+        self.assertEqual(self.failed(run), "files written so far are in run")
         (self.folder / "run").chmod(0o755)
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
-        self.assertIn("goes on from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "run")
 
-    def test_a_file_that_may_grow_no_more(self):
+    def test_a_file_that_reaches_its_size_limit(self):
         self.whole(7)
         limit = (self.folder / "whole" / "agents.csv").stat().st_size // 2
         run = subprocess.run(
@@ -194,13 +194,13 @@ class Killed(InFolder):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
         )
         self.assertEqual(run.returncode, 1, run.stderr)
-        self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\nwhat was written before is in run\n$")
+        self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\nfiles written so far are in run\n$")
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
-        self.assertIn("goes on from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "run")
 
-    def test_replicates_whose_reader_goes_away(self):
+    def test_replicates_whose_output_pipe_is_closed(self):
         program = self.start(*self.command("set", 5, "--replicates", "4", "--jobs", "2"))
         program.stdout.close()
         errors = program.stderr.read()
@@ -238,7 +238,7 @@ class Killed(InFolder):
         killed.communicate()
         resumed = self.finish(*common, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
-        self.assertIn("replicate-00 goes on from its checkpoint at", resumed.stdout)
+        self.assertIn("replicate-00 resumes from its checkpoint at", resumed.stdout)
         for number in range(3):
             self.assert_same(f"whole/replicate-0{number}", f"set/replicate-0{number}")
 

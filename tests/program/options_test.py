@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""options_test.py PREDATOR_PREY TROPHIC [--all]: every option of every command, given texts that nobody means.
+"""options_test.py PREDATOR_PREY TROPHIC [--all]: every option of every command, with texts that no user would mean.
 
 Each is refused in one line that leaves nothing behind, or does its work; nothing crashes, hangs or takes all memory. Options are
 those that --help lists. With --all many more texts."""
@@ -23,7 +23,7 @@ MEMORY = 4 << 30
 TEXTS = ["", "-1", "nan", "18446744073709551616", "a\nb"]
 MORE_TEXTS = ["0", "-0", "010", "0x10", "+5", " 5", "5 ", "1,5", "1_000", "1.5", "1e3", "1e300", "1e999", "inf", "-inf", "4294967296"]
 MORE_TEXTS += ["99999999999", "99999999999999999999", "٣", "--", "\x01", "\x1b[2J", "a" * 100_000, "/", ".", "/dev/null", "/dev/full", "no/such/place"]
-A_LONG_RUN = [("--duration", "4294967296"), ("--duration", "99999999999")]  # as was asked for
+A_LONG_RUN = [("--duration", "4294967296"), ("--duration", "99999999999")]  # valid, but long
 
 COMMANDS = {
     "": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new"],

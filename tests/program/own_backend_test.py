@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""own_backend_test.py PROGRAM: a program for a backend of one's own has that backend as its default."""
+"""own_backend_test.py PROGRAM: a program with its own backend has that backend as its default."""
 
 import json
 import pathlib
@@ -17,7 +17,7 @@ class OwnBackend(InFolder):
     def call(self, *arguments):
         return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
 
-    def test_its_backend_is_the_default_and_has_its_numbers(self):
+    def test_its_own_backend_is_the_default_and_has_its_numbers(self):
         printed = self.call("--print-config")
         self.assertEqual(printed.returncode, 0, printed.stderr)
         self.assertIn("engine = 'toy'", printed.stdout)
@@ -27,7 +27,7 @@ class OwnBackend(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(json.loads((self.folder / "run/manifest.json").read_text())["backend"], "toy 1")
 
-    def test_a_number_of_it_is_read_and_checked(self):
+    def test_a_number_of_its_backend_is_read_and_checked(self):
         program = pathlib.Path(PROGRAM).name
         for assignment, message in (("backend.breaks_beyond_rad=-1", "backend.breaks_beyond_rad = -1: must be > 0"),
                                     ("backend.breaks_beyond_rd=1", "--set backend.breaks_beyond_rd: unknown key; did you mean backend.breaks_beyond_rad?"),
@@ -37,7 +37,7 @@ class OwnBackend(InFolder):
             self.assertEqual((result.returncode, result.stderr), (2, f"{program}: {message}\n"))
         self.assertEqual(list(self.folder.iterdir()), [])
 
-    def test_an_engine_that_it_lacks_is_one_sentence(self):
+    def test_an_engine_that_it_lacks_is_an_error_of_one_sentence(self):
         result = self.call("--backend", "mujoco", "--out", "run")
         self.assertEqual(result.returncode, 2)
         self.assertIn("this program was built without it", result.stderr)

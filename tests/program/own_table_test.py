@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""own_table_test.py PROGRAM: a program of one's own, of one file, linked with no engine, has all that predator_prey has."""
+"""own_table_test.py PROGRAM: a program of one file, linked with no engine, has every option of predator_prey."""
 
 import json
 import pathlib
@@ -52,7 +52,7 @@ class OwnTable(InFolder):
         self.assertEqual((refused.returncode, refused.stderr), (2, f"{pathlib.Path(PROGRAM).name}: --print-table word: must be markdown or latex\n"))
         self.assertEqual(list(self.folder.iterdir()), [])
 
-    def test_a_run_dies_of_old_age(self):
+    def test_robots_of_a_run_die_of_old_age(self):
         self.call_ok("--backend", "kinematic", "--set", "rules.senescence.max_age_s=50", "--duration", 200, "--out", "run")
         manifest = json.loads((self.folder / "run/manifest.json").read_text())
         self.assertEqual((manifest["status"], manifest["rule_table"]), ("complete", AGEING))
@@ -65,7 +65,7 @@ class OwnTable(InFolder):
             self.assertEqual(manifest["rules"]["senescence"], "old_age")
             self.assertEqual(manifest["rules"]["heredity"], "nothing_inherited" if "shadow" in run else "own_copy")
 
-    def test_the_default_backend_is_mujoco_and_absent_is_one_sentence(self):
+    def test_the_default_backend_is_mujoco_and_its_absence_is_an_error_of_one_sentence(self):
         needed = {"mujoco": "", "ode": ""}
         for engine in needed:
             text = (ROOT / f"backends/{engine}/CMakeLists.txt").read_text()
@@ -81,7 +81,7 @@ class OwnTable(InFolder):
             )
         self.assertEqual(list(self.folder.iterdir()), [])
 
-    def test_version(self):
+    def test_version_names_the_backends(self):
         lines = dict(line.split(None, 1) for line in self.call_ok("--version").splitlines())
         self.assertEqual(set(lines), {"trophic", "source", "compiler", "build", "backends"})
         version = re.search(r'version = "([\d.]+)"', (ROOT / "include/trophic/support/version.hpp").read_text())[1]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""predator_prey_test.py PROGRAM [unittest arguments]: the predator_prey program as its users meet it: options, files, errors, exit codes."""
+"""predator_prey_test.py PROGRAM [unittest arguments]: options, files, errors and exit codes of the predator_prey program."""
 
 import csv
 import json
@@ -50,7 +50,7 @@ class PredatorPrey(InFolder):
 
 
 class Runs(PredatorPrey):
-    def test_books_balance(self):
+    def test_births_and_deaths_balance(self):
         for rules in ("paper", "released"):
             with self.subTest(rules=rules):
                 self.run_ok(rules, "--rules", rules, "--seed", 3)
@@ -86,7 +86,7 @@ class Runs(PredatorPrey):
                     self.assertEqual(row["ancestor_id"], row["id"] if ancestor == "none" else ancestor)
                 self.assertEqual(self.manifest(rules)["status"], "complete")
 
-    def test_manifest_names_what_made_the_run(self):
+    def test_manifest_names_program_engine_and_rules(self):
         self.run_ok("run", "--duration", 10, "--seed", 2**53)
         manifest = self.manifest("run")
         self.assertEqual(manifest["tags"], [-1, 1])
@@ -104,7 +104,7 @@ class Runs(PredatorPrey):
         self.assertTrue(commit, manifest["source_revision"])
         self.assertEqual(subprocess.run([*git, "cat-file", "-e", commit[1] + "^{commit}"]).returncode, 0)
 
-    def test_parents_keep_their_genomes_under_paper(self):
+    def test_under_paper_parents_keep_their_genomes(self):
         self.run_ok("run", "--duration", 3000)
         genomes = [row["genome_id"] for row in self.rows("run", "genomes.csv")]
         self.assertEqual(len(genomes), len(set(genomes)))
@@ -142,7 +142,7 @@ class Runs(PredatorPrey):
         self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
-    def test_ode_runs_the_released_rules_and_says_how(self):
+    def test_ode_runs_the_released_rules_and_prints_its_settings(self):
         released = ["--rules", "released", "--backend", "ode", "--duration", 2]
         for more in ([], ["--replicates", 1]):
             result = self.call(*released, *more, "--out", f"released{len(more)}")
@@ -170,17 +170,17 @@ class Runs(PredatorPrey):
         self.assertEqual((self.folder / "fast" / "events.csv").read_bytes(), (self.folder / "islands" / "events.csv").read_bytes())
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
-    def test_released_physics_runs(self):
+    def test_the_released_physics_runs(self):
         result = self.call("--rules", "released", "--duration", 10, "--out", "released")
         self.assertEqual(result.returncode, 0, result.stderr)
         physics = self.manifest("released")["params"]["physics"]
         self.assertEqual((physics["timestep_s"], physics["integrator"]), (0.012, "rk4"))
 
-    def test_any_robot(self):
+    def test_any_robot_can_be_chosen(self):
         self.run_ok("gecko", "--robot", "gecko", "--duration", 100)
         self.assertTrue(self.manifest("gecko")["params"]["ecology"]["gait"].startswith("gecko"))
 
-    def test_neutral_shadow_beside_the_replicates(self):
+    def test_neutral_shadow_of_the_replicates(self):
         self.run_ok("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
         self.assertEqual(
             [json.loads((self.folder / out / "replicates.json").read_text())["master_seed"] for out in ("set", "set/shadow")], [1, 1]
@@ -212,7 +212,7 @@ class Runs(PredatorPrey):
             self.assertEqual((self.folder / "direct" / file).read_bytes(), (self.folder / "configured" / file).read_bytes())
         self.assertEqual(self.manifest("direct")["fingerprint"], self.manifest("configured")["fingerprint"])
 
-    def test_without_out_each_run_has_a_folder_of_its_own(self):
+    def test_without_out_each_run_has_its_own_folder(self):
         for number in (1, 2):
             result = self.call("--backend", "kinematic", "--duration", 10)
             self.assertEqual(result.returncode, 0, result.stderr)
@@ -222,7 +222,7 @@ class Runs(PredatorPrey):
         self.assertEqual(self.call("--backend", "kinematic", "--print-config").returncode, 0)
         self.assertEqual(len(list((self.folder / "runs").iterdir())), 2)
 
-    def test_silent_when_piped(self):
+    def test_progress_is_silent_when_piped(self):
         self.assertEqual(self.run_ok("quiet", "--duration", 100).stderr, "")
 
     def test_interrupt_ends_cleanly(self):
@@ -311,7 +311,7 @@ class Refusals(PredatorPrey):
     def test_resuming_needs_the_folder(self):
         self.assert_refused(self.call("--backend", "kinematic", "--replicates", 2, "--resume"), 2, "--resume", "--out")
 
-    def test_existing_output_is_left_alone(self):
+    def test_existing_output_is_not_changed(self):
         self.run_ok("run", "--duration", 10)
         before = {file: (self.folder / "run" / file).read_bytes() for file in FILES}
         self.assert_refused(self.call("--backend", "kinematic", "--duration", 20, "--out", "run"), 2, "run", "never overwritten")
@@ -342,7 +342,7 @@ class Refusals(PredatorPrey):
         self.assertEqual(self.manifest("full")["status"], "failed")
         self.assertGreater(len(self.rows("full", "events.csv")), 30)
 
-    def test_full_standard_output(self):
+    def test_full_standard_output_is_an_error(self):
         self.assertEqual(self.call("--print-config", shell='exec "$@" > /dev/full').returncode, 1)
         result = self.call("--backend", "kinematic", "--duration", 10, "--out", "run", shell='exec "$@" > /dev/full')
         self.assertEqual(result.returncode, 1)

@@ -13,7 +13,7 @@ from in_folder import InFolder
 READINGS, PREDATOR_PREY, ABLATIONS, CHOICES = (sys.argv.pop(1) for _ in range(4))
 TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
 DURATION_S = 1500
-# Choices whose other reading is the policy that the table `released` has, and what else the ablation study sets there.
+# Choices whose other reading is the policy of the table `released`, and the other rules that the ablation study sets there.
 AS_ABLATION = {"decision_order": ("ecology.decision_order", []), "blind_robot": ("ecology.without_target", []), "tag_ratio": ("sensor_tag_ratio_of_active", []),
                "orphan_label": ("genome_source", ["--set", "rules.genome_source.second.random_share=0.34"])}
 
@@ -35,7 +35,7 @@ class Readings(InFolder):
         with open(CHOICES, "rb") as file:
             self.choices = {choice["name"]: choice for choice in tomllib.load(file)["choice"]}
 
-    def test_first_readings_are_the_paper(self):
+    def test_first_readings_are_the_table_paper(self):
         self.run_ok(PREDATOR_PREY, "paper", "--rules", "paper")
         self.run_ok(READINGS, "first")
         self.assertEqual(self.read("first"), self.read("paper"))

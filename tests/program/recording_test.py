@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""recording_test.py PREDATOR_PREY TROPHIC: a run's replay.trp as people read it: by the Python package and by the code of docs/recording.md."""
+"""recording_test.py PREDATOR_PREY TROPHIC: a run's replay.trp as users read it: with the Python package and the code of docs/recording.md."""
 
 import csv
 import json
@@ -62,20 +62,20 @@ class Recordings(InFolderWithSets):
                 place = [[float(row["x_m"]), float(row["y_m"])] for row in rows]
                 numpy.testing.assert_allclose(recording.position_m[frames, bodies, :2], place, atol=0.000502)
                 numpy.testing.assert_allclose(numpy.linalg.norm(recording.orientation, axis=-1), 1.0, atol=1e-12)
-                if name != "mujoco":  # there yaw is where the robot heads
+                if name != "mujoco":  # its yaw is the robot's heading
                     w, z = recording.orientation[frames, bodies, 0], recording.orientation[frames, bodies, 3]
                     heading = 2 * numpy.arctan2(z, w) + recording.head["robot"]["forward_rad"]
                     off = heading - [float(row["heading_rad"]) for row in rows]
                     self.assertLess(numpy.abs((off + numpy.pi) % (2 * numpy.pi) - numpy.pi).max(), 0.002)
 
-    def test_rates(self):
+    def test_rates_of_the_recording(self):
         self.assertEqual(read_replay(self.sets / "kinematic").head["frames_per_tick"], 10)
         steps = numpy.diff(read_replay(self.sets / "released").time_s)
         self.assertEqual(read_replay(self.sets / "released").head["clock_scale"] * 10 * 2, read_replay(self.sets / "released").head["frames_per_tick"])
         numpy.testing.assert_allclose(steps, steps[0], rtol=0.1)
         self.assertEqual(read_replay(self.sets / "begun_anew").head["frames_per_tick"], read_replay(self.sets / "released").head["frames_per_tick"])
 
-    def test_a_rewound_run_has_the_frames_of_its_past_and_is_said_to_be_itself(self):
+    def test_a_rewound_run_has_the_frames_of_its_past_and_its_own_identity(self):
         whole, rewound = read_replay(self.sets / "kinematic"), read_replay(self.sets / "rewound")
         manifest = json.loads((self.sets / "rewound" / "manifest.json").read_text())
         for key in ("fingerprint", "seed"):
@@ -98,7 +98,7 @@ class Recordings(InFolderWithSets):
         for name in ("time_s", "position_m", "orientation", "joint_rad"):
             numpy.testing.assert_array_equal(getattr(part, name), getattr(whole, name)[150:333])
 
-    def test_the_documents_code_reads_the_same(self):
+    def test_the_code_of_the_document_reads_the_same_frames(self):
         code = re.search(r"```python\n(.*?)```", (ROOT / "docs/recording.md").read_text(), re.S)[1]
         self.assertLessEqual(len(code.splitlines()), 31)
         for name in self.names():
@@ -181,7 +181,7 @@ class Recordings(InFolderWithSets):
 
 
 class Pages(InFolderWithSets):
-    """`trophic show` and what is wrong with its runs, each in one line."""
+    """`trophic show`, and its errors of one line about bad runs."""
 
     @classmethod
     def make_sets(cls):
@@ -215,14 +215,14 @@ class Pages(InFolderWithSets):
             self.skipTest("built without the viewer")
         (self.folder / "probe.html").unlink()
 
-    def test_a_page_carries_all_it_needs(self):
+    def test_a_page_contains_all_its_data(self):
         result = self.show(self.sets / "run", self.sets / "set", "-o", "page.html")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         page = (self.folder / "page.html").read_text()
         self.assertEqual(page.count('data-file="replay"'), 3)
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:)[^"]*"', page.split("<script>")[0]), [])
 
-    def test_runs_that_began_at_a_moment_of_another(self):
+    def test_runs_that_began_at_a_moment_of_another_are_shown(self):
         self.assertEqual(self.show(self.sets / "rewound", self.sets / "rewound_again", "-o", "page.html").returncode, 0)
         part = self.show(self.sets / "rewound", "--from", 10, "--to", 20, "-o", "part.html")
         self.assertEqual((part.returncode, part.stderr), (0, ""))
@@ -233,36 +233,36 @@ class Pages(InFolderWithSets):
         self.assertEqual((result.returncode, result.stderr), (2, "trophic show: --out page.html: exists already; nothing is overwritten\n"))
         self.assertEqual((self.folder / "page.html").read_text(), "mine")
 
-    def test_folders_that_are_no_recorded_runs(self):
+    def test_folders_without_a_recorded_run_are_refused(self):
         self.assert_refused(r"none: is not a folder", "none")
         self.assert_refused(r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded")
         self.assert_refused(r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown", self.sets / "thinned")
         self.assert_refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)
 
-    def test_damaged_and_foreign_recordings(self):
+    def test_damaged_and_foreign_recordings_are_refused(self):
         run = self.copy()
         content = (run / "replay.trp").read_bytes()
         for damaged, sentence in (
             (content[:7000] + bytes([content[7000] ^ 1]) + content[7001:], r"replay.trp: damaged, a wrong checksum of the block at byte \d+"),
             (content[:100], r"replay.trp: ends before its first frames"),
             (b"\x89PNG\r\n\x1a\n" + content[8:], r"replay.trp: is not a trophic recording"),
-            ((self.sets / "other" / "replay.trp").read_bytes(), r"manifest.json: fingerprint \w+, seed 1, but replay.trp beside it is of .* two runs"),
+            ((self.sets / "other" / "replay.trp").read_bytes(), r"manifest.json: fingerprint \w+, seed 1, but replay.trp next to it is of .* two runs"),
         ):
             (run / "replay.trp").write_bytes(damaged)
             self.assert_refused(sentence, run)
 
-    def test_tables_of_another_run(self):
+    def test_tables_of_another_run_are_refused(self):
         run = self.copy()
         (run / "events.csv").write_bytes((self.sets / "other" / "events.csv").read_bytes())
-        self.assert_refused(r"events.csv:2: body 0 at 0 s is at .* in the recording beside it elsewhere; they are of two runs", run)
+        self.assert_refused(r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they are of two runs", run)
 
-    def test_each_table_of_another_run_with_the_same_start(self):
-        """A run of the same seed and other rules begins alike: what belongs to it alone is found."""
+    def test_each_table_of_another_run_with_the_same_start_is_refused(self):
+        """A run of the same seed with other rules begins alike: rows that belong to it alone are found."""
         Recordings.make.__func__(self, "sister", "--backend", "kinematic", "--duration", 60, "--seed", 1, "--set", "rules.capture.reach_m=9")
         for table, sentence in (
             ("events.csv", r"events.csv:\d+: body \d+ at \d+ s"),
-            ("agents.csv", r"agents.csv: checksum \d+: must be \d+, as the manifest beside it says; it is of another run, or was changed"),
-            ("phylogeny.csv", r"phylogeny.csv: checksum \d+: must be \d+, as the manifest beside it says; it is of another run, or was changed"),
+            ("agents.csv", r"agents.csv: checksum \d+: must be \d+, as in the manifest next to it; it is of another run, or was changed"),
+            ("phylogeny.csv", r"phylogeny.csv: checksum \d+: must be \d+, as in the manifest next to it; it is of another run, or was changed"),
         ):
             with self.subTest(table):
                 run = self.copy()
@@ -273,17 +273,17 @@ class Pages(InFolderWithSets):
                 shutil.rmtree(run)
 
     def forget_sums(self, run):
-        """As of a run that was killed, whose manifest knows no checksums."""
+        """As of a run that was killed, whose manifest has no checksums."""
         manifest = json.loads((run / "manifest.json").read_text())
         del manifest["tables"]
         (run / "manifest.json").write_text(json.dumps(manifest))
 
-    def test_senses_of_another_run_and_of_a_killed_one(self):
+    def test_senses_of_another_run_are_refused_and_of_a_killed_one_shown(self):
         Recordings.make.__func__(self, "sensed-2", "--backend", "kinematic", "--duration", 60, "--senses", "--set", "rules.capture.reach_m=9")
         run = self.copy("sensed")
         own, foreign = ((self.sets / name / "senses.csv").read_bytes() for name in ("sensed", "sensed-2"))
         (run / "senses.csv").write_bytes(foreign)
-        self.assert_refused(r"senses.csv: checksum \d+: must be \d+, as the manifest beside it says", run)
+        self.assert_refused(r"senses.csv: checksum \d+: must be \d+, as in the manifest next to it", run)
         self.forget_sums(run)
         self.assert_refused(r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run)
         for cut_off in (own, own[:-1000]):
@@ -292,16 +292,16 @@ class Pages(InFolderWithSets):
             self.assertEqual(shown.returncode, 0, shown.stderr)
             (self.folder / "page.html").unlink()
 
-    def test_events_that_the_recording_cannot_have(self):
+    def test_events_that_contradict_the_recording_are_refused(self):
         run = self.copy()
         events = (run / "events.csv").read_text().splitlines(keepends=True)
         born = events[1].split(",")
         for changes, sentence in (
-            ({0: "61", 1: "30"}, r"events.csv:2: body 0 at 61 s: must be at 60 s, tick 30 of the recording beside it"),
-            ({0: "62", 1: "31"}, r"events.csv:2: body 0 at 62 s: the recording beside it ends at 60 s"),
-            ({5: "30"}, r"events.csv:2: body 30 at 0 s: the recording beside it has 30 bodies"),
+            ({0: "61", 1: "30"}, r"events.csv:2: body 0 at 61 s: must be at 60 s, tick 30 of the recording next to it"),
+            ({0: "62", 1: "31"}, r"events.csv:2: body 0 at 62 s: the recording next to it ends at 60 s"),
+            ({5: "30"}, r"events.csv:2: body 30 at 0 s: the recording next to it has 30 bodies"),
             ({2: "activation", 3: "4711"}, r"events.csv:2: body 0 at 0 s: robot 4711 was never born there; they are of two runs"),
-            ({13: "5"}, r"events.csv: checksum \d+: must be \d+, as the manifest beside it says"),
+            ({13: "5"}, r"events.csv: checksum \d+: must be \d+, as in the manifest next to it"),
         ):
             row = list(born)
             for column, cell in changes.items():
@@ -314,7 +314,7 @@ class Pages(InFolderWithSets):
         self.forget_sums(run)
         self.assertEqual(self.show(run, "-o", "page.html").returncode, 0)
 
-    def test_a_run_that_was_cut_off_is_shown_with_a_remark(self):
+    def test_an_interrupted_run_is_shown_with_a_remark(self):
         run = self.copy()
         content = (run / "replay.trp").read_bytes()
         (run / "replay.trp").write_bytes(content[:-30])
@@ -322,7 +322,7 @@ class Pages(InFolderWithSets):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stderr, r"^trophic show: \S+replay.trp: ends early, in the middle of the block after \d+ frames \([\d.]+ s\)\n$")
 
-    def test_a_length_that_cannot_be_is_where_a_killed_run_ends(self):
+    def test_an_impossible_block_length_is_where_a_killed_run_ends(self):
         run = self.copy()
         content = (run / "replay.trp").read_bytes()
         (run / "replay.trp").write_bytes(content[:-16] + b"\xf4\xff\xff\xffPOSE" + bytes(20))
@@ -330,14 +330,14 @@ class Pages(InFolderWithSets):
         self.assertEqual(shown.returncode, 0, shown.stderr)
         self.assertRegex(shown.stderr, r"ends early, in the middle of the block after \d+ frames")
 
-    def test_a_window_of_time(self):
+    def test_a_window_of_time_is_shown_alone(self):
         whole, part = self.show(self.sets / "run", "-o", "whole.html"), self.show(self.sets / "run", "--from", 20, "--to", 30, "-o", "part.html")
         self.assertEqual((whole.returncode, part.returncode), (0, 0), part.stderr)
         self.assertLess((self.folder / "part.html").stat().st_size, (self.folder / "whole.html").stat().st_size)
         self.assert_refused(r"time 61 s: must be between 0 and 60", self.sets / "run", "--to", 61)
         self.assert_refused(r"--from 30: must be <= --to, 20", self.sets / "run", "--from", 30, "--to", 20)
 
-    def test_a_folder_that_cannot_be_written(self):
+    def test_a_folder_that_cannot_be_written_is_an_error(self):
         result = self.show(self.sets / "run", "-o", "none/page.html")
         self.assertEqual((result.returncode, result.stderr), (1, "trophic show: cannot create none/page.html: No such file or directory\n"))
 

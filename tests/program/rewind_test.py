@@ -68,7 +68,7 @@ class Rewind(InFolder):
                 births = sum(",birth," in row for row in self.table(out, "events.csv"))
                 self.assertEqual(len(self.table(out, "phylogeny.csv")), births + 1)
 
-    def test_what_cannot_change_on_the_way_is_refused_and_nothing_is_left(self):
+    def test_numbers_that_cannot_change_on_the_way_are_refused_and_no_files_are_left(self):
         for arguments, text in [
             (["--at", 700, "--robots", 20], "ecology.robots = 20: must be 30"),
             (["--at", 700, "--set", "ecology.tick_s=1"], "ecology.tick_s = 1: must be 2"),
@@ -91,16 +91,16 @@ class Rewind(InFolder):
         again = self.run_ok("--from", "whole", "--duration", 2500, "--seed", 9, "--out", "longer", "--resume")
         self.assertIn("is complete already", again.stdout)
 
-    def test_a_run_that_began_elsewhere_is_not_gone_on_with(self):
+    def test_a_run_that_began_elsewhere_is_not_continued(self):
         begun = ["--from", "whole", "--duration", 1500, "--seed", 8, "--out", "seed"]
         self.run_ok(*begun, "--at", 701)
         self.run_ok(*begun, "--at", 701, "--resume")
         self.run_ok("--backend", "kinematic", "--seed", 8, "--duration", 1000, "--set", "rules.mutation.sd=0.02", "--out", "alone")
         tables = {out: self.table(out, "events.csv") for out in ("seed", "alone")}
         for arguments, text in [
-            ([*begun, "--at", 900], "seed: its run began at 702 s of whole; it can go on, but not begin at 900 s of whole"),
+            ([*begun, "--at", 900], "seed: its run began at 702 s of whole; it can be resumed, but not begin at 900 s of whole"),
             (["--from", "alone", *begun[2:], "--at", 701], "not begin at 701 s of alone"),
-            ([*begun[:-1], "alone", "--at", 701], "alone: its run began by itself"),
+            ([*begun[:-1], "alone", "--at", 701], "alone: its run began at 0 s"),
         ]:
             with self.subTest(arguments=arguments):
                 done = self.call(*arguments, "--resume")
@@ -109,7 +109,7 @@ class Rewind(InFolder):
         self.assertEqual(tables, {out: self.table(out, "events.csv") for out in tables})
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["alone", "seed", "whole"])
 
-    def test_a_gait_that_was_named_by_its_path(self):
+    def test_a_gait_that_was_named_with_its_path(self):
         text = (ROOT / "models/gaits/spider_published.toml").read_text()
         (self.folder / "file.toml").write_text(text.replace('"spider_published"', '"its own name"'))
         self.run_ok("--backend", "kinematic", "--seed", 7, "--duration", 40, "--set", "ecology.gait=file.toml", "--out", "walked")
@@ -149,7 +149,7 @@ class Rewind(InFolder):
         self.assertIn("exists already", done.stderr)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
 
-    def test_they_go_on_after_a_kill_and_only_from_their_moment(self):
+    def test_replicates_resume_after_a_kill_and_only_from_their_moment(self):
         for delay_s in (0.05, 0.1, 0.2, 0.4):
             resume = ["--resume"] if (self.folder / "set").exists() else []
             program = subprocess.Popen([PROGRAM, *map(str, [*self.REPLICATES, "--checkpoint-s", 0, *resume, "--out", "set"])], cwd=self.folder,
@@ -181,7 +181,7 @@ class Rewind(InFolder):
         self.assertIn("kept as seed.incomplete-1, run anew; begins at 700 s of whole", self.run_ok(*begun, "--resume").stdout)
         self.assertEqual(self.table("seed", "events.csv"), events)
 
-    def test_a_past_that_was_cut_off_is_made_again(self):
+    def test_an_interrupted_past_is_made_again(self):
         past = self.folder / f"new.snapshot-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
         (past / "run").mkdir(parents=True)
         (past / "run" / "events.csv").write_text("a part")
@@ -193,8 +193,8 @@ class Rewind(InFolder):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["new", "new.origin", "whole"])
         self.assertEqual((own / "notes.txt").read_text(), "mine")
 
-    def test_several_programs_with_one_folder(self):
-        """One has it; the others leave it, and each other's past, alone."""
+    def test_several_programs_in_one_folder(self):
+        """One uses the folder; the others leave it, and each other's past, alone."""
         self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", 5, "--out", "alone")
         for number, arguments in enumerate([[], ["--resume"], [], ["--resume"]]):
             out = f"new{number}"
@@ -211,7 +211,7 @@ class Rewind(InFolder):
                 self.assertEqual(self.manifest(out)["status"], "complete")
                 self.assertEqual([path.name for path in self.folder.glob("new*.*")], [])
 
-    def test_a_run_that_is_in_the_way_stays_what_it_is(self):
+    def test_a_run_in_the_way_is_not_changed(self):
         there = f"new.snapshot-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
         (self.folder / "whole").rename(self.folder / there)
         events = self.table(there, "events.csv")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""saved_world_test.py PREDATOR_PREY: a world that --save-mjcf wrote, in MuJoCo's own program: it opens, and both species are seen."""
+"""saved_world_test.py PREDATOR_PREY: MuJoCo's own program opens a world that --save-mjcf wrote and shows both species."""
 
 import pathlib
 import shutil
@@ -43,7 +43,7 @@ class SavedWorld(InFolder):
         self.assertEqual(done.stderr, "trophic-predator-prey: --save-mjcf world.xml: exists already; nothing is overwritten\n")
         self.assertEqual((self.folder / "world.xml").read_text(), "mine")
 
-    def test_a_folder_that_is_not_there(self):
+    def test_a_missing_folder_is_refused(self):
         done = subprocess.run([PROGRAM, "--save-mjcf", "none/world.xml"], capture_output=True, text=True, cwd=self.folder, timeout=120)
         self.assertEqual((done.returncode, done.stderr), (1, "trophic-predator-prey: cannot create none/world.xml: No such file or directory\n"))
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""senses_test.py PREDATOR_PREY: --senses adds senses.csv and --states states.csv to a run's folder, in every way that runs are made, and
-neither changes anything else."""
+"""senses_test.py PREDATOR_PREY: --senses adds senses.csv and --states states.csv to a run's folder, for all kinds of runs, and
+neither changes another file."""
 
 import collections
 import csv
@@ -32,7 +32,7 @@ class Senses(InFolder):
     def manifest(self, out):
         return json.loads((self.folder / out / "manifest.json").read_text())
 
-    def test_every_other_file_is_the_same(self):
+    def test_with_senses_every_other_file_is_the_same(self):
         for backend in ENGINES:
             with self.subTest(backend=backend):
                 duration = 600 if backend == "kinematic" else 12
@@ -50,7 +50,7 @@ class Senses(InFolder):
                         manifest.pop(name, None)
                 self.assertEqual(*manifests)
 
-    def test_rows_agree_with_the_other_tables(self):
+    def test_rows_of_senses_agree_with_the_other_tables(self):
         self.run_ok("--duration", 3000, "--senses", "--out", "run", "--seed", 3, "--rules", "released")
         agents = self.rows("run", "agents.csv")
         senses = self.rows("run")
@@ -84,13 +84,13 @@ class Senses(InFolder):
             self.assertIn(row["touches_wall"], "01")
         self.assertEqual(sum(int(row["robots_touched"]) for row in rows) % 2, 0)
 
-    def test_with_thinned_agents_and_without_a_recording(self):
+    def test_senses_with_thinned_agents_and_without_a_recording(self):
         self.run_ok("--duration", 600, "--senses", "--agents-every", 7, "--replay-hz", 0, "--out", "thin")
         self.run_ok("--duration", 600, "--senses", "--out", "whole")
         self.assertEqual(self.rows("thin"), [row for row in self.rows("whole") if int(row["tick"]) % 7 == 0])
         self.assertFalse((self.folder / "thin/replay.trp").exists())
 
-    def test_replicates_their_shadow_and_a_resumed_set(self):
+    def test_senses_of_replicates_their_shadow_and_a_resumed_set(self):
         common = ("--duration", 300, "--replicates", 2, "--shadow", "--out", "set")
         self.run_ok(*common, "--senses")
         for run in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
@@ -100,7 +100,7 @@ class Senses(InFolder):
         self.assertEqual((self.folder / "set/replicate-01/senses.csv").read_bytes(), before)
         self.assertEqual(len(self.rows("set/replicate-02")), 30 * 151)
 
-    def test_a_run_that_is_made_longer_keeps_to_what_it_began_with(self):
+    def test_a_run_that_is_extended_keeps_the_tables_of_its_start(self):
         self.run_ok("--duration", 600, "--senses", "--out", "whole")
         self.run_ok("--duration", 300, "--senses", "--out", "parts")
         self.run_ok("--duration", 600, "--resume", "--out", "parts")
@@ -114,14 +114,14 @@ class Senses(InFolder):
             self.run_ok("--from", "whole", "--at", at, "--duration", 600, "--out", f"at{at}")
             self.assertEqual((self.folder / f"at{at}/senses.csv").read_bytes(), (self.folder / "whole/senses.csv").read_bytes())
 
-    def test_a_sweep_has_a_key_for_it(self):
+    def test_a_sweep_has_a_key_for_senses(self):
         (self.folder / "grid.toml").write_text('engine = "kinematic"\nreplicates = 1\nsenses = true\n[set]\necology.duration_s = 20.0\n'
                                                "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n")
         self.run_ok("--sweep", "grid.toml", "--out", "sweep")
         tables = list((self.folder / "sweep").rglob("senses.csv"))
         self.assertEqual(len(tables), 2)
         done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--senses", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--senses: not with --sweep; its file says it\n"))
+        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--senses: not with --sweep; it is set in the sweep's file\n"))
 
     def test_states_of_a_table_whose_rules_keep_some(self):
         rules = ("--rules", "released", "--seed", 3)
@@ -153,7 +153,7 @@ class Senses(InFolder):
         self.assertEqual(len(tables), 2)
         self.assertEqual(tables[0].read_text().splitlines()[0], "time_s,tick,body,id")
         done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--states", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--states: not with --sweep; its file says it\n"))
+        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--states: not with --sweep; it is set in the sweep's file\n"))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""sweep_analysis_test.py PREDATOR_PREY TROPHIC SWEEP: a sweep from its folder to figures, as users meet it: files, errors, exit codes."""
+"""sweep_analysis_test.py PREDATOR_PREY TROPHIC SWEEP: a sweep from its folder to figures, as users run it: files, errors, exit codes."""
 
 import csv
 import json
@@ -29,7 +29,7 @@ def table(path):
 class SweepAnalysis(InFolderWithSets):
     @classmethod
     def make_sets(cls):
-        """A grid of four cells with shadows, as a sweep leaves it."""
+        """A grid of four cells with shadows, as a sweep writes it."""
         cls.plan = []
         for cell, (speed, ticks) in enumerate((speed, ticks) for speed in SPEEDS for ticks in TICKS):
             settings = {"backend.speed_scale": speed, "rules.starvation.interval.base_ticks": ticks}

@@ -59,17 +59,17 @@ ecology.duration_s = 8000.0
 [grid]
 rules.capture.reach_m = [0.5, 1.0]
 """
-# What is of the program that made a run, and not of the run.
+# Parts of a manifest that describe the program that made a run, not the run.
 OF_PROGRAM = ["command_line", "host", "wall_s", "continued", "source_revision"]
 
 
 def files_of(folder):
-    """Paths of all files but checkpoints, which say which program wrote them."""
+    """Paths of all files but checkpoints, which contain the name of the program that wrote them."""
     return sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file() and path.name != "checkpoint.bin")
 
 
 class Sweeps(InFolderWithSets):
-    """`sets` holds the folders "one": what a sweep leaves that nothing disturbed."""
+    """`sets` holds the folders "one": the files of an undisturbed sweep."""
 
     @classmethod
     def make_sets(cls):
@@ -299,14 +299,14 @@ class Killed(Sweeps):
         self.assertEqual(lives.wait(600), 0)
         self.assert_same()
 
-    def test_stopped_program_says_how_to_go_on(self):
+    def test_stopped_program_prints_how_to_continue(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1"]
         program = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.wait_for_work(self.at_work)
         program.send_signal(signal.SIGTERM)
         said = program.communicate(timeout=600)
         self.assertEqual(program.returncode, 3, said)
-        self.assertIn("the same command goes on with these and no others", said[1])
+        self.assertIn("the same command continues these and no others", said[1])
         self.assert_done(self.run_words(*words))
         self.assert_same()
 
@@ -390,7 +390,7 @@ class Refusals(Sweeps):
             ("--set", "rules.mutation.sd=0.1"): "--set: not with --sweep",
             ("--replicates", "3"): "--replicates: not with --sweep",
             ("--agents-every", "3"): "--agents-every: not with --sweep",
-            ("--senses",): "--senses: not with --sweep; its file says it",
+            ("--senses",): "--senses: not with --sweep; it is set in the sweep's file",
             ("--seed", "3"): "--seed: not with --sweep",
             ("--resume",): "--resume: not with --sweep",
         }.items():
@@ -403,7 +403,7 @@ class Refusals(Sweeps):
             self.assertEqual(done.returncode, 2)
             self.assertIn("need --sweep", done.stderr)
 
-    def test_plan_that_changed_half_way(self):
+    def test_plan_that_changed_half_way_is_refused(self):
         self.write("small.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 10.0\n"
                    "[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
         self.assert_done(self.sweep(file="small.toml", out="small"))
@@ -416,18 +416,18 @@ class Refusals(Sweeps):
             self.write("small.toml", f"{keeps}\n{text}")
             self.assertIn("small/plan.jsonl:1: the folder holds another plan", self.sweep(file="small.toml", out="small").stderr)
 
-    def test_folder_of_something_else(self):
+    def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
-        self.assertIn("is no sweep's folder", self.refused())
+        self.assertIn("is not a sweep's folder", self.refused())
 
-    def test_dry_run_says_what_would_be_run(self):
+    def test_dry_run_prints_what_would_be_run(self):
         done = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--dry-run")
         self.assert_done(done)
         self.assertIn("rules.capture.reach_m=0.5 rules.mutation.sd=0.05", done.stdout)
         self.assertRegex(done.stdout, r"\d+ runs in \d+ cells, about .* of one core \(.* core-hours\)")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["killed.toml", "sweep.toml"])
 
-    def test_dry_run_that_is_stopped_says_nothing_of_time(self):
+    def test_dry_run_that_is_stopped_prints_no_time(self):
         self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e9\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
         environment = {**os.environ, "TMPDIR": str(self.folder)}
         run = subprocess.Popen([OPTIONS.program, "--sweep", "long.toml", "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Goes on in the system's Python, which has apt-get's modules, where the one that runs the tests lacks some."""
+"""Continues in the system's Python, which has apt-get's modules, if the one that runs the tests lacks some."""
 
 import importlib.util
 import os

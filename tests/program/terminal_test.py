@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""terminal_test.py PREDATOR_PREY TROPHIC: what the terminal and its shell see: a progress line that fits, and completion in bash."""
+"""terminal_test.py PREDATOR_PREY TROPHIC: a progress line that fits the terminal, and completion in bash."""
 
 import fcntl
 import os
@@ -40,7 +40,7 @@ class ProgressLine(InFolder):
         lines = [line.replace("\x1b[K", "").strip("\r\n") for line in read.decode().split("\r")]
         return [line for line in lines if line]
 
-    def test_fits_the_terminal(self):
+    def test_progress_line_fits_the_terminal(self):
         for more in ([], ["--replicates", "2", "--jobs", "2"]):
             for columns in (20, 50, 200):
                 with self.subTest(columns=columns, more=more):
@@ -53,7 +53,7 @@ class ProgressLine(InFolder):
 
 class Completion(InFolder):
     def offered(self, program, *words):
-        """What bash offers for the last of these words."""
+        """Completions that bash offers for the last of these words."""
         name = pathlib.Path(program).name
         script = subprocess.run([program, "--completion", "bash"], capture_output=True, text=True, check=True).stdout
         ask = ("compopt() { :; }\nCOMP_WORDS=(\"$@\")\nCOMP_CWORD=$(($# - 1))\n"

@@ -11,13 +11,13 @@ SKIPPED = 77
 
 
 def missing():
-    """What has to be installed for it, as one sentence; empty if nothing."""
+    """The packages that it lacks, as one sentence; empty if none."""
     names = [name for name in NEEDED if shutil.which(name) is None]
     return f"not there: {', '.join(names)}; apt-get install xvfb xdotool ffmpeg" if names else ""
 
 
 class VirtualScreen:
-    """A display of its own, of 1280x720."""
+    """A display of 1280x720."""
 
     def __enter__(self):
         reads, writes = os.pipe()

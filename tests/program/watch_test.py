@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""watch_test.py PREDATOR_PREY WITHOUT_WINDOW: a run in a window: keys, mouse, what is seen; and the run is the one without a window."""
+"""watch_test.py PREDATOR_PREY WITHOUT_WINDOW: a run in a window: keys, mouse and picture; its files are those of a run without a window."""
 
 import csv
 import json
@@ -33,7 +33,7 @@ def near(picture, colour, reach=110):
 
 
 def files_of(folder):
-    """Manifest and checkpoint have the command line in them."""
+    """All files but manifest and checkpoint, which contain the command line."""
     return {path.name: path.read_bytes() for path in folder.iterdir() if path.name not in ("manifest.json", "checkpoint.bin", ".lock")}
 
 
@@ -116,7 +116,7 @@ class Watched(InFolderWithSets):
         places = numpy.array([[float(row["x_m"]), float(row["y_m"])] for row in rows])
         time.sleep(0.5)
         picture = self.picture()
-        self.assertTrue((picture[5, 640] > 245).all())  # beside the arena
+        self.assertTrue((picture[5, 640] > 245).all())  # next to the arena
         for species, colour in (("prey", BLUE), ("predator", ORANGE)):
             alone = [i for i, row in enumerate(rows) if row["species"] == species and row["active"] == "1"]
             body = max(alone, key=lambda i: sorted(numpy.hypot(*(places - places[i]).T))[1])
@@ -128,7 +128,7 @@ class Watched(InFolderWithSets):
         time.sleep(0.5)
         picture = self.picture()
         self.assertGreater(near(picture[300:420, 560:720], ORANGE), 400)
-        self.assertLess(picture[20:60, 10:60].mean(), 200)  # what is known of it, on a dark ground
+        self.assertLess(picture[20:60, 10:60].mean(), 200)  # the inspector's text, on a dark ground
         self.press("Escape")
         self.wait_for("paused$")
         self.press("space", *["Up"] * 8)
@@ -139,7 +139,7 @@ class Watched(InFolderWithSets):
         self.assertEqual(err, "")
         self.check_same_files()
 
-    def test_the_run_goes_on_without_its_window(self):
+    def test_the_run_continues_without_its_window(self):
         self.start()
         self.step()
         self.press("q")
@@ -179,7 +179,7 @@ class Refusals(InFolderWithSets):
         for arguments in (["--replicates", "2"], ["--save-mjcf", "world.xml"]):
             self.refused("--watch: needs a run, and one only", *arguments)
 
-    def test_a_program_without_a_window_says_so(self):
+    def test_a_program_without_a_window_refuses_watch(self):
         self.refused("--watch: this program was built without a window; apt-get install libglfw3-dev", program=WITHOUT_WINDOW)
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""whole_numbers_test.py PROGRAM..., each with its subcommand after a comma: no program takes a negative number, or one it reads otherwise than it is written, for an
+"""whole_numbers_test.py PROGRAM..., each with its subcommand after a comma: no program takes a negative number, or one that it reads otherwise than it is written, as an
 unsigned one. The options are those that its --help marks UINT."""
 
 import pathlib

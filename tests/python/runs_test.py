@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""runs_test.py PREDATOR_PREY TROPHIC: what the Python module reads is what the programs wrote, and says the same as `trophic analyze`."""
+"""runs_test.py PREDATOR_PREY TROPHIC: the Python module reads what the programs wrote, and agrees with `trophic analyze`."""
 
 import json
 import os
@@ -69,7 +69,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(set(run.agents.species), {"prey", "predator"})
         self.assertEqual(len(run.agents), 30 * 601)
         births = run.events[run.events.event == "birth"]
-        self.assertEqual(set(births.cause), {""})  # no cause is an empty text, not a number
+        self.assertEqual(set(births.cause), {""})  # a missing cause is an empty text, not a number
         self.assertTrue(births.killer_id.isna().all())
 
     def test_numbers_are_read_as_they_were_written(self):
@@ -89,7 +89,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(events.run.nunique(), 6)
         self.assertEqual(len(events), sum(len(run.events) for run in paper))
 
-    def test_it_counts_what_analyze_counts(self):
+    def test_counts_are_those_of_analyze(self):
         analysis = runs.read_analysis(self.folder / "analysis")
         metrics = analysis.metrics
         values = metrics[(metrics.baseline == "") & metrics.time_s.isna()]
@@ -115,7 +115,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(list(study), ["one", "two"])
         self.assertEqual([sets[0].manifest["rule_table"] for sets in study.values()], ["paper", "released"])
 
-    def test_what_is_no_run_is_named(self):
+    def test_a_folder_that_is_not_a_run_is_named_in_the_error(self):
         (self.folder / "empty").mkdir(exist_ok=True)
         (self.folder / "broken").mkdir(exist_ok=True)
         (self.folder / "broken/manifest.json").write_text("{")
@@ -147,7 +147,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(runs.read_runs(folder)), 5)
         self.assertEqual(len(runs.read_runs(folder, incomplete=True)), 6)
 
-    def test_a_line_that_was_cut_off_is_no_row(self):
+    def test_an_incomplete_last_line_is_not_a_row(self):
         folder = self.folder / "killed"
         subprocess.run(["cp", "-r", self.folder / "set/replicate-00", folder], check=True)
         whole = runs.read_run(folder).agents

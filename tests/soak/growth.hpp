@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether what is measured all along a run grows: its second half against its first.
+// Tests whether a quantity that is measured all along a run grows: its second half against its first.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace trophic::test {
 inline constexpr double same_within = 0.1;
 
 /// The first tenth of the measurements is left out, as a run has to settle, and so are as many of its first as do not fill twenty
-/// parts alike. The means of ten parts of each half are then held against each other by two one-sided tests. Parts must be long
-/// enough to know nothing of each other. Unknown for fewer than 22 measurements.
+/// parts alike. The means of ten parts of each half are then compared by two one-sided tests. Parts must be long
+/// enough to be independent of each other. Unknown for fewer than 22 measurements.
 [[nodiscard]] inline analysis::EquivalenceTest growth_of(std::span<const double> measured) {
   constexpr std::size_t parts_of_half = 10;
   const std::size_t part = (measured.size() - measured.size() / 10) / (2 * parts_of_half);

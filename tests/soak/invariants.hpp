@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold at every moment of every run, however long it is.
+// Invariants of every moment of every run of any length.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace trophic::test {
 /// not thrown into the air, where numbers are finite.
 class Invariants {
  public:
-  /// `floor`: of the table's rule; 0 where it has none.
+  /// `floor`: of the table's rule; 0 if it has none.
   explicit Invariants(std::size_t floor) : floor_{floor} {}
 
   void on_start(const observe::RunDescription&, const View& view) { had_floor_.resize(view.web.size(), 0); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots that do nothing must not gain energy, however long they do it.
+// Robots at rest must not gain energy, in runs of any length.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@
 
 namespace trophic::test {
 
-/// A habitat whose robots stand still, whatever gait and steering ask of their servos.
+/// A habitat whose robots stand still for any gait and steering.
 [[nodiscard]] inline Habitat at_rest(Habitat habitat) {
   for (Hinge& hinge : habitat.robot.hinges) hinge.servo.target_limit_rad = 1e-9;
   return habitat;
@@ -33,7 +33,7 @@ class Resting {
   /// To come to rest, in simulated seconds.
   static constexpr double settles_s = 60.0;
 
-  /// What robots may gain and how far they may move; the default is for an engine that lets nothing creep.
+  /// What robots may gain and how far they may move; the default is for an engine without creep.
   explicit Resting(double highest_gain_J = 1e-6, double highest_drift_m = 1e-6)
       : highest_gain_J_{highest_gain_J}, highest_drift_m_{highest_drift_m} {}
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One long run of the paper's rules into a folder, with its invariants checked at every tick; with --rest, of robots that only
 // lie there. OUT.csv has a row for each 100 s of the ecology's clock: memory that the program held, the least that it had asked
-// for at a tick of these 100 s, wall time and processor time. Where the run ends, it says which of them grew. Exit code 0: all
-// invariants held and memory did not grow; 1: not so; 3: it was stopped, and goes on from its last checkpoint when asked again.
+// for at a tick of these 100 s, wall time and processor time. At the end it reports which of them grew. Exit code 0: all
+// invariants held and memory did not grow; 1: otherwise; 3: it was stopped, and resumes from its last checkpoint when run again.
 // See scripts/soak.
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -46,7 +46,7 @@ double processor_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// What the program took, a row of CSV for each 100 s.
+/// The program's use of memory and time, a row of CSV for each 100 s.
 class Report {
  public:
   Report(const std::string& path, Opening opening) : csv_{path, opening} {
@@ -89,7 +89,7 @@ class Report {
   GrowingFile csv_;
 };
 
-/// Says of each column of a report whether it grew; false if the memory did, or if that cannot be told of a run that is long
+/// Reports for each column whether it grew; false if the memory did, or if the test is inconclusive in a run that is long
 /// enough.
 bool judge(const std::string& path) {
   constexpr std::array<std::string_view, 3> columns = {"least_allocated_mb", "resident_mb", "processor_s"};

@@ -56,12 +56,12 @@ struct Born {
 
 }  // namespace
 
-TEST_CASE("soak: the invariants of long runs hold in 60000 s of both rule tables") {
+TEST_CASE("soak: 60000 s of both rule tables -> the invariants of long runs hold") {
   CHECK(deaths_in<rules::Paper>(60000.0) > 1000);
   CHECK(deaths_in<rules::Released>(60000.0) > 1000);
 }
 
-TEST_CASE("soak: a population that breaks an invariant is found") {
+TEST_CASE("soak: population that breaks an invariant -> found") {
   Born sound;
   CHECK_NOTHROW(sound.invariants.on_tick(sound.robots.view()));
   CHECK(message_of<std::logic_error>([&] { sound.invariants.on_tick(sound.robots.view()); }) == "tick 0 follows tick 0");
@@ -83,7 +83,7 @@ TEST_CASE("soak: a population that breaks an invariant is found") {
   CHECK(message_of<std::logic_error>([&] { nowhere.invariants.on_tick(nowhere.robots.view()); }) == "a body is nowhere");
 }
 
-TEST_CASE("soak: what grows by the margin passes for flat in one run of twenty, what does not grow in most") {
+TEST_CASE("soak: growth by the margin -> flat in one run of twenty, no growth -> flat in most") {
   using analysis::Equivalence;
   // Like the memory of crowds: 600 measurements about a mean of 1, each of which remembers half of the one before.
   const auto conclusions = [](double growth, double deviation) {
@@ -114,7 +114,7 @@ TEST_CASE("soak: what grows by the margin passes for flat in one run of twenty, 
   CHECK(test::growth_of(std::vector<double>(600, 0.0)).conclusion == Equivalence::unknown);
 }
 
-TEST_CASE("soak: a robot at rest that rises, moves or is moved at once is found") {
+TEST_CASE("soak: robot at rest that rises or moves -> found at once") {
   const RobotModel robot = load_robot("spider");
   const auto after = [&](Eigen::Vector3d moved_m, double since_s) {
     const std::vector<Pose> rest(2);

@@ -56,8 +56,8 @@ void validate(const Genome& genome) {
     const LinkGene& link = genome.links[i];
     const std::string gene = "link " + std::to_string(link.innovation);
     if (i > 0 && link.innovation <= genome.links[i - 1].innovation) fail(gene, "innovation numbers must ascend");
-    if (!genome.has_node(link.from)) fail(gene, "from = " + std::to_string(link.from) + " is no node of this genome");
-    if (!genome.has_node(link.to)) fail(gene, "to = " + std::to_string(link.to) + " is no node of this genome");
+    if (!genome.has_node(link.from)) fail(gene, "from = " + std::to_string(link.from) + " is not a node of this genome");
+    if (!genome.has_node(link.to)) fail(gene, "to = " + std::to_string(link.to) + " is not a node of this genome");
     if (link.to < Genome::inputs) fail(gene, "to = " + std::to_string(link.to) + " is an input");
     if (link.from == Genome::output) fail(gene, "from = " + std::to_string(link.from) + " is the output");
     if (!std::isfinite(link.weight)) fail(gene, "weight = " + number_text(link.weight) + " must be finite");

@@ -42,7 +42,7 @@ struct RoundRobin {
   struct Params {
     std::size_t opponents = 0;
     static constexpr auto fields() {
-      return std::tuple{field("opponents", &Params::opponents, at_least(0), "whom each individual meets; 0: everybody")};
+      return std::tuple{field("opponents", &Params::opponents, at_least(0), "number of opponents of each individual; 0: all")};
     }
   };
   Params params;

@@ -214,7 +214,7 @@ Command analyze() {
   return {
       .name = "analyze",
       .about =
-          "Measures runs: the paper's metrics with 95 % intervals over runs, beside its published values and their nulls. The "
+          "Measures runs: the paper's metrics with 95 % intervals over runs, next to its published values and their nulls. The "
           "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. A "
           "sweep's "
           "cells are each compared with one of them, corrected for the number of comparisons.",

@@ -103,7 +103,7 @@ int run(const Options& options, const Config& config) {
   }
   const std::size_t evaluations = experiment.lineage().individuals.size() - before;
   if (!experiment.done()) {
-    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << "; go on with --resume " << folder.string()
+    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << "; continue with --resume " << folder.string()
               << std::endl;
     return stopped;
   }
@@ -174,7 +174,7 @@ Command evolve_gait() {
                   {"--config", &options->config, "TOML file with numbers, as --print-config writes it"},
                   {"--set", &options->assignments, "PATH=VALUE, e.g. trial.duration_s=20; may be repeated; wins over --config"},
                   {"--out", &options->out, "new folder for the files; a checkpoint is written there after every generation"},
-                  {"--resume", &options->resume, "folder of a run that was stopped or killed: goes on where it was"},
+                  {"--resume", &options->resume, "folder of a run that was stopped or killed: continues it"},
                   {"--print-config", &options->print_config, "print every number as TOML and stop"}},
       .work = [options] { return detail::evolve_gait::run_program(*options); },
       .subcommands = {},

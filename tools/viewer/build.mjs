@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes built/viewer.html: the page with its code and style inside, and one line where `trophic show` puts the runs. And the same
-// page as built/viewer_page.cpp, which programs are linked with.
+// Makes built/viewer.html: the page with its code and style, and one line that `trophic show` replaces by the runs. Also makes
+// built/viewer_page.cpp, the same page for programs to link with.
 import { build } from "esbuild";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";

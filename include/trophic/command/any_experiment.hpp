@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An experiment of one rule table on one backend, for those who read its numbers and run it without knowing either.
+// Type-erased interface of an experiment: one rule table on one backend.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace trophic::command {
 
-/// Begins at the numbers of its rule table.
+/// Starts with the numbers of its rule table.
 class AnyExperiment {
  public:
   AnyExperiment() = default;
@@ -28,15 +28,15 @@ class AnyExperiment {
   [[nodiscard]] virtual NamedParams named_params() const = 0;
   [[nodiscard]] virtual std::uint64_t& seed() = 0;
   [[nodiscard]] virtual EcologyParams& ecology() = 0;
-  /// Of the engine; null where it has none.
+  /// Of the engine; null if it has none.
   [[nodiscard]] virtual std::size_t* threads() = 0;
   /// Steps of the engine in a simulated second.
   [[nodiscard]] virtual double steps_a_second() const = 0;
   /// The rules with their numbers and sources. `format`: "markdown" or "latex".
   [[nodiscard]] virtual std::string table_text(std::string_view format) const = 0;
-  /// Makes its ecologies as the numbers are now, or those of its neutral shadow.
+  /// Returns a maker of its ecologies with the current numbers, or of those of its neutral shadow.
   [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
-  /// Writes the engine's model of an ecology that `simulations` made. False where the engine has no such file.
+  /// Writes the engine's model of an ecology that `simulations` made. Returns false if the engine has no such file.
   virtual bool save_mjcf(const Simulation& ecology, const std::string& path) const = 0;
 };
 

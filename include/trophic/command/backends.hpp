@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backends that a program was built with: one list, from which its --backend, its help and its errors follow.
+// The backends that a program was built with: the one list behind --backend, its help and its errors.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-// Who links trophic::mujoco or trophic::ode has these definitions; a program that is built by hand needs -DTROPHIC_WITH_MUJOCO.
+// Linking trophic::mujoco or trophic::ode defines these; a program that is built by hand needs -DTROPHIC_WITH_MUJOCO.
 #ifdef TROPHIC_WITH_MUJOCO
 #include <trophic/backend/mujoco.hpp>
 #endif
@@ -40,7 +40,7 @@ struct BackendList {
   }
 };
 
-/// The backend that trophic's own programs run on unless `--backend` says otherwise, whatever was found when they were built.
+/// The default backend of trophic's own programs, whatever was found when they were built.
 inline constexpr std::string_view default_backend = "mujoco";
 
 /// The kinematic backend and the engines that the program is linked with.
@@ -65,7 +65,7 @@ struct LinkedBackend {
   BackendChoice (*choice)();  ///< with the backend's own numbers
   /// Sets what a table names, as read_numbers; `path` is the table's.
   void (*read)(BackendChoice& choice, const toml::table& numbers, const std::string& path);
-  /// Writes the engine's model, robots in these colours. False for an engine without such a file.
+  /// Writes the engine's model, robots in these colours. Returns false for an engine without such a file.
   bool (*save_mjcf)(const AnyBackend& bodies, const std::string& path, std::span<const Colour> colours);
 };
 
@@ -96,7 +96,7 @@ template <class Backends>
   return all;
 }
 
-/// An engine that trophic has a backend for, and the Debian packages that it needs.
+/// An engine for which trophic has a backend, and the Debian packages that it needs.
 struct Engine {
   std::string_view name;
   std::string_view packages;
@@ -132,7 +132,7 @@ template <class Backends>
   return backend_versions(linked_backends<Backends>());
 }
 
-/// The sentence about a backend that is none of `names`: an engine that this program was built without, or no engine at all.
+/// The error about a backend that is not in `names`: an engine that this program was built without, or an unknown name.
 [[nodiscard]] inline std::string about_missing_backend(const std::string& name, const std::vector<std::string>& names) {
   const std::string option = "--backend " + name;
   for (const Engine& engine : known_engines) {
@@ -152,7 +152,7 @@ template <class Backends>
   return text + " (" + std::string{otherwise} + ")";
 }
 
-/// Calls `visit.operator()<B>()` for the backend of a name that has joints, and returns what that returns. Throws
+/// Calls `visit.operator()<B>()` for the backend with joints of this name, and returns its result. Throws
 /// std::invalid_argument for any other name.
 template <class Backends, class Visitor>
 [[nodiscard]] int with_joint_driven(const std::string& name, Visitor&& visit) {

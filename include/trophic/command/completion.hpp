@@ -16,7 +16,7 @@ namespace detail {
   return option.name.starts_with('-');
 }
 
-/// A text that bash takes as it is.
+/// Quotes a text for bash.
 [[nodiscard]] inline std::string shell_text(std::string_view text) {
   std::string text_in_quotes = "'";
   for (const char c : text) text_in_quotes += c == '\'' ? std::string{"'\\''"} : std::string{c};
@@ -29,7 +29,7 @@ namespace detail {
   return shell_text(text);
 }
 
-/// What may follow an option, as a bash statement; empty for a flag, which nothing follows.
+/// Values that may follow an option, as a bash statement; empty for a flag.
 [[nodiscard]] inline std::string values_of(const Option& option) {
   if (std::holds_alternative<bool*>(option.target)) return "";
   if (!option.words.empty()) {

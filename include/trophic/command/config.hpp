@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers from a configuration file and from --set, for a table and a backend that may not be those they were written for.
+// Numbers from a configuration file and from --set, which may have been written for another table or backend.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 
 namespace trophic::command {
 
-/// What --config and --set say, and what a run had whose continuation this is.
+/// Numbers of --config and --set, and those of the run that --from names.
 struct Config {
   toml::table origin;  ///< read before the file: all numbers of the run that --from names
-  std::string file;    ///< empty where none was named; errors begin with it
+  std::string file;    ///< empty if none was named; errors begin with it
   toml::table numbers;
   std::optional<std::string> rule_table;
   std::optional<std::string> engine;
@@ -36,7 +36,7 @@ struct Config {
   return config;
 }
 
-/// Throws std::invalid_argument where the file has numbers of a backend or of a rule table that is not the chosen one.
+/// Throws std::invalid_argument if the file has numbers of a backend or of a rule table that is not the chosen one.
 inline void check_made_for(const Config& config, const std::string& rule_table, const std::string& engine) {
   const auto check = [&](const std::optional<std::string>& there, const std::string& here, const std::string& key,
                          const std::string& option, const std::string& section) {
@@ -50,8 +50,8 @@ inline void check_made_for(const Config& config, const std::string& rule_table, 
   check(config.rule_table, rule_table, "rule_table", "--rules", "rules");
 }
 
-/// The number that a path which is none was meant to be: one that ends like it ("mutation.sd" for "rules.mutation.sd"), or the
-/// nearest among those that share as many of its first sections as any does.
+/// The number that an unknown path was probably meant to be: one that ends like it ("mutation.sd" for "rules.mutation.sd"), or
+/// the nearest of those that share the most of its first sections.
 [[nodiscard]] inline std::optional<std::string> nearest_path(const std::string& path, const NamedParams& named_params) {
   std::vector<std::string> ending;
   for (const NamedParam& param : named_params) {
@@ -91,14 +91,14 @@ inline void check_keys(const toml::table& table, const std::string& prefix, cons
 
 }  // namespace detail
 
-/// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first key of a table that is near to
-/// one of these numbers but is none; the others are left to read_numbers.
+/// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first unknown key of a table that is near to
+/// one of these numbers. read_numbers refuses the other unknown keys.
 inline void check_keys(const toml::table& table, const NamedParams& named_params, const std::string& where) {
   detail::check_keys(table, "", named_params, where);
 }
 
-/// Sets what the file says, then each assignment, by `read`, which throws std::invalid_argument for what is no such number.
-/// `named_params`: of the numbers to be set. Throws std::invalid_argument with the file's name for what it says wrong.
+/// Sets the numbers of the file, then each assignment, with `read`, which throws std::invalid_argument for an unknown or bad one.
+/// `named_params`: of the numbers to be set. Throws std::invalid_argument with the file's name for a fault in it.
 template <class Read>
 void read_config_by(Read&& read, const NamedParams& named_params, const Config& config) {
   read(config.origin);
@@ -118,7 +118,7 @@ void read_config_by(Read&& read, const NamedParams& named_params, const Config& 
   }
 }
 
-/// Sets these numbers so.
+/// Sets these numbers from the configuration.
 template <class Numbers>
 void read_config_into(Numbers& numbers, const Config& config) {
   read_config_by([&](const toml::table& table) { read_numbers(numbers, table); }, named_params_of(numbers), config);

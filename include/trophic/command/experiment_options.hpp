@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an experiment's command line says.
+// The options of an experiment's command line.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace trophic::command {
 
-/// Everything that the command line says. What it leaves out comes from the configuration file, then from the rule table.
+/// The values of all options. Omitted ones come from the configuration file, then from the rule table.
 struct ExperimentOptions {
   std::optional<std::string> rules;
   std::optional<std::string> backend;
@@ -30,8 +30,8 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> replicates;
   std::optional<std::uint64_t> jobs;
   bool resume = false;
-  std::string from;            ///< folder of a run that this one begins from
-  std::optional<double> at_s;  ///< when
+  std::string from;            ///< folder of the run that this one begins from
+  std::optional<double> at_s;  ///< moment of that run
   double checkpoint_s = checkpoint::Schedule{}.every_s;
   bool shadow = false;
   std::string config;
@@ -51,18 +51,18 @@ struct ExperimentOptions {
   std::string print_table;  ///< markdown or latex; empty: no table is printed
   std::string program;      ///< as it was called
   io::Provenance provenance;
-  io::OwnTables own_tables;  ///< that the program has each run write
+  io::OwnTables own_tables;  ///< the program's own tables, written by each run
 };
 
-/// A run at a moment of which others begin.
+/// A run, and a moment of it at which others begin.
 struct OriginRun {
   checkpoint::Moment moment;
   std::string rule_table;
   std::string engine;
-  io::OutputOptions output;  ///< how much of it is written down
+  io::OutputOptions output;  ///< how much of it is written
   toml::table params;
-  observe::RunDescription description;  ///< as the program itself makes it of these numbers
-  /// Makes in a folder what it was at the moment, as `replay`.
+  observe::RunDescription description;  ///< as this program makes it from these numbers
+  /// Makes its state at the moment in a folder, as `replay`.
   std::function<bool(const std::filesystem::path& folder)> make;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line of an experiment, whatever its rule tables and backends are.
+// The command line of an experiment, for any rule tables and backends.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,17 @@ class Team;
 
 namespace trophic::command {
 
-/// The processes that MPI started this program as; null for one that was started alone.
+/// The MPI processes of this program; null if it was started alone.
 using FindTeam = std::unique_ptr<sweep::Team> (*)();
 
-/// What a program is linked with beside its backends; null for what it lacks.
+/// Optional parts that a program is linked with, besides its backends; null for those that it lacks.
 struct LinkedParts {
   FindTeam find_team = nullptr;
   OpenWindow open_window = nullptr;
   io::OwnTables own_tables = {};
 };
 
-/// Reads the command line of a program that offers these tables and backends; runs what it says and returns the exit code.
+/// Reads the command line of a program that offers these tables and backends, does its work and returns the exit code.
 [[nodiscard]] int experiment_program(int argc, const char* const* argv, const Offer& offer, const LinkedParts& linked = {});
 
 }  // namespace trophic::command

@@ -52,13 +52,13 @@ namespace detail {
        "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json"},
       {"--jobs", &options.jobs, "replicates at a time (one per core); results do not depend on it"},
       {"--resume", &options.resume,
-       "go on in OUT: with a run, or with those replicates that are missing or were cut off, from their last checkpoints"},
+       "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints"},
       {"--from", &options.from,
        "begin where the run in this folder was at --at, with another --seed, other rules or other numbers of rules, or with "
        "--replicates of its future"},
       {"--at", &options.at_s, "seconds of its clock (its last checkpoint)"},
       {"--checkpoint-s", &options.checkpoint_s,
-       "seconds of the ecology's clock between two checkpoints (300); 0: only where a run ends or is stopped"},
+       "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
       {"--shadow", &options.shadow,
        "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited"},
       {"--sweep", &options.sweep,
@@ -66,27 +66,27 @@ namespace detail {
       {"--shard", &options.shard, "I/N: of the sweep's runs only every N-th, from the I-th on (all)"},
       {"--dry-run", &options.dry_run, "print the sweep's cells and how long they will take, and stop"},
       {"--lease-s", &options.lease_s,
-       "seconds after which a run of the sweep is taken over from a program on another machine that no longer answers (120)"},
+       "seconds after which a run of the sweep is taken over from a program on another machine that has stopped answering (120)"},
       {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
        paths_of(offer), Words::assigned},
       {"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
       {"--replay-hz", &options.replay_hz,
-       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that goes on, or begins by --from, keeps "
-       "those that there are; nothing else of a run depends on it"},
+       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that is resumed, or begins by --from, "
+       "keeps its own; nothing else of a run depends on it"},
       {"--agents-every", &options.agents_every,
-       "agents.csv has the ticks whose number is a multiple of this (1); a run that goes on, or begins by --from, keeps "
-       "what there is; for large ecologies"},
+       "agents.csv has the ticks whose number is a multiple of this (1); a run that is resumed, or begins by --from, keeps "
+       "its own; for large ecologies"},
       {"--senses", &options.senses,
-       "leave senses.csv too: what every robot touched, was told and answered; a run that goes on, or begins by --from, "
-       "keeps to what there is"},
+       "write senses.csv too: the contacts, inputs and outputs of every robot; a run that is resumed, or begins by --from, "
+       "keeps its own choice"},
       {"--states", &options.states,
-       "leave states.csv too: what rules with a State keep for every robot; a run that goes on, or begins by --from, "
-       "keeps to what there is"},
+       "write states.csv too: what rules with a State keep for every robot; a run that is resumed, or begins by --from, "
+       "keeps its own choice"},
       {"--save-mjcf", &options.save_mjcf,
        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
       {"--watch", &options.watch,
-       "show the run in a window while it goes on; what it leaves is the same. H in the window tells what keys and mouse do"},
+       "show the run in a window; its files are the same. H in the window lists what keys and mouse do"},
       {"--print-config", &options.print_config, "print every number as TOML and stop"},
       {"--print-table",
        &options.print_table,
@@ -117,10 +117,10 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.agents_every < 1 || options.agents_every > 1'000'000) {
     throw std::invalid_argument{"--agents-every " + std::to_string(options.agents_every) + ": must be >= 1 and <= 1000000"};
   }
-  if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to go on in"};
+  if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to resume in"};
 }
 
-/// The models and the program may be others than those that made a run.
+/// The models or the program may differ from those that made the run.
 TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   const checkpoint::Moment& moment = origin.moment;
   if (origin.description.fingerprint == moment.fingerprint) return;
@@ -195,7 +195,7 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
   return run_command(argc, argv,
                      {.name = {},
                       .about = "Runs an ecology of simulated robots by the rules of " + one_of(offer.table_names()) +
-                               ", and leaves its events, agents, phylogeny and genomes with a manifest in a new folder.",
+                               ", and writes its events, agents, phylogeny and genomes with a manifest to a new folder.",
                       .options = detail::options_of(options, offer),
                       .work = [&] { return detail::run_options(options, offer, team.get(), linked.open_window); },
                       .subcommands = {},

@@ -12,14 +12,14 @@
 
 namespace trophic::command {
 
-/// Where the value of an option goes; a bool makes a flag, a vector an option that may be repeated.
+/// Destination of an option's value; a bool makes a flag, a vector an option that may be repeated.
 using Target = std::variant<bool*, std::string*, std::optional<std::string>*, std::uint64_t*, std::optional<std::uint64_t>*,
                             double*, std::optional<double>*, std::vector<std::string>*>;
 
-/// What the words of an option are for.
+/// Use of an option's words.
 enum class Words {
-  suggested,  ///< offered by completion; the command itself checks what it gets
-  demanded,   ///< anything else is refused
+  suggested,  ///< offered by completion; the command itself checks the value
+  demanded,   ///< any other word is refused
   assigned,   ///< names to the left of "=", offered by completion
 };
 
@@ -40,15 +40,15 @@ struct Command {
   std::string name;   ///< of a subcommand; a program is called what the user calls it
   std::string about;  ///< first lines of --help
   std::vector<Option> options = {};
-  std::function<int()> work = {};  ///< returns the exit code; empty where a subcommand must be named
+  std::function<int()> work = {};  ///< returns the exit code; empty if a subcommand must be named
   std::vector<Command> subcommands = {};
   std::string version = {};  ///< what --version prints
 };
 
-/// Exit codes: what could be known from the arguments, and what went wrong later.
+/// Exit codes: errors in the arguments, and errors at run time.
 inline constexpr int usage_error = 2;
 inline constexpr int run_error = 1;
-/// A signal ended the work early; the same command with --resume goes on.
+/// A signal ended the work early; the same command with --resume continues it.
 inline constexpr int stopped = 3;
 
 }  // namespace trophic::command

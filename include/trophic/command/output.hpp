@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program prints either arrives or is an error.
+// Output of a program: it arrives, or its loss is an error.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +10,24 @@
 
 namespace trophic::command {
 
-/// Hands standard output to the system. Throws std::runtime_error where it does not take it.
+/// Flushes standard output. Throws std::runtime_error if that fails.
 inline void flush_output() {
   std::cout.flush();
   if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
 }
 
-/// Throws std::invalid_argument, naming the option, if there is something where a new file is to be.
+/// Throws std::invalid_argument, naming the option, if the path of a new file exists already.
 inline void check_new_file(const std::string& option, const std::filesystem::path& path) {
   if (!std::filesystem::exists(std::filesystem::symlink_status(path))) return;
   throw std::invalid_argument{option + " " + path.string() + ": exists already; nothing is overwritten"};
 }
 
-/// "6.2 MB", of so many bytes.
+/// A number of bytes as "6.2 MB".
 [[nodiscard]] inline std::string megabytes_text(std::size_t bytes) {
   return std::to_string(bytes / 1000000) + "." + std::to_string(bytes / 100000 % 10) + " MB";
 }
 
-/// Prints a text and returns 0, the exit code of a command that does no more.
+/// Prints a text and returns 0, the exit code of a command that only prints.
 [[nodiscard]] inline int print_text(const std::string& text) {
   std::cout << text;
   flush_output();

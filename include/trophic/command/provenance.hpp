@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What manifests and --version say about the program itself.
+// Provenance of the program itself, for manifests and --version.
 #pragma once
 
 #include <string>
@@ -17,12 +17,12 @@ extern "C" {
 
 namespace trophic::command {
 
-/// A commit, "-dirty" where files had changed since; "unknown" where nobody told.
+/// A commit, with "-dirty" if files had changed since; "unknown" if the build did not set it.
 [[nodiscard]] inline std::string source_revision() {
   return &trophic_source_revision == nullptr ? "unknown" : trophic_source_revision;
 }
 
-/// Build type and flags, or what the compiler tells of them.
+/// Build type and flags, or as much of them as the compiler's macros show.
 [[nodiscard]] inline std::string build() {
   if (&trophic_build != nullptr) return trophic_build;
 #ifdef __OPTIMIZE__

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the arguments of main to an exit code: reads the options of a command, calls it, and says in one line what went wrong.
+// From the arguments of main to an exit code: reads the options of a command, calls it, and prints an error in one line.
 #pragma once
 
 #include <exception>
@@ -9,19 +9,19 @@
 
 namespace trophic::command {
 
-/// The name by which a program was called, without folders.
+/// The name with which a program was called, without folders.
 [[nodiscard]] std::string program_name(const char* called);
 
 /// The command as it was typed, words separated by blanks.
 [[nodiscard]] std::string command_line(int argc, const char* const* argv);
 
-/// What an exception says to a user.
+/// The text of an exception for a user.
 [[nodiscard]] const char* what_of(const std::exception& error);
 
-/// Says what went wrong in one line on standard error and returns `run_error`. Takes no memory, as there may be none.
+/// Prints the error in one line on standard error and returns `run_error`. Allocates no memory, as there may be none.
 [[nodiscard]] int report_failure(const char* called, const std::exception& error);
 
-/// What a program does in main: `work`, which returns the exit code, with report_failure for what it throws.
+/// The body of main: returns the exit code of `work`, or of report_failure if it throws.
 template <class Work>
 [[nodiscard]] int guarded(const char* called, Work&& work) {
   try {
@@ -32,8 +32,8 @@ template <class Work>
 }
 
 /// Reads the arguments and returns the exit code of the command's work. `--help`, `--version` and `--completion bash` print and
-/// return 0. What is wrong with the arguments, and every std::invalid_argument, is one line on standard error and `usage_error`;
-/// every other exception `run_error`.
+/// return 0. An error in the arguments, and every std::invalid_argument, gives one line on standard error and `usage_error`;
+/// every other exception gives `run_error`.
 [[nodiscard]] int run_command(int argc, const char* const* argv, const Command& command);
 
 }  // namespace trophic::command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The definitions of run_command.hpp: the only file that knows CLI11.
+// Definitions of run_command.hpp; the only file that uses CLI11.
 #pragma once
 
 #include <fcntl.h>
@@ -48,8 +48,8 @@ TROPHIC_INLINE const char* what_of(const std::exception& error) {
 
 namespace detail {
 
-/// "NAME: WHAT" in one line on standard error: control characters, which a file's name may have, are written as \x0a. Takes no
-/// memory.
+/// Prints "NAME: WHAT" in one line on standard error; control characters, which a file's name may have, are written as \x0a.
+/// Allocates no memory.
 TROPHIC_INLINE void print_error(std::string_view name, std::string_view what) {
   std::array<char, 1024> line{};
   std::size_t used = 0;
@@ -76,8 +76,8 @@ TROPHIC_INLINE int report_failure(const char* called, const std::exception& erro
 
 namespace detail {
 
-/// Throws std::invalid_argument "--seed -1: must be >= 0" for what CLI11 would take for another number: -1 is 2^64 - 1 to it, 010
-/// is 8.
+/// Throws std::invalid_argument "--seed -1: must be >= 0" for a text that CLI11 would read as another number: -1 as 2^64 - 1, 010
+/// as 8.
 TROPHIC_INLINE void check_whole_number(const std::string& option, const std::string& text) {
   const auto refuse = [&](const std::string& must) { throw std::invalid_argument{option + " " + text + ": must be " + must}; };
   const auto all_digits = [](std::string_view digits) {
@@ -91,7 +91,7 @@ TROPHIC_INLINE void check_whole_number(const std::string& option, const std::str
   }
 }
 
-/// Throws std::invalid_argument for what CLI11 would read as a number though nobody writes one so: 0x10, 1e, an empty text.
+/// Throws std::invalid_argument for texts that CLI11 would read as a number but that are not decimal: 0x10, 1e, an empty text.
 TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::string& text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -101,12 +101,12 @@ TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::s
   }
 }
 
-/// Throws std::invalid_argument for an empty text: `--config "$FILE"` where FILE was never set would run something else.
+/// Throws std::invalid_argument for an empty text: `--config "$FILE"` with FILE unset would run another experiment.
 TROPHIC_INLINE void check_text(const std::string& option, const std::string& text) {
   if (text.empty()) throw std::invalid_argument{option + ": must not be empty"};
 }
 
-/// A check that throws, as CLI11 takes it: what it returns would be a complaint.
+/// A throwing check as CLI11 takes it: a text that it returned would be an error.
 TROPHIC_INLINE std::function<std::string(const std::string&)> validator(void (*check)(const std::string&, const std::string&),
                                                                         std::string option) {
   return [check, option = std::move(option)](const std::string& text) {
@@ -115,7 +115,7 @@ TROPHIC_INLINE std::function<std::string(const std::string&)> validator(void (*c
   };
 }
 
-/// Throws std::invalid_argument for a word that is none of those that an option takes.
+/// Throws std::invalid_argument for a word that the option does not take.
 TROPHIC_INLINE void check_word(const Option& option, const std::string& word) {
   if (std::ranges::find(option.words, word) != option.words.end()) return;
   throw std::invalid_argument{must_be_one_of(option.name + " " + word, option.words) +
@@ -155,7 +155,7 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
   }
 }
 
-/// The sentence about arguments that no option takes.
+/// The error about arguments that no option takes.
 [[nodiscard]] TROPHIC_INLINE std::string about_extras(const std::vector<std::string>& extras, const Command& command) {
   std::string word = extras.front();
   for (const std::string& extra : extras) {
@@ -179,7 +179,7 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
          " (--help lists all)";
 }
 
-/// The shell that --completion names, looked for before anything else is checked; empty without the option.
+/// The shell that --completion names, read before anything else is checked; empty without the option.
 [[nodiscard]] TROPHIC_INLINE std::string completion_shell(int argc, const char* const* argv) {
   constexpr std::string_view flag = "--completion";
   for (int i = 1; i < argc; ++i) {
@@ -190,8 +190,8 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
   return "";
 }
 
-/// Lets an installed program find the models that were installed with it: PREFIX/share/trophic/models beside PREFIX/bin, where
-/// TROPHIC_MODELS names no others.
+/// Lets an installed program find the models that were installed with it: PREFIX/share/trophic/models next to PREFIX/bin, unless
+/// TROPHIC_MODELS names others.
 TROPHIC_INLINE void use_installed_models() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -199,8 +199,8 @@ TROPHIC_INLINE void use_installed_models() {
   if (!error && std::filesystem::is_directory(models, error)) ::setenv("TROPHIC_MODELS", models.c_str(), 0);
 }
 
-/// Keeps the numbers of standard streams that were closed (`>&-`) from files that the program opens: what it prints would go
-/// into a table. Nothing can be written to what stands there instead, so that it is noticed.
+/// Keeps files that the program opens from the numbers of standard streams that were closed (`>&-`): messages would end up in
+/// a table. The replacement is read-only, so that lost output is an error.
 TROPHIC_INLINE void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
@@ -211,8 +211,8 @@ TROPHIC_INLINE void occupy_closed_streams() {
 
 inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate did before
 
-/// Where memory ran out in a place that cannot throw, as in a destructor of a library that needs some: one line and `run_error`,
-/// with everything as a killed program leaves it.
+/// If memory ran out in a place that cannot throw, such as a library's destructor: prints one line and exits with `run_error`;
+/// files stay as a killed program leaves them.
 [[noreturn]] TROPHIC_INLINE void exit_with_message() noexcept {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);

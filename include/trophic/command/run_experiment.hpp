@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command line makes of the experiment that it names: one run, replicates, a run that another one begins from, a run of a
+// Runs the experiment that a command line names: one run, replicates, a run from which another one begins, a run of a
 // sweep.
 #pragma once
 
@@ -18,30 +18,30 @@
 
 namespace trophic::command {
 
-/// Reads the manifest of the run that --from names. Throws std::invalid_argument for a folder that is none, or without a moment.
+/// Reads the manifest of the run that --from names. Throws std::invalid_argument if the folder has no run, or no such moment.
 [[nodiscard]] OriginRun read_origin(const ExperimentOptions& options);
 
-/// That run as this program makes it of its numbers.
+/// That run as this program makes it from its numbers.
 [[nodiscard]] observe::RunDescription describe(const Selection& selection, const OriginRun& origin);
 
-/// Makes in a folder what that run was at its moment, the same bytes, and tables of one's own. False if a signal came first.
+/// Makes in a folder that run up to its moment, byte for byte, with one's own tables. Returns false if a signal came first.
 [[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const io::OwnTables& own_tables,
                           const std::filesystem::path& folder);
 
-/// Does what the options say with a selection and returns the exit code.
+/// Does the work of the options with a selection and returns the exit code.
 [[nodiscard]] int run_experiment(const Selection& selection, const ExperimentOptions& options, const Config& config,
                                  const std::optional<OriginRun>& origin, OpenWindow open_window);
 
-/// What a plan says of a run: what it is, and how much.
+/// A planned run: its description and its amount of work.
 struct PlannedFacts {
   observe::RunDescription description;
   double work = 0.0;  ///< robots times steps of the engine
 };
 
-/// Of the numbers of a configuration file, or of the table's neutral shadow with them.
+/// Facts of a run with the numbers of a configuration file, or of its neutral shadow.
 [[nodiscard]] PlannedFacts facts(const Selection& selection, const Config& config, bool shadow);
 
-/// Runs that, or goes on with it, in a folder.
+/// Runs or resumes that run in a folder.
 void run_planned(const Selection& selection, const Config& config, bool shadow, std::uint64_t seed,
                  const std::filesystem::path& folder, const replicates::CommonOptions& common,
                  observe::JointProgress::Part progress, const observe::StopOnSignal& stop);

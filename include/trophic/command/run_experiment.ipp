@@ -37,7 +37,7 @@ namespace trophic::command {
 
 namespace detail {
 
-/// The numbers of a manifest as those of a configuration file. Throws Json::exception for what is no number, text or
+/// The numbers of a manifest as those of a configuration file. Throws Json::exception for a value that is not a number, text or
 /// switch.
 [[nodiscard]] inline toml::table toml_of(const Json& json) {
   toml::table table;
@@ -51,7 +51,7 @@ namespace detail {
   return table;
 }
 
-/// Frames of a run's recording in a simulated second; 0 without one, the default where it cannot be read.
+/// Frames of a run's recording in a simulated second; 0 without one, the default if it cannot be read.
 [[nodiscard]] inline double replay_hz_of(const std::filesystem::path& run) {
   const std::filesystem::path path = run / "replay.trp";
   if (!std::filesystem::exists(path)) return 0.0;
@@ -63,7 +63,7 @@ namespace detail {
   }
 }
 
-/// What --replay-hz, --agents-every, --senses and --states say.
+/// Output options from --replay-hz, --agents-every, --senses and --states.
 [[nodiscard]] inline io::OutputOptions output_options_of(const ExperimentOptions& options) {
   return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : io::default_replay_hz,
           .agents_every_ticks = static_cast<std::int64_t>(options.agents_every),
@@ -71,7 +71,7 @@ namespace detail {
           .states = options.states};
 }
 
-/// What --replicates, --jobs and --resume say, with the master seed.
+/// Plan of the replicates from --replicates, --jobs and --resume, with the master seed.
 [[nodiscard]] inline replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed) {
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
   return {.out = options.out,
@@ -84,7 +84,7 @@ namespace detail {
           .own_tables = options.own_tables};
 }
 
-/// What --seed, --duration, --robots and --robot say.
+/// Applies --seed, --duration, --robots and --robot.
 inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   if (options.seed) experiment.seed() = *options.seed;
   if (options.duration_s) experiment.ecology().duration_s = *options.duration_s;
@@ -92,7 +92,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   if (options.robot) experiment.ecology().robot = *options.robot;
 }
 
-/// The experiment with the numbers that configuration and options say.
+/// The experiment with the numbers of configuration and options.
 [[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Selection& selection, const ExperimentOptions& options,
                                                                   const Config& config) {
   auto experiment = selection.experiment();
@@ -106,7 +106,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return experiment;
 }
 
-/// The experiment that a run was made of.
+/// The experiment of a run.
 [[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Selection& selection, const OriginRun& origin) {
   auto experiment = selection.experiment();
   experiment->read(origin.params);
@@ -129,22 +129,23 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return print_text(writer.text());
 }
 
-/// Tells of replicates that are not complete, a sentence each, and returns the exit code.
+/// Reports replicates that are not complete, a sentence each, and returns the exit code.
 [[nodiscard]] inline int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
   flush_output();
   if (unfinished.empty()) return 0;
   for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
-  std::cerr << "the same command with --resume goes on with these and no others\n";
+  std::cerr << "the same command with --resume continues these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
-/// Tells how a run ended that left its files in a folder, and returns the exit code.
+/// Reports how a run in a folder ended, and returns the exit code.
 [[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const View& view, double until_s) {
   folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
   const bool is_stopped = view.time_s < until_s;
   if (is_stopped) {
     std::cout << "stopped by signal " << observe::StopOnSignal::caught() << " at " << number_text(view.time_s) << " of "
-              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " goes on\n";
+              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string()
+              << " continues it\n";
   }
   progress.summary(std::cout, view);
   std::cout << "files   " << folder.path().string() << "/{";
@@ -161,8 +162,8 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return is_stopped ? stopped : 0;
 }
 
-/// What a run was at a moment, and where to make it for those that are to begin there. Throws std::invalid_argument where they
-/// cannot, before anything is made.
+/// The snapshot of a run at a moment, and the place to make it for the runs that begin there. Throws std::invalid_argument if
+/// they cannot begin there, before anything is made.
 [[nodiscard]] inline checkpoint::Snapshot snapshot_of(const ExperimentOptions& options, const OriginRun& origin,
                                                       const observe::RunDescription& run) {
   checkpoint::check_may_follow(origin.description, run);
@@ -180,14 +181,14 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return snapshot;
 }
 
-/// Makes the past of what is to begin at a moment. False where a signal came before it was made.
+/// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made.
 [[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
   std::cout << snapshot.folder.string() << ": the snapshot, " << origin.moment.run.string() << " until "
             << number_text(origin.moment.at_s) << " s, is made there" << std::endl;
   return origin.make(snapshot.folder);
 }
 
-/// Where the run that the options name is to begin. None where a signal came before its past was made.
+/// The state from which the run of the options starts; `nullopt` if a signal came before its past was made.
 [[nodiscard]] inline std::optional<checkpoint::RunState> run_state_for(const ExperimentOptions& options,
                                                                        const Simulation& ecology, double until_s,
                                                                        const std::optional<OriginRun>& origin) {
@@ -205,7 +206,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return run_state;
 }
 
-/// Runs an ecology into the folder that the options name and returns the exit code. `window`: null for a run that nobody watches.
+/// Runs an ecology into the folder that the options name and returns the exit code. `window`: null without --watch.
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
                                          checkpoint::RunState run_state, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
@@ -226,7 +227,8 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     const int code = report_failure(options.program.c_str(), error);
     std::error_code unknown;
     const bool is_there = std::filesystem::exists(folder.path(), unknown);
-    std::cerr << (is_there ? "what was written before is in " : "somebody took away or moved ") << folder.path().string() << "\n";
+    std::cerr << (is_there ? "files written so far are in " : "its folder was removed or moved: ") << folder.path().string()
+              << "\n";
     return code;
   }
   return report_run(folder, progress, ecology.view(), until_s);
@@ -254,7 +256,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return window ? window->show(simulate) : simulate();
 }
 
-/// Whether a replicate, or one of its shadow, has nothing to go on from.
+/// Whether a replicate, or one of its shadow, has nothing to resume from.
 [[nodiscard]] inline bool needs_snapshot(replicates::Plan plan, bool shadow, double until_s) {
   const auto any = [&] {
     return std::ranges::any_of(plan.all(),
@@ -265,7 +267,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return shadow && any();
 }
 
-/// Runs replicates into the folder that the options name, where they ask for it beside their shadow, and returns the exit code.
+/// Runs replicates into the folder that the options name, with their shadow if asked for, and returns the exit code.
 [[nodiscard]] inline int run_replicates(const ExperimentOptions& options, AnyExperiment& experiment,
                                         const std::optional<OriginRun>& origin) {
   const MakeSimulation make = experiment.simulations(false);
@@ -329,7 +331,7 @@ TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, 
                            const std::filesystem::path& folder) {
   const std::unique_ptr<Simulation> ecology = detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed);
   if (checkpoint::read_all(folder).empty()) {
-    std::filesystem::remove_all(folder);  // a copy that was cut off
+    std::filesystem::remove_all(folder);  // a copy that was interrupted
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
   }
   const checkpoint::RunState run_state = checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s));

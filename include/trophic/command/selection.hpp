@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an experiment program offers: rule tables and backends, any table on any backend.
+// The offer of an experiment program: rule tables and backends, any table on any backend.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace trophic::command {
 
-/// A rule table by its name.
+/// A rule table with its name.
 struct OfferedTable {
   std::string name;
   std::unique_ptr<AnyExperiment> (*experiment)(const LinkedBackend& backend);  ///< with the numbers that table and backend have
@@ -24,7 +24,7 @@ struct Selection {
   [[nodiscard]] std::unique_ptr<AnyExperiment> experiment() const { return table->experiment(*backend); }
 };
 
-/// Everything that a program was built with.
+/// All tables and backends that a program was built with.
 struct Offer {
   std::vector<OfferedTable> tables;  ///< the first is the default
   std::vector<LinkedBackend> backends;

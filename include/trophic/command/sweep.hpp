@@ -13,13 +13,13 @@
 
 namespace trophic::command {
 
-/// The plan of a sweep: its cells with the rule tables and backends of this program, each held against the numbers that its table
-/// has. Throws std::invalid_argument "FILE: cell 3 (SETTINGS): ..." for the first cell that cannot be run, and for two cells that
-/// are one experiment.
+/// Returns the plan of a sweep: its cells with the rule tables and backends of this program, each checked against the numbers of
+/// its table. Throws std::invalid_argument "FILE: cell 3 (SETTINGS): ..." for the first cell that cannot be run, and for two
+/// cells that are the same experiment.
 [[nodiscard]] std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer);
 
-/// What --sweep, --shard, --jobs and --dry-run say. `team`: the processes that MPI started, null for one that was started alone.
-/// Returns the exit code.
+/// Does the work of --sweep, --shard, --jobs and --dry-run and returns the exit code. `team`: the processes that MPI started,
+/// null for one that was started alone.
 [[nodiscard]] int run_sweep(const ExperimentOptions& options, const Offer& offer, sweep::Team* team);
 
 }  // namespace trophic::command

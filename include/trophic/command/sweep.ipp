@@ -74,7 +74,7 @@ inline void insert(toml::table& table, std::string_view path, const Json& value)
   return selection;
 }
 
-/// The choice that a cell makes under a key, taken out of its settings.
+/// Removes the value of a key from a cell's settings and returns it.
 [[nodiscard]] inline std::string take(sweep::Settings& settings, const std::string& key, const std::string& otherwise) {
   const auto found = settings.find(key);
   if (found == settings.end()) return otherwise;
@@ -120,7 +120,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
           .fingerprint = facts.description.fingerprint};
 }
 
-/// The lists of replicates that `trophic analyze` finds a cell's runs by.
+/// The lists of replicates with which `trophic analyze` finds a cell's runs.
 [[nodiscard]] inline std::vector<sweep::NamedText> files_of(const sweep::SweepFile& file, const std::vector<PlannedRun>& plan) {
   std::vector<sweep::NamedText> files{{"sweep.toml", file.text}};
   for (const PlannedRun& run : plan) {
@@ -142,13 +142,13 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   return files;
 }
 
-/// A plan's runs on what the program offers.
+/// A plan's runs with the tables and backends of the program.
 class Runner {
  public:
   Runner(const ExperimentOptions& options, const Offer& offer, const observe::StopOnSignal& stop)
       : options_{options}, offer_{offer}, stop_{stop} {}
 
-  /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder.
+  /// Runs one in a folder, for the plan's duration or, with `until_s`, for less.
   void run(const PlannedRun& run, const std::filesystem::path& folder, observe::JointProgress& progress,
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
@@ -171,7 +171,7 @@ class Runner {
   const observe::StopOnSignal& stop_;
 };
 
-/// A folder that goes when this does.
+/// A folder that is removed with this object.
 struct PassingFolder {
   std::filesystem::path path;
   explicit PassingFolder(std::filesystem::path folder) : path{std::move(folder)} {}
@@ -183,8 +183,8 @@ struct PassingFolder {
   }
 };
 
-/// Core-seconds for one unit of a run's `work`: a short run into a folder that is removed again, longer until it takes half a
-/// second. Nothing that is true after a signal.
+/// Core-seconds for one unit of a run's `work`: short runs into a folder that is removed again, longer until one takes half a
+/// second. Meaningless after a signal.
 [[nodiscard]] inline double probe(const Runner& runner, const PlannedRun& run, const std::filesystem::path& beside) {
   std::ofstream nowhere;
   observe::JointProgress quiet{1, run.until_s, nowhere, false};
@@ -197,7 +197,7 @@ struct PassingFolder {
   }
 }
 
-/// The cells, and how long all of it will take on one core, by probes of up to three cells of each table and engine.
+/// Prints the cells and an estimate of the core time, by probes of up to three cells of each table and engine.
 [[nodiscard]] inline int dry_run(const ExperimentOptions& options, const sweep::SweepFile& file,
                                  const std::vector<PlannedRun>& plan, const Runner& runner) {
   using Kind = std::pair<std::string, std::string>;
@@ -231,7 +231,7 @@ struct PassingFolder {
   return 0;
 }
 
-/// Tells how the sweep stands and returns the exit code.
+/// Reports the state of the sweep and returns the exit code.
 [[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally) {
   constexpr std::size_t most_sentences = 20;
   const std::size_t complete = tally.kept + tally.complete;
@@ -244,7 +244,7 @@ struct PassingFolder {
   if (tally.unfinished.size() > most_sentences) {
     std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
   }
-  std::cerr << "the same command goes on with these and no others\n";
+  std::cerr << "the same command continues these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -252,7 +252,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   const auto refuse = [](bool given, const std::string& option, const std::string& instead) {
     if (given) throw std::invalid_argument{option + ": not with --sweep; " + instead};
   };
-  const std::string in_file = "its file says it";
+  const std::string in_file = "it is set in the sweep's file";
   refuse(options.rules.has_value(), "--rules", in_file);
   refuse(options.backend.has_value(), "--backend", in_file);
   refuse(options.seed.has_value(), "--seed", in_file);
@@ -267,14 +267,14 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   refuse(options.states, "--states", in_file);
   refuse(!options.config.empty(), "--config", in_file);
   refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
-  refuse(options.resume, "--resume", "a sweep always goes on with what is not complete");
+  refuse(options.resume, "--resume", "a sweep always continues its incomplete runs");
   refuse(!options.from.empty(), "--from", "each run begins at its beginning");
   refuse(options.threads.has_value(), "--threads", "each run has one thread; see --jobs");
   refuse(!options.save_mjcf.empty(), "--save-mjcf", "run one cell for it");
   refuse(options.watch, "--watch", "run one cell for it");
   refuse(options.print_config || !options.print_table.empty(), "--print-config and --print-table", "run one cell for it");
   if (options.out.empty() && !options.dry_run) {
-    throw std::invalid_argument{"--sweep: needs --out, the folder that all who work on it share"};
+    throw std::invalid_argument{"--sweep: needs --out, the folder that all its programs share"};
   }
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
   if (options.lease_s && !(*options.lease_s >= 1.0)) {
@@ -338,7 +338,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
     }
   } catch (const std::exception&) {
     if (team != nullptr) static_cast<void>(team->begin(false));
-    // All ranks find the same fault; one says so.
+    // All ranks find the same fault; one reports it.
     if (!leads) return usage_error;
     throw;
   }

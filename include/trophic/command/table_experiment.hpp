@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The experiments of a rule table on any backend, as the command line reads and runs them.
+// Experiments of a rule table on any backend, as the command line reads and runs them.
 #pragma once
 
 #include <cstddef>

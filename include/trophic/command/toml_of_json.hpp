@@ -9,7 +9,7 @@
 
 namespace trophic::command {
 
-/// Puts a value into a table under a key. Throws Json::exception for what is no number, text or switch.
+/// Puts a value into a table under a key. Throws Json::exception for a value that is not a number, text or switch.
 template <class Json>
 void insert_value(toml::table& table, std::string_view key, const Json& value) {
   if (value.is_boolean()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `--watch`: a run in a window while it goes on, in programs that are linked with trophic::watch.
+// `--watch`: a live view of a run, in programs that are linked with trophic::watch.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-// Who links trophic::watch has this definition.
+// Linking trophic::watch defines this.
 #ifdef TROPHIC_WITH_WATCH
 #include <trophic/pictures/watch/session.hpp>
 #endif
 
 namespace trophic::command {
 
-/// A window that a run can be seen in.
+/// A window that shows a run.
 class Window {
  public:
   Window() = default;
@@ -27,15 +27,15 @@ class Window {
   Window& operator=(const Window&) = delete;
   virtual ~Window() = default;
 
-  /// Calls `simulate` while the window shows what it is told, and returns what that returns.
+  /// Calls `simulate` while the window shows the run, and returns its result.
   [[nodiscard]] virtual int show(const std::function<int()>& simulate) = 0;
-  /// As checkpoint::run_with_checkpoints, and the window is told.
+  /// As checkpoint::run_with_checkpoints, with the window as an observer.
   virtual void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
                                     const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
                                     io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
 };
 
-/// Opens a window with a title. Throws std::invalid_argument, saying what is missing, where none can be opened.
+/// Opens a window with a title. Throws std::invalid_argument, naming what is missing, if none can be opened.
 using OpenWindow = std::unique_ptr<Window> (*)(const std::string& title);
 
 #ifdef TROPHIC_WITH_WATCH

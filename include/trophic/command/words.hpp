@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of words in sentences, and the word that a misspelt one was meant to be.
+// Lists of words in sentences, and the nearest word to a misspelt one.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace trophic::command {
 
-/// How many letters must be inserted, left out, replaced or exchanged with their neighbour to make `b` of `a` (optimal string
-/// alignment).
+/// Number of letters to insert, delete, replace or swap with their neighbour to turn `a` into `b` (optimal string
+/// alignment distance).
 [[nodiscard]] inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -33,8 +33,8 @@ namespace trophic::command {
   return row[b.size()];
 }
 
-/// The word that is nearest to `word`, the first of several; none where all are further than a third of the longer one's letters.
-/// The empty word and a word that is one of them have none.
+/// The nearest word to `word`, the first of several; `nullopt` if all are further than a third of the longer one's letters.
+/// `nullopt`, too, for the empty word and for a word that is one of them.
 [[nodiscard]] inline std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> words) {
   std::optional<std::string> nearest;
   std::size_t least = word.size();
@@ -49,7 +49,7 @@ namespace trophic::command {
   return nearest;
 }
 
-/// "; did you mean WORD?", or nothing where no word is near.
+/// "; did you mean WORD?", or an empty text if no word is near.
 [[nodiscard]] inline std::string did_you_mean(const std::optional<std::string>& word) {
   return word ? "; did you mean " + *word + "?" : "";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// agents.csv: every robot at every tick, or at every so many.
+// agents.csv: every robot at every tick or every n-th tick.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace trophic::io {
 
-/// What a row says of who lives in a body now.
+/// The row of the individual that lives in a body now.
 [[nodiscard]] inline AgentRow agent_row(const View& view, BodyIndex body) {
   const Individual& self = view.robots[body];
   const GroundPose& pose = view.poses[body];
@@ -37,8 +37,8 @@ namespace trophic::io {
 /// Writes an AgentRow per robot and tick, or only at the ticks whose number is a multiple of `every_ticks`.
 class AgentLog {
  public:
-  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed` `persist` comes next: the file goes on
-  /// with the ticks that it began with.
+  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed` `persist` comes next: the file continues
+  /// with the interval that it began with.
   explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
       : every_ticks_{checked(every_ticks)}, file_{path, opening} {}
 

@@ -12,10 +12,10 @@
 
 namespace trophic::io {
 
-/// How a value becomes a cell. Numbers are written in their shortest exact form unless `decimals` >= 0 fixes their count.
+/// Format of a cell. Numbers are written in their shortest exact form unless `decimals` >= 0 fixes their count.
 struct Written {
   int decimals = -1;
-  std::string_view none = {};  ///< what stands for an optional that is none
+  std::string_view none = {};  ///< the text of an optional without a value
 };
 
 /// A metre's cell has six decimals: a micrometre.
@@ -31,7 +31,7 @@ struct Column {
   Written written;
 };
 
-/// A species, which a row knows by its index and a cell by its name.
+/// A species: an index in a row, a name in a cell.
 template <class Row>
 struct SpeciesColumn {
   std::string_view name;

@@ -27,8 +27,8 @@ void append_number(std::string& text, Format... format) {
   text.append(digits.data(), end.ptr);
 }
 
-/// Numbers as `written` says, NaN as an empty cell, switches as 0 and 1, enumerators by name, texts in quotes where they have a
-/// comma.
+/// Numbers in the format `written`, NaN as an empty cell, switches as 0 and 1, enumerators by name, texts in quotes if they have
+/// a comma.
 template <class Cell>
 void append_cell(std::string& text, const Cell& value, const Written& written = {}) {
   if constexpr (std::same_as<Cell, bool>) {
@@ -100,7 +100,7 @@ template <TableRow Row>
   return text;
 }
 
-/// What rules with a State keep, as text: state_columns.hpp makes it of a table's states.
+/// The states of rules with a State, as text; state_columns.hpp makes it from a table's states.
 struct StateColumns {
   std::vector<std::string> names = {};                                     ///< SLOT.MEMBER
   std::function<void(BodyIndex body, std::string& row)> append = nullptr;  ///< a comma and a cell for each name

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file of lines, and one of rows: never overwritten, and it never fails silently.
+// A file of lines and one of rows, which are never overwritten and never fail silently.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace trophic::io {
 
-/// How many rows a table has, its header aside, and the CRC-32 of its file.
+/// Number of rows of a table, without its header, and the CRC-32 of its file.
 struct TableSum {
   std::uint64_t rows = 0;
   std::uint32_t crc32 = 0;
 };
 
-/// A file that grows by lines. Throws std::runtime_error naming the file when it exists or the system refuses to write.
+/// A file that grows by lines. Throws std::runtime_error naming the file if it exists or cannot be written.
 class LineFile {
  public:
   /// Writes the first lines at once into a new file.
@@ -31,17 +31,17 @@ class LineFile {
     flush();
   }
 
-  /// What the next flush writes.
+  /// The text that the next flush writes.
   [[nodiscard]] std::string& buffer() { return buffer_; }
 
-  /// Hands everything written so far to the system.
+  /// Passes all text so far to the system.
   void flush() {
     file_.append(buffer_);
     lines_ += static_cast<std::uint64_t>(std::ranges::count(buffer_, '\n'));
     buffer_.clear();
   }
 
-  /// Hands everything to the system and sees that it is on the disk.
+  /// Passes all text to the system and waits until it is on the disk.
   void finish() {
     flush();
     file_.sync();

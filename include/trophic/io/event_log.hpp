@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// events.csv: everything that happens to individuals.
+// events.csv: all events of individuals.
 #pragma once
 
 #include <filesystem>

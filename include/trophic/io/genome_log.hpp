@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// genomes.csv: the weights that every individual was born with.
+// genomes.csv: the weights of every individual at birth.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace trophic::io {
 
-/// Writes a GenomeRow per birth. The file begins with the first, which tells how many weights there are.
+/// Writes a GenomeRow per birth. The file begins with the first one, which sets the number of weights.
 class GenomeLog {
  public:
   explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::created) : path_{std::move(path)} {
@@ -32,7 +32,7 @@ class GenomeLog {
   }
 
   void persist(Archive& archive) {
-    if (!file_) throw std::runtime_error{path_.string() + ": nobody was born, so there is nothing to go on with"};
+    if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to continue"};
     archive(*file_);
   }
   [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }

@@ -10,14 +10,14 @@
 
 namespace trophic {
 
-/// Whether the files of a run are made new or are those of a run that goes on.
+/// Whether the files of a run are new or those of a run that is resumed.
 enum class Opening { created, resumed };
 
-/// Appends to a file. Throws std::runtime_error naming the file when the system refuses.
+/// Appends to a file. Throws std::runtime_error naming the file if the system refuses.
 ///
 /// With `Opening::created` nothing of that name may exist. With `Opening::resumed` the file must exist; `persist` then cuts
-/// it to the length that an archive says. Anything that observes a run and owns such files takes part in checkpoints by a
-/// `persist` of its own that calls theirs.
+/// it to the length in an archive. An observer of a run that owns such files takes part in checkpoints by its own
+/// `persist`, which calls theirs.
 class GrowingFile {
  public:
   GrowingFile(const std::filesystem::path& path, Opening opening);
@@ -27,20 +27,20 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
   ~GrowingFile();
 
-  /// Hands the bytes to the system: a program that dies later has written them.
+  /// Passes the bytes to the system: a later crash of the program does not lose them.
   void append(std::string_view bytes);
 
-  /// Puts all bytes on the disk, so that not even a power failure takes them.
+  /// Puts all bytes on the disk, so that not even a power failure loses them.
   void sync();
 
-  /// How long the file is, bytes.
+  /// Length of the file, bytes.
   [[nodiscard]] std::uint64_t length() const { return length_; }
 
-  /// CRC-32 of all its bytes; of a file that a run goes on with, once `persist` has cut it.
+  /// CRC-32 of all its bytes; of a resumed run's file, once `persist` has cut it.
   [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
 
-  /// Writing: puts all bytes on the disk and notes the length. Reading: cuts the file to the length that was noted, which nobody
-  /// checks the content of. Throws std::runtime_error if it is shorter than that.
+  /// Writing: puts all bytes on the disk and notes the length. Reading: cuts the file to the noted length, without a check of its
+  /// content. Throws std::runtime_error if it is shorter than that.
   void persist(Archive& archive);
 
  private:

@@ -29,7 +29,7 @@ TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Openi
   struct stat status {};
   if (::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) {
     ::close(std::exchange(file_, -1));
-    throw std::runtime_error{"cannot go on with " + path.string() + ": it is not a regular file"};
+    throw std::runtime_error{"cannot continue " + path.string() + ": it is not a regular file"};
   }
   length_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -78,7 +78,7 @@ TROPHIC_INLINE void GrowingFile::persist(Archive& archive) {
 
 TROPHIC_INLINE void GrowingFile::cut(std::uint64_t length) {
   if (length > length_) {
-    throw std::runtime_error{"cannot go on with " + path_.string() + ": it has " + std::to_string(length_) +
+    throw std::runtime_error{"cannot continue " + path_.string() + ": it has " + std::to_string(length_) +
                              " bytes: must be >= " + std::to_string(length) + ", as many as it had at the checkpoint"};
   }
   if (::ftruncate(file_, static_cast<::off_t>(length)) != 0) fail("cut");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// manifest.json: what made a run, and how it ended.
+// manifest.json: the origin of a run, and how it ended.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@
 
 namespace trophic::io {
 
-/// Facts that only the program knows: command line, host, revision of its own source. trophic's programs give them
-/// (trophic/command/provenance.hpp); a program of your own gives what it knows.
+/// Facts that only the program has: command line, host, revision of its own source. trophic's programs give them
+/// (trophic/command/provenance.hpp); your own program gives those that it has.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
-/// The compiler that made trophic (where a program links it compiled: the library), with its version: "g++ 12.2.0".
+/// The compiler that made trophic (if a program links it compiled: the library), with its version: "g++ 12.2.0".
 [[nodiscard]] std::string compiler();
 
 /// Writes the manifest when the run starts (status "running") and again when it ends: "complete", "stopped" (an observer ended it
@@ -35,11 +35,11 @@ class Manifest {
   Manifest& operator=(Manifest&&) noexcept;
   ~Manifest();
 
-  /// Takes part in checkpoints. Read from one, the manifest keeps what it said of the program that started the run; what this
-  /// program says of itself is added under "continued".
+  /// Takes part in checkpoints. Read from one, the manifest keeps the provenance of the program that started the run; that
+  /// of this program is added under "continued".
   void persist(Archive& archive);
 
-  /// Says that the run began from another one, as read from its checkpoint; `origin`: which, and when.
+  /// Adds that the run began from another one, as read from its checkpoint; `origin`: that run and the moment.
   void begin_from(Provenance origin);
 
   void on_start(const observe::RunDescription& run, const View& view);
@@ -48,22 +48,22 @@ class Manifest {
   void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
   void on_failure(std::string_view what);
 
-  /// Which ticks agents.csv has, where not every one; before `on_start`.
+  /// Sets the interval of agents.csv, if it lacks some ticks; call before `on_start`.
   void set_agents_every_ticks(std::int64_t every) { agents_every_ticks_ = every; }
 
-  /// What the inputs in senses.csv are, of a run that has that table; before `on_start`.
+  /// Sets the names of the inputs in senses.csv, of a run that has that table; call before `on_start`.
   void set_inputs(const std::vector<std::string>& inputs);
 
-  /// What it says of the run's tables when it is written next.
+  /// Sets the sums of the run's tables, for the next time that it is written.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
 
-  /// Adds provenance that is known only now, such as the wall time, and writes again.
+  /// Adds late provenance, such as the wall time, and writes again.
   void add(const Provenance& provenance);
 
  private:
   struct Content;
 
-  /// A program that went on with the run.
+  /// A program that resumed the run.
   struct Continuation {
     double from_s = 0.0;
     Provenance provenance;

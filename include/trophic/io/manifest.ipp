@@ -42,8 +42,8 @@ TROPHIC_INLINE std::string compiler() {
 struct Manifest::Content {
   Json json;
 
-  /// Calls `change(json)`; what it does is kept if it throws nothing. Where memory runs out within, the library's values may hold
-  /// null pointers that their destructors follow: such a copy is left behind.
+  /// Calls `change(json)`; its effect is kept if it throws nothing. If memory runs out in it, the library's values may hold
+  /// null pointers that their destructors follow: such a copy is leaked.
   template <class Change>
   void change(Change&& change) {
     auto changed = std::make_unique<Json>(json);

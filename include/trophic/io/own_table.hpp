@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of one's own: observers that a program gives to its experiments, so that every run writes their tables, too.
+// Own tables: observers that a program gives to its experiments, so that every run writes their tables, too.
 #pragma once
 
 #include <concepts>
@@ -21,7 +21,7 @@ namespace trophic::io {
 ///
 ///   static constexpr std::string_view file_name = "distances.csv";
 ///   Distances(const std::filesystem::path& path, Opening opening)   `path` ends in file_name; a resumed run continues the file
-///   void persist(Archive& archive)                                  whatever it remembers, and its CsvFile
+///   void persist(Archive& archive)                                  its state, and its CsvFile
 ///   TableSum sum() const                                            its CsvFile's
 ///
 /// It observes; it neither asks for frames nor ends a run: such observers are passed to run_until.
@@ -33,7 +33,7 @@ concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_fro
 } && !observe::detail::Names_on_frame<O> && !observe::detail::Names_between_ticks<O> && !observe::detail::Names_keep_running<O> &&
     !observe::detail::Names_cancels_tick<O>;
 
-/// A table of one's own whatever its type.
+/// An own table, its type erased.
 class AnyOwnTable {
  public:
   AnyOwnTable() = default;
@@ -73,7 +73,7 @@ class OwnTableOf final : public AnyOwnTable {
 template <class... Observers>
 [[nodiscard]] OwnTables own_tables() {
   static_assert((OwnTable<Observers> && ...),
-                "a table of one's own is an observer with file_name, a constructor from (const std::filesystem::path&, Opening), "
+                "an own table is an observer with file_name, a constructor from (const std::filesystem::path&, Opening), "
                 "persist(Archive&) and TableSum sum() const, and without on_frame, between_ticks, "
                 "keep_running and cancels_tick; see trophic/io/own_table.hpp");
   return {[](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<AnyOwnTable> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// phylogeny.csv: who descends from whom, in the ALife data standard.
+// phylogeny.csv: the descent of individuals, in the ALife data standard.
 #pragma once
 
 #include <filesystem>

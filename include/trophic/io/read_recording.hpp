@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads replay.trp: where every robot was at any recorded moment, without the engine.
+// Reads replay.trp: the pose of every robot at any recorded moment, without the engine.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace trophic::io {
 
-/// What a recording says of itself before its first frame, and of which run it is by its last head.
+/// The head of a recording before its first frame, with the run of its last head.
 struct RecordingHead {
   std::string fingerprint;  ///< of the run
   std::uint64_t seed = 0;
@@ -30,24 +30,24 @@ struct RecordingHead {
   std::size_t robots = 0;
   std::size_t joints = 0;  ///< of each robot
   recording::Units units;
-  RobotModel robot;  ///< what it looks like and how its joints move it: links, boxes, the hinges' names and axes
+  RobotModel robot;  ///< its appearance and kinematics: links, boxes, the hinges' names and axes
   Arena arena;
 };
 
-/// A recording as a file of frames. Blocks are read when they are asked for; the last ones are kept, as many as have
+/// A recording as a file of frames. Blocks are read on demand; the last ones are kept, as many as have
 /// `most_kept_values` numbers.
 class RecordingReader {
  public:
   static constexpr std::size_t most_kept_values = std::size_t{1} << 26U;
 
-  /// Reads the head and checks every block. Throws std::runtime_error naming the file for one that cannot be read, is no
+  /// Reads the head and checks every block. Throws std::runtime_error naming the file for one that cannot be read, is not a
   /// recording, is of another version or is damaged. A file that ends early, as a killed run leaves it, has the frames of its
   /// whole blocks.
   explicit RecordingReader(std::filesystem::path path);
 
   [[nodiscard]] const RecordingHead& head() const { return head_; }
   [[nodiscard]] std::size_t frames() const { return frames_; }
-  /// One sentence where the file ends early, else empty.
+  /// One sentence if the file ends early, else empty.
   [[nodiscard]] const std::string& remark() const { return remark_; }
 
   /// The ecology's clock at a frame.

@@ -20,7 +20,7 @@ namespace trophic::io {
 
 namespace recording {
 
-/// So many or fewer, and no product of a recording's numbers overflows. How many robots there are is bounded by the bytes of the
+/// Bounds below which no product of a recording's numbers overflows. The number of robots is bounded by the bytes of the
 /// first frames.
 inline constexpr std::size_t most_robots = 0xFFFF'FFFF;
 inline constexpr std::size_t most_nodes = 0xFFFF'FFFF;  ///< of a height field, along one side
@@ -44,7 +44,7 @@ inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
     link.parent = whole_number<int>(one, "parent");
     const auto index = static_cast<int>(robot.links.size());
     if ((index == 0) != (link.parent == -1) || link.parent >= index || link.parent < -1) {
-      throw std::runtime_error{"link " + std::to_string(index) + " hangs on no link before it"};
+      throw std::runtime_error{"link " + std::to_string(index) + ": its parent must be a link before it"};
     }
     link.offset_m = vector_of(one.at("offset_m"));
     link.rotation = quaternion_of(one.at("rotation"));
@@ -84,7 +84,7 @@ inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
   return arena;
 }
 
-/// Which run a head is of.
+/// The run of a head.
 TROPHIC_INLINE void read_run(const Json& json, RecordingHead& head) {
   if (json.at("format") != "trophic recording") throw std::runtime_error{"its format is " + json_text(json.at("format"))};
   if (json.at("version") != version) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// replay.trp: where every robot and its joints were, several times a second, small enough to keep for every run.
+// replay.trp: poses of all robots and their joints, several times a second, small enough to keep for every run.
 #pragma once
 
 #include <cstddef>
@@ -21,15 +21,15 @@ namespace trophic::io {
 /// Frames a simulated second that show a gait (0.34 Hz for the spider's) and cost 9 MB for 6000 s with 30 robots.
 inline constexpr double default_replay_hz = 5.0;
 
-/// Writes a recording: root poses to 1 mm and 2e-3 rad, joint angles to 2e-3 rad. What happened is in the run's tables. A block
+/// Writes a recording: root poses to 1 mm and 2e-3 rad, joint angles to 2e-3 rad. Events are in the run's tables. A block
 /// of 20 s, or of as many frames as have `most_block_values` numbers, is written as soon as it is full, so that a killed run
 /// loses no more than that, and a large one holds no more. A run that begins at a moment of another (checkpoint/rewind.hpp) adds
 /// a head of its own. Watches one call of run_until. Errors are std::runtime_error naming the file.
 class Recording {
  public:
-  /// Makes the file at once. `hz`: frames a simulated second, >= 0; at 0 there is no file and nothing is asked of the run.
+  /// Makes the file at once. `hz`: frames a simulated second, >= 0; at 0 there is no file, and the run gives no frames.
   /// Throws std::invalid_argument for another rate. With `Opening::resumed` the file is there, if the run has one, and
-  /// `persist` comes next: the recording goes on at the rate at which it began.
+  /// `persist` comes next: the recording continues at the rate at which it began.
   Recording(const std::filesystem::path& path, double hz, Opening opening = Opening::created);
   Recording(Recording&&) noexcept;
   Recording& operator=(Recording&&) noexcept;
@@ -45,7 +45,7 @@ class Recording {
   void on_start(const observe::RunDescription& run, const View& view);
   void on_frame(const observe::Frame& frame);
   void on_end(const View& view);
-  /// Keeps what came before the failure; the file has no end.
+  /// Keeps the frames before the failure; the file has no end.
   void on_failure(std::string_view what);
 
  private:

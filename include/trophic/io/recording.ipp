@@ -22,7 +22,7 @@ namespace recording {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-/// What a robot looks like and how its joints move it.
+/// Appearance and kinematics of a robot.
 [[nodiscard]] TROPHIC_INLINE Json json_of(const RobotModel& robot) {
   Json json{{"name", robot.name},
             {"forward_rad", robot.forward_rad},
@@ -145,11 +145,11 @@ TROPHIC_INLINE void Recording::on_failure(std::string_view) {
   try {
     if (file_) write_frames();
   } catch (const std::runtime_error&) {
-    // A full disk is why the run failed, or it is told of something worse.
+    // A full disk is the reason of the failure, or a worse one is reported.
   }
 }
 
-/// The frames that wait, as a block has them.
+/// The waiting frames in the format of a block.
 TROPHIC_INLINE std::string Recording::waiting() const {
   const std::size_t columns = channels_ * robots_;
   const std::size_t frames = values_.size() / columns;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of replay.trp: what its blocks are and how a pose becomes whole numbers. docs/recording.md tells it to readers.
+// The bytes of replay.trp: its blocks, and poses as whole numbers. docs/recording.md describes them.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace trophic::io::recording {
 
-/// The first bytes of every recording. As in PNG: not text, and damaged by what changes line ends.
+/// The first bytes of every recording. As in PNG: not text, and damaged by a conversion of line ends.
 inline constexpr std::string_view magic{"\x89TRP\r\n\x1a\n", 8};
 inline constexpr int version = 1;
 
@@ -36,9 +36,9 @@ inline void append_u32(std::string& bytes, std::uint32_t value) {
   return value;
 }
 
-/// What one robot has in one frame, in this order: position x, y, z; yaw; tilt x, y; then the angle of each joint. A block of n
-/// frames has for each channel, for each robot, n 16-bit numbers: the first frame's value, then differences, modulo 2^16; each
-/// written as 2 d for d >= 0 and as -2 d - 1 for d < 0; first the low bytes of all of them, then the high bytes.
+/// The numbers of one robot in one frame, in this order: position x, y, z; yaw; tilt x, y; then the angle of each joint. A block
+/// of n frames has for each channel, for each robot, n 16-bit numbers: the first frame's value, then differences, modulo 2^16;
+/// each written as 2 d for d >= 0 and as -2 d - 1 for d < 0; first the low bytes of all of them, then the high bytes.
 inline constexpr std::size_t pose_channels = 6;
 
 /// Units of the whole numbers. Angles are as fine as a millimetre at the end of a leg of 0.3 m.
@@ -50,7 +50,7 @@ struct Units {
 
   static constexpr auto saved() { return std::tuple{&Units::position_m, &Units::yaw_rad, &Units::tilt_rad, &Units::joint_rad}; }
 
-  /// For an arena that robots leave nowhere: 1 mm up to 32 m from its centre.
+  /// For an arena that robots cannot leave: 1 mm up to 32 m from its centre.
   [[nodiscard]] static Units for_extent(double extent_m) { return {.position_m = std::max(0.001, extent_m / 32000.0)}; }
 };
 
@@ -69,7 +69,7 @@ struct Units {
 }
 
 /// The orientation is taken apart into a turn about the vertical axis after a tilt about a horizontal one: q = yaw * tilt, with
-/// tilt the turn by hypot(x, y) about (x, y, 0). A yaw that jumps by a whole turn is no turn.
+/// tilt the turn by hypot(x, y) about (x, y, 0). A yaw that jumps by a whole turn does not change it.
 [[nodiscard]] inline std::array<std::int16_t, pose_channels> whole(const Pose& pose, const Units& units) {
   const Eigen::Vector3d& at = pose.position_m;
   const Eigen::Quaterniond q = pose.orientation.normalized();

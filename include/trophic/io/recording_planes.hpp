@@ -14,15 +14,15 @@ namespace trophic::io::recording {
 /// A block with its length and checksum.
 [[nodiscard]] std::string block(std::string_view kind, std::string_view data);
 
-/// The bytes of the frames in a block, as docs/recording.md says. `values`: frame by frame, `columns` of them each.
+/// The bytes of the frames in a block, as in docs/recording.md. `values`: frame by frame, `columns` of them each.
 [[nodiscard]] std::string packed(const std::vector<std::int16_t>& values, std::size_t columns);
 
-/// How many values so many packed bytes can hold at most: zlib makes them 1032 times as many, and a value takes two.
+/// The largest number of values in so many packed bytes: zlib makes them 1032 times as many, and a value takes two.
 [[nodiscard]] constexpr std::size_t most_values(std::size_t packed_bytes) {
   return 516 * packed_bytes;
 }
 
-/// And back, but column by column. Throws std::invalid_argument for bytes that are no such frames.
+/// The inverse, but column by column. Throws std::invalid_argument for bytes that are not such frames.
 [[nodiscard]] std::vector<std::int16_t> unpacked(std::string_view bytes, std::size_t columns, std::size_t frames);
 
 }  // namespace trophic::io::recording

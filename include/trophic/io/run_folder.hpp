@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder with everything that a run leaves behind.
+// A folder with all files of a run.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +24,13 @@
 
 namespace trophic::io {
 
-/// Throws std::invalid_argument if there is anything of that name.
+/// Throws std::invalid_argument if the path exists.
 void check_new_folder(const std::filesystem::path& path);
 
-/// A new folder. Throws std::invalid_argument if something of that name exists, std::runtime_error if it cannot be made.
+/// Makes a new folder. Throws std::invalid_argument if the path exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
-/// How much of a run is written down.
+/// Optional output of a run.
 struct OutputOptions {
   double replay_hz = default_replay_hz;  ///< frames of the recording in a simulated second; 0: no recording
   std::int64_t agents_every_ticks = 1;   ///< agents.csv has the ticks whose number is a multiple of it
@@ -39,17 +39,17 @@ struct OutputOptions {
   friend bool operator==(const OutputOptions&, const OutputOptions&) = default;
 };
 
-/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, where asked for, senses.csv
-/// and states.csv in a new folder, with tables of one's own (own_table.hpp). Tables are flushed at every tick, so that a crash
-/// keeps what happened before it; the manifest says how the run ended, and how many rows each table has. Watches one call of
-/// run_until. No other program can go on in the folder meanwhile.
+/// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, if requested, senses.csv
+/// and states.csv in a new folder, with own tables (own_table.hpp). Tables are flushed at every tick, so that a crash
+/// keeps the past events; the manifest has the run's end and the number of rows of each table. Observes one call of
+/// run_until. No other program can resume in the folder meanwhile.
 class RunFolder {
  public:
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
 
-  /// Makes the folder at once: see make_new_folder. The manifest says where agents.csv has not every tick, and with senses.csv
-  /// names the brain's inputs. `states`: `ecology.state_columns()`, for states.csv.
-  /// With `Opening::resumed` the folder is one that is there, and is to be read from a checkpoint next, to the extent to
+  /// Makes the folder at once: see make_new_folder. The manifest has the interval of a thinned agents.csv and, with senses.csv,
+  /// the names of the brain's inputs. `states`: `ecology.state_columns()`, for states.csv.
+  /// With `Opening::resumed` the folder must exist, and is to be read from a checkpoint next, with the output with
   /// which it began; throws std::runtime_error if a file is missing or another program works in it.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const OutputOptions& output = {},
                      Opening opening = Opening::created, StateColumns states = {}, const OwnTables& own_tables = {});
@@ -71,7 +71,7 @@ class RunFolder {
   void on_failure(std::string_view what);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// The names of the files that a run leaves in it, a checkpoint aside.
+  /// The names of a run's files in it, without checkpoints.
   [[nodiscard]] std::vector<std::string> files() const;
   [[nodiscard]] Manifest& manifest() { return manifest_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// senses.csv: what every robot touched, was told and answered, at every tick or at every so many.
+// senses.csv: contacts of every robot, and inputs and outputs of its brain, at every tick or every n-th tick.
 #pragma once
 
 #include <algorithm>
@@ -29,13 +29,13 @@
 namespace trophic::io {
 
 /// Writes a SenseRow per robot at the ticks whose number is a multiple of `every_ticks`. Height, tilt and contacts are those of
-/// the moment at which rules decide, by the shapes and poses of the bodies, and unknown where bodies have no joints; what a brain
-/// was told is unknown at a tick at which it was not asked.
+/// the moment at which rules decide, by the shapes and poses of the bodies, and unknown if bodies have no joints; the inputs of a
+/// brain are unknown at a tick at which it was not evaluated.
 class SenseLog {
  public:
   static constexpr const char* file_name = "senses.csv";
 
-  /// `every_ticks` >= 1. The file begins with the run, which says how many inputs a brain has.
+  /// `every_ticks` >= 1. The file begins with the run, which sets the number of a brain's inputs.
   explicit SenseLog(std::filesystem::path path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
       : path_{std::move(path)}, every_ticks_{every_ticks} {
     if (opening == Opening::resumed) file_.emplace(path_, opening);
@@ -79,7 +79,7 @@ class SenseLog {
   }
 
   void persist(Archive& archive) {
-    if (!file_) throw std::runtime_error{path_.string() + ": the run did not begin, so there is nothing to go on with"};
+    if (!file_) throw std::runtime_error{path_.string() + ": the run did not begin, so there is no file to continue"};
     archive(*file_);
   }
   [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
@@ -87,7 +87,7 @@ class SenseLog {
  private:
   static constexpr double once_a_tick_hz = 1e-9;
 
-  /// Of a brain that was not asked.
+  /// The row of a brain that was not evaluated.
   [[nodiscard]] SenseRow unasked() const {
     SenseRow row;
     row.inputs.assign(inputs_, std::numeric_limits<double>::quiet_NaN());
@@ -139,8 +139,8 @@ class SenseLog {
   std::int64_t every_ticks_;
   std::optional<CsvFile<SenseRow>> file_;
   std::size_t inputs_ = 0;
-  std::vector<SenseRow> rows_;                       ///< of the tick at hand, by body
-  std::vector<std::optional<IndividualId>> exempt_;  ///< who in each body was
+  std::vector<SenseRow> rows_;                       ///< of the current tick, by body
+  std::vector<std::optional<IndividualId>> exempt_;  ///< the exempt individual of each body
   std::optional<RobotModel> robot_;                  ///< none on a backend without joints
   std::vector<Pose> roots_;
   std::vector<double> joint_angles_rad_;

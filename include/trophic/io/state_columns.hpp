@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rules with a State keep, as columns of a table.
+// States of rules as columns of a table.
 #pragma once
 
 #include <concepts>

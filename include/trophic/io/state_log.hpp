@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// states.csv: what rules with a State keep for every robot.
+// states.csv: the States of rules for every robot.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace trophic::io {
 
 /// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.state_columns()};`.
 /// Columns: time_s, tick, body, id, then SLOT.MEMBER for each member of each State of the table: numbers exact, an Ancestor by
-/// its id, a vector's numbers with spaces between, nothing as an empty cell. No more than four where no rule has a State.
+/// its id, a vector's numbers with spaces between, nothing as an empty cell. The first four alone if no rule has a State.
 class StateLog {
  public:
   static constexpr std::string_view section = "states.csv";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of a run: what a row of each of its CSV files holds.
+// The tables of a run: the rows of each of its CSV files.
 #pragma once
 
 #include <array>
@@ -90,17 +90,17 @@ struct AgentRow {
         column("adversary_id", &AgentRow::adversary, "", "the closest member of an opposing species that it perceives"),
         column("adversary_distance_m", &AgentRow::adversary_distance_m, "m", "how far away that one is", micro),
         column("hunger_ticks", &AgentRow::hunger_ticks, "ticks",
-               "since birth or the last catch; empty for those who hunt nobody")};
+               "since birth or the last catch; empty for a species without prey")};
   }
 };
 
-/// What became of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules did not let it.
+/// Outcome of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules denied it.
 enum class TagOutcome { kept, switched, denied };
 [[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagOutcome) {
   return {"kept", "switched", "denied"};
 }
 
-/// senses.csv: one row per robot and tick of agents.csv: what it touched, was told and answered.
+/// senses.csv: one row per robot and tick of agents.csv: contacts, and inputs and outputs of the brain.
 struct SenseRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -132,8 +132,8 @@ struct SenseRow {
                "whether it reaches a wall, or the foot of a slope; empty on a backend without joints"),
         column("robots_touched", &SenseRow::robots_touched, "", "how many others it touches; empty on a backend without joints"),
         column("exempt", &SenseRow::exempt, "",
-               "1: it was to starve at this tick and the rule Starvation exempted it; empty for those who hunt "
-               "nobody"),
+               "1: it was to starve at this tick and the rule Starvation exempted it; empty for a species "
+               "without prey"),
         column("chosen_tag", &SenseRow::chosen_tag, "", "that its brain chose; empty where the brain was not asked"),
         column("tag_outcome", &SenseRow::tag_outcome, "",
                "what became of it: shown before, a switch, or denied by the rule TagSwitch"),
@@ -182,8 +182,8 @@ struct TaxonRow {
   }
 };
 
-/// genomes.csv: one row per birth. Where genomes are shared, a later row of the same genome_id holds what everybody who shares it
-/// has from then on.
+/// genomes.csv: one row per birth. If genomes are shared, a later row of the same genome_id holds the weights that all of its
+/// individuals have from then on.
 struct GenomeRow {
   IndividualId id = 0;
   std::uint64_t genome = 0;

@@ -14,7 +14,7 @@ using namespace trophic::analysis;
 using test::base;
 using test::set_around;
 
-TEST_CASE("the table has what is significant and nothing else") {
+TEST_CASE("ablation table: effects -> the significant ones alone") {
   auto effects = effects_of("wide", compare_sets(base, {set_around(0.5, 12.0), base.shadow}));
   adjust_together(effects);
   std::ostringstream out;
@@ -23,7 +23,7 @@ TEST_CASE("the table has what is significant and nothing else") {
   CHECK(out.str().find("attribution") == std::string::npos);
 }
 
-TEST_CASE("shares: swaps into the first table, and out of the second with the sign turned, and what is lacking has no sum") {
+TEST_CASE("ablation shares: swaps into and out of a table -> opposite signs, and no sum if an effect is missing") {
   const ShadowedSet second{set_around(0.5, 14.0), base.shadow};
   const auto effects = [](const std::string& swap, const ShadowedSet& from, double hunger) {
     auto found = effects_of(swap, compare_sets(from, {set_around(0.5, hunger), base.shadow}));
@@ -41,7 +41,7 @@ TEST_CASE("shares: swaps into the first table, and out of the second with the si
   CHECK(out.str().find("attribution") == std::string::npos);
 }
 
-TEST_CASE("ablations.csv has a row an effect, significant or not") {
+TEST_CASE("ablations.csv: effects -> a row each, significant or not") {
   auto effects = effects_of("wide", compare_sets(base, {set_around(0.5, 12.0), base.shadow}));
   adjust_together(effects);
   std::vector<SwapRow> rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Effects of axes: by hand on a grid of two axes, and as often wrong as they say.
+// Effects of axes: by hand on a grid of two axes, and with the nominal error rate.
 #include <doctest/doctest.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the intervals and verdicts as often wrong as they say? Thousands of samples of known distributions, and a thousand
-// simulated analyses of ecologies in which there is nothing to find.
+// Error rates of intervals and conclusions equal their nominal ones: thousands of samples of known distributions, and a
+// thousand simulated analyses of ecologies without an effect.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ double skewed(Rng& rng) {
   return sum;
 }
 
-/// A run's tables in memory, without the detour over files.
+/// A run's tables in memory, without files.
 class Tables {
  public:
   void on_event(const observe::Event& event, const View& view) {
@@ -134,14 +134,14 @@ const std::vector<RunMetrics>& pool() {
   return runs;
 }
 
-/// Metrics that the paper speaks of and that 600 s are enough for.
+/// Metrics of the paper for which 600 s suffice.
 bool is_headline(const MetricName& name) {
   return name.group == "all" && (name.metric == "attribution_caught" || name.metric == "attribution_catches" ||
                                  name.metric == "velocity" || name.metric == "wall_sticking");
 }
 
-/// Agents of a world whose tags say nothing about the species: everybody shares one bias, which is another in each run, keeps its
-/// tag for some ticks and draws it anew.
+/// Agents of a world whose tags are independent of the species: all robots share one bias, which differs between runs, keep their
+/// tags for some ticks and draw them anew.
 std::vector<AgentRow> tags_of_one_world(Rng& rng) {
   const double share_positive = rng.uniform(0.6, 0.95);
   constexpr std::size_t robots = 20;
@@ -197,7 +197,7 @@ TEST_CASE("95 % intervals leave out the truth in 5 % of cases, within 1.5 points
   }
 }
 
-TEST_CASE("what short runs really measure is more skewed: within 2.5 points") {
+TEST_CASE("95 % intervals of metrics of short runs, which are skewed -> leave out the truth in 5 % of cases, within 2.5 points") {
   for (const Measurement& measured : pool().front().measurements) {
     const MetricName& name = measured.name;
     const std::vector<double> values = values_of(pool(), name);
@@ -257,7 +257,7 @@ TEST_CASE(
   }
   CHECK(from_permuted <= 0.07 * trials);
   CHECK(from_permuted >= 0.03 * trials);
-  CHECK(from_bernoulli >= 0.9 * trials);  // why fair coins are no null
+  CHECK(from_bernoulli >= 0.9 * trials);  // why Bernoulli(1/2) tags are not a null
 }
 
 TEST_CASE("claims: the published system -> not reproduced in at most 7 % of 1000 sets, one a margin away -> reproduced in 5 %") {

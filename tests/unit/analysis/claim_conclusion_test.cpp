@@ -24,7 +24,7 @@ std::vector<double> spread_out(std::size_t count, double mean, double deviation)
   return values;
 }
 
-/// A claim whose readings, all with conditions, were concluded upon so.
+/// A claim whose readings, all with conditions, have these conclusions.
 ClaimConclusion concluded(const std::vector<std::pair<ClaimReading, Reproduction>>& readings) {
   ClaimConclusion claim{};
   for (const auto& [reading, conclusion] : readings) claim.readings.push_back({reading, {}, {}, {}, conclusion, {}});

@@ -28,7 +28,7 @@ TEST_CASE("Hedges' g by hand") {
   CHECK(*hedges_g(a, c) == doctest::Approx(4.0 / std::sqrt(10.0 / 6.0) * 8.0 / (3.0 * std::sqrt(3.0 * std::numbers::pi))));
 }
 
-TEST_CASE("g is right on average, of six runs as well, and knows no answer without a spread") {
+TEST_CASE("Hedges' g: six runs or more -> unbiased, and no value without a spread") {
   Rng rng{3, Stream::user};
   constexpr int trials = 20000;
   double sum = 0.0;

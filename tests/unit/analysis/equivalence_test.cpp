@@ -62,7 +62,7 @@ TEST_CASE("sets that differ by the margin are called equivalent in 5 % of cases,
   }
 }
 
-TEST_CASE("margin and level must make sense") {
+TEST_CASE("equivalence: bad margin or level -> refused") {
   const std::vector<double> a{1.0, 2.0, 1.0, 2.0, 1.0, 2.0};
   CHECK_THROWS_AS((void)test_equivalence(a, a, 0.0), std::invalid_argument);
   CHECK_THROWS_AS((void)test_equivalence(a, a, std::nan("")), std::invalid_argument);

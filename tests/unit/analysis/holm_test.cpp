@@ -18,7 +18,7 @@ TEST_CASE("Holm: the smallest counts for all, none passes an earlier one, none i
   CHECK(holm(std::vector<double>{0.05})[0] == 0.05);
 }
 
-TEST_CASE("twenty comparisons of nothing find something in 5 % of analyses") {
+TEST_CASE("Holm: twenty comparisons without an effect -> a significant one in 5 % of analyses") {
   trophic::Rng rng{11, trophic::Stream::user};
   int found = 0;
   constexpr int trials = 4000;

@@ -6,7 +6,7 @@
 
 using namespace trophic::analysis;
 
-TEST_CASE("the values of a metric over runs: those that could be computed, of that name alone") {
+TEST_CASE("measurement: a metric over runs -> its computed values, of that name alone") {
   const MetricName metric{"stuck", "prey", "all", "1"};
   const MetricName other{"stuck", "predator", "all", "1"};
   const std::vector<RunMetrics> runs{{.measurements = {{other, 9.0, {}}, {metric, 1.0, {}}}, .curves = {}},

@@ -10,7 +10,7 @@
 using namespace trophic;
 using namespace trophic::analysis;
 
-TEST_CASE("a metric is chosen by as many parts of its name as are said") {
+TEST_CASE("metric choice: some parts of a name -> the metrics that share them") {
   const MetricName caught{"deaths", "prey", "caught", "1"};
   CHECK(chooses("deaths", caught));
   CHECK(chooses("deaths:prey", caught));

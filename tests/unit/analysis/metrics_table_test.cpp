@@ -13,7 +13,7 @@
 using namespace trophic;
 using test::TemporaryFolder;
 
-TEST_CASE("metrics.csv is tidy: one value a row, an empty cell for what could not be computed") {
+TEST_CASE("metrics.csv: metrics -> one value a row, with an empty cell for a value that could not be computed") {
   const TemporaryFolder folder;
   const std::vector runs{test::write_run(folder.path() / "one,two", test::manifest("aa", 5))};
   const std::array sets{analysis::read_shadowed_set(runs)};
@@ -32,7 +32,7 @@ TEST_CASE("metrics.csv is tidy: one value a row, an empty cell for what could no
   CHECK_THROWS_AS(analysis::write_metrics(folder.path() / "metrics.csv", sets), std::runtime_error);
 }
 
-TEST_CASE("a shadow's observations stand beside those of its set as baseline \"shadow\"") {
+TEST_CASE("metrics.csv: set with a shadow -> the shadow's values in the same rows, as baseline shadow") {
   const TemporaryFolder folder;
   const std::vector runs{test::write_run(folder.path() / "one", test::manifest("aa", 5))};
   std::array sets{analysis::read_shadowed_set(runs)};

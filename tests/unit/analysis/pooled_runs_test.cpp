@@ -21,7 +21,7 @@ using Paths = std::vector<std::filesystem::path>;
 
 }  // namespace
 
-TEST_CASE("a folder of replicates stands for those that its list names, what is missing is remarked on") {
+TEST_CASE("pooled runs: folder of replicates -> the runs of its list, with a remark on missing ones") {
   const TemporaryFolder folder;
   static_cast<void>(folder.file("replicates.json", R"({"replicates": [{"folder": "replicate-00"}, {"folder": "replicate-01"},
     {"folder": "replicate-02"}]})"));
@@ -34,7 +34,7 @@ TEST_CASE("a folder of replicates stands for those that its list names, what is 
   CHECK(set.remarks[0] == (folder.path() / "replicate-01").string() + ": missing, the replicate was not run");
 }
 
-TEST_CASE("runs of other rules are not pooled, nor is one run counted twice") {
+TEST_CASE("pooled runs: other rules, or one run twice -> refused") {
   const TemporaryFolder folder;
   const auto a = write_run(folder.path() / "a", manifest("aa", 1));
   const auto b = write_run(folder.path() / "b", manifest("bb", 2, "released"));
@@ -47,7 +47,7 @@ TEST_CASE("runs of other rules are not pooled, nor is one run counted twice") {
         }).find("seed 1 as in " + a.string()) != std::string::npos);
 }
 
-TEST_CASE("runs that tell of other ticks are not pooled") {
+TEST_CASE("pooled runs: other intervals of agents.csv -> refused") {
   const TemporaryFolder folder;
   const std::string text = manifest("aa", 2);
   const auto all = write_run(folder.path() / "all", manifest("aa", 1));
@@ -60,7 +60,7 @@ TEST_CASE("runs that tell of other ticks are not pooled") {
   }
 }
 
-TEST_CASE("futures of one moment are pooled with a word on what they share, and with no other runs") {
+TEST_CASE("pooled runs: futures of one moment -> pooled with a remark on their common past, and with no other runs") {
   const TemporaryFolder folder;
   const auto begun = [&](const char* name, int seed, const std::string& at_s) {
     const std::string text = manifest("aa", seed);
@@ -76,7 +76,7 @@ TEST_CASE("futures of one moment are pooled with a word on what they share, and 
   const auto set = pooled_runs(Paths{first, second}, false);
   REQUIRE(set.remarks.size() == 1);
   CHECK(set.remarks[0] ==
-        "all runs begin at 700 s of tape (seed 7): they share that past, so that intervals tell of its futures, not of runs");
+        "all runs begin at 700 s of tape (seed 7): they share that past, so that intervals are over its futures, not over runs");
   for (const bool is_cut : {false, true}) {
     for (const auto& [stranger, beginning] :
          {std::pair{later, "at 900 s of tape (seed 7)"}, std::pair{other, "at its beginning"}}) {

@@ -48,7 +48,7 @@ TEST_CASE("the fewest runs that are enough") {
   }
 }
 
-TEST_CASE("what the runs at hand would find, they find with 80 % power, at any level") {
+TEST_CASE("power: smallest effect for the present runs -> found with 80 % power, at any level") {
   for (const double freedom : {5.0, 9.3, 38.0, 4000.0}) {
     for (const double level : {0.05, 1e-4, 1e-7}) {
       CAPTURE(freedom);
@@ -71,7 +71,7 @@ TEST_CASE("scatter of pairs and of sets") {
   CHECK_FALSE(scatter_of(a, std::vector<double>{1.0}));
 }
 
-TEST_CASE("level and power must make sense") {
+TEST_CASE("power: bad level or power -> refused") {
   CHECK_THROWS_AS((void)runs_for_power(1.0, {.variance = 1.0, .freedom = 1.0}, 0.0), std::invalid_argument);
   CHECK_THROWS_AS((void)runs_for_power(1.0, {.variance = 1.0, .freedom = 1.0}, 0.05, 1.0), std::invalid_argument);
 }

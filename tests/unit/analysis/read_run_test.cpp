@@ -60,7 +60,7 @@ TEST_CASE("events and agents are read by column name, empty cells as none") {
   CHECK(remarks.empty());
 }
 
-TEST_CASE("what is wrong with a file is said with line and column") {
+TEST_CASE("read run: fault in a file -> an error with line and column") {
   const std::string good = "0,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n";
   CHECK(error_of_events(event_header + good).empty());
   CHECK(error_of_events(event_header + good + "0,0,birth,0,prey,0,1,1,random,,0,,,,1\n") == ":3: 15 cells, the header has 16");
@@ -86,7 +86,7 @@ TEST_CASE("agents out of order are refused") {
         }) == path + ":3: tick = \"1\": must be >= that of the row before");
 }
 
-TEST_CASE("a line cut off by a kill is reported, the rest is used, of agents the whole last tick goes") {
+TEST_CASE("read run: last line incomplete -> reported and dropped, with the whole last tick of agents.csv") {
   const TemporaryFolder folder;
   static_cast<void>(folder.file("manifest.json", plain_manifest));
   static_cast<void>(folder.file("events.csv", event_header + "0,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n0,0,birth,1,pre"));
@@ -101,7 +101,7 @@ TEST_CASE("a line cut off by a kill is reported, the rest is used, of agents the
   CHECK(run.remarks[1].find("agents.csv:5: cut off in the middle of a line") != std::string::npos);
 }
 
-TEST_CASE("a missing table is missing, a missing or foreign manifest is an error") {
+TEST_CASE("read run: missing table -> absent with a remark, missing or foreign manifest -> error") {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "manifest.json").string();
   const auto read = [&] { static_cast<void>(analysis::read_run(folder.path())); };
@@ -118,7 +118,7 @@ TEST_CASE("a missing table is missing, a missing or foreign manifest is an error
   CHECK(run.remarks.size() == 2);
 }
 
-TEST_CASE("a run is cut to its first seconds, one that did not last so long is refused") {
+TEST_CASE("read run: cut to its first seconds -> the rows up to there, refused if the run is shorter") {
   const TemporaryFolder folder;
   auto run = analysis::read_run(test::write_run(folder.path() / "run", plain_manifest));
   analysis::cut_to(run, 1.0);
@@ -131,7 +131,7 @@ TEST_CASE("a run is cut to its first seconds, one that did not last so long is r
   CHECK_NOTHROW(analysis::cut_to(run, 6500.0));
 }
 
-TEST_CASE("a table that was cut at a line's end, or whose rows are doubled, reversed or gone, is refused") {
+TEST_CASE("read run: table cut at a line's end, or rows doubled, reversed or missing -> refused") {
   const TemporaryFolder folder;
   const std::filesystem::path run = test::write_run(folder.path() / "run", plain_manifest);
   const auto sum = analysis::CsvReader{run / "events.csv", {}}.sum();
@@ -158,7 +158,7 @@ TEST_CASE("a table that was cut at a line's end, or whose rows are doubled, reve
   CHECK(refusal({0}).starts_with(path + ": has 0 rows and checksum "));
 }
 
-TEST_CASE("a thinned table has the ticks that its manifest says, and no others") {
+TEST_CASE("read run: thinned table -> must have the ticks of its manifest, and no others") {
   const TemporaryFolder folder;
   const auto thinned = [&](const std::string& name, const std::string& every) {
     const std::string text = plain_manifest.substr(0, plain_manifest.size() - 1) + ", \"agents_every_ticks\": " + every + "}";
@@ -176,7 +176,7 @@ TEST_CASE("a thinned table has the ticks that its manifest says, and no others")
         (broken / "manifest.json").string() + ": agents_every_ticks = 0: must be a whole number from 1 to 9223372036854775807");
 }
 
-TEST_CASE("a seed or a checksum that is no whole number is refused, not turned into one") {
+TEST_CASE("read run: seed or checksum that is not a whole number -> refused, not rounded") {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& what, const std::string& by) {
     std::string text = plain_manifest;

@@ -73,7 +73,7 @@ TEST_CASE("three species: each link of the food web is measured") {
 }
 
 TEST_CASE("a thinned table gives the same velocities from fewer starts, or none where no row stands 12 s later") {
-  // A predator that walks 0.1 m a tick towards a prey at rest: 0.05 m/s, and nobody is stuck.
+  // A predator that walks 0.1 m a tick towards a prey at rest: 0.05 m/s, and neither is stuck.
   const auto every = [](std::int64_t ticks) {
     RunData run = empty_run();
     run.manifest.folder = "run";

@@ -93,7 +93,7 @@ TEST_CASE("the shadow in the runs' folder is found, another one can be named") {
   CHECK(read_shadowed_set(Paths{run}, other).shadow->manifests.front().seed == 9);
 }
 
-TEST_CASE("both are cut alike") {
+TEST_CASE("run set: cut in time -> runs and shadow are cut alike") {
   const TemporaryFolder folder;
   const auto run = run_of(folder.path() / "run", "copy");
   run_of(run / "shadow", "nothing_inherited");

@@ -7,7 +7,7 @@
 using trophic::analysis::Mean;
 using trophic::analysis::WindowMean;
 
-TEST_CASE("the mean of nothing is none, and none counts for nothing") {
+TEST_CASE("series: mean -> ignores missing values, and is missing if there is no value") {
   Mean mean;
   mean.add(std::optional<double>{});
   CHECK_FALSE(mean.value());
@@ -32,7 +32,7 @@ TEST_CASE("windows are closed at their end, time 0 is in the first, a window wit
   CHECK(*mean.mean_of_points() == 5.0);
 }
 
-TEST_CASE("a window must be longer than nothing") {
+TEST_CASE("series: window of length 0 -> refused") {
   CHECK_THROWS_WITH_AS(WindowMean{0.0}, "window_s = 0: must be > 0", std::invalid_argument);
   CHECK_FALSE(WindowMean{1.0}.mean());
   CHECK(WindowMean{1.0}.series().empty());

@@ -14,7 +14,7 @@ using test::message_of;
 using test::run_of;
 using test::TemporaryFolder;
 
-TEST_CASE("the shadow of a run is looked for in its folder") {
+TEST_CASE("shadow: run with a shadow in its folder -> found") {
   const TemporaryFolder folder;
   const auto run = run_of(folder.path() / "run", "copy");
   CHECK(analysis::shadow_folders(std::vector{run}).empty());
@@ -23,14 +23,14 @@ TEST_CASE("the shadow of a run is looked for in its folder") {
   CHECK_NOTHROW(analysis::check_shadow(analysis::read_manifest(run), analysis::read_manifest(shadow)));
 }
 
-TEST_CASE("what is no shadow is refused with what differs") {
+TEST_CASE("shadow: run that is not the neutral shadow -> refused, naming the difference") {
   const TemporaryFolder folder;
   const auto run = run_of(folder.path() / "run", "copy");
   const auto refusal = [&](const std::filesystem::path& shadow) {
     return message_of<std::invalid_argument>(
         [&] { analysis::check_shadow(analysis::read_manifest(run), analysis::read_manifest(shadow)); });
   };
-  const std::string from = ": is no neutral shadow of " + run.string() + ": ";
+  const std::string from = ": is not a neutral shadow of " + run.string() + ": ";
   const auto same = run_of(folder.path() / "same", "copy", 7, 2);
   CHECK(refusal(same) == same.string() + from + "its rule in slot heredity is copy: must be nothing_inherited");
   const auto floor = run_of(folder.path() / "floor", "nothing_inherited", 6);

@@ -10,7 +10,7 @@ using namespace trophic::test;
 using analysis::AgentRow;
 using analysis::stuck;
 
-TEST_CASE("who ends less than 5 cm away after 10 s is stuck, wherever it was meanwhile") {
+TEST_CASE("stuck: less than 5 cm away after 10 s -> stuck, wherever it was meanwhile") {
   std::vector<AgentRow> agents;
   for (std::int64_t tick = 0; tick <= 5; ++tick) {
     const auto t = static_cast<double>(tick);
@@ -26,14 +26,14 @@ TEST_CASE("who ends less than 5 cm away after 10 s is stuck, wherever it was mea
   CHECK(*stuck(agents, prey, 0.06).mean() == 1.0);
 }
 
-TEST_CASE("a birth does not move a body: it counts for its species at the start") {
+TEST_CASE("stuck: birth meanwhile -> the body counts for its species at the start") {
   std::vector<AgentRow> agents{robot(0, 0, prey, 1.0, 1.0), robot(5, 0, predator, 1.0, 1.0)};
   agents[1].id = 77;
   CHECK(*stuck(agents, prey).mean() == 1.0);
   CHECK_FALSE(stuck(agents, predator).mean());
 }
 
-TEST_CASE("without a tick 10 s later there is nothing to say") {
+TEST_CASE("stuck: no tick 10 s later -> no value") {
   const std::vector<AgentRow> agents{robot(0, 0, prey, 1.0, 1.0), robot(4, 0, prey, 1.0, 1.0), robot(6, 0, prey, 1.0, 1.0)};
   CHECK_FALSE(stuck(agents, prey).mean());
   CHECK_FALSE(stuck({}, prey).mean());

@@ -91,7 +91,7 @@ TEST_CASE("runs without a value are left out") {
   CHECK(summarize({}).empty());
 }
 
-TEST_CASE("runs of different food webs are not pooled, nor set beside another's shadow") {
+TEST_CASE("summary: runs of different food webs -> not pooled, nor compared with another web's shadow") {
   auto runs = runs_around(0.5, 0.5);
   const auto shadow = runs;
   runs[1].measurements[0].name.species = "wolf";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the corrected intervals and verdicts of a sweep as often wrong as they say, and do as many runs as it asks for find what is
-// there? Thousands of simulated sweeps.
+// Error rates of a sweep's corrected intervals and conclusions equal their nominal ones, and the planned number of runs finds
+// the effect: thousands of simulated sweeps.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -25,17 +25,17 @@ struct World {
   std::size_t cells = 6;
   std::size_t replicates = 8;
   bool paired = true;
-  double shared = 0.7;    ///< deviation of what replicates of one seed have in common
-  double own = 1.0;       ///< deviation of what each run has for itself
+  double shared = 0.7;    ///< deviation of the part that replicates of one seed have in common
+  double own = 1.0;       ///< deviation of each run's own part
   double widening = 0.0;  ///< how much larger `own` is in each further cell
-  double effect = 0.0;    ///< what every cell but the first has more
+  double effect = 0.0;    ///< added to every cell but the first
 };
 
 struct Found {
-  double any_differs = 0.0;    ///< share of sweeps in which any cell is decided
+  double any_differs = 0.0;    ///< share of sweeps in which any cell is significant
   double any_misses = 0.0;     ///< share of sweeps in which any corrected interval leaves out the truth
   double single_misses = 0.0;  ///< share of the single comparisons' 95 % intervals that do
-  double significant = 0.0;    ///< share of comparisons that are decided
+  double significant = 0.0;    ///< share of comparisons that are significant
 };
 
 Found simulate(const World& world, int trials, std::uint64_t seed) {
@@ -139,7 +139,7 @@ TEST_CASE("as many runs as are asked for find the difference in 80 % of comparis
   }
 }
 
-TEST_CASE("what the runs at hand would show they show in 80 % of comparisons") {
+TEST_CASE("sweep power: the smallest effect that the present runs would show -> found in 80 % of comparisons") {
   Rng rng{41, Stream::user};
   constexpr double level = 0.01;
   constexpr std::size_t runs = 9;

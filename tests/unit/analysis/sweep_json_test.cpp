@@ -9,7 +9,7 @@
 using namespace trophic;
 using namespace trophic::analysis;
 
-TEST_CASE("the summary has the grid, what is missing, the correction, what is significant and what was asked") {
+TEST_CASE("sweep summary: a sweep -> grid, missing runs, correction, significant differences and requested powers") {
   SweepRuns sweep;
   sweep.plan = test::plan_of({.cells = 3, .replicates = 6});
   sweep.grid = grid_of(sweep.plan);

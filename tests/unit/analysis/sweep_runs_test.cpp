@@ -34,7 +34,7 @@ struct Disk : test::TemporaryFolder {
 
 }  // namespace
 
-TEST_CASE("a sweep that is as its plan says") {
+TEST_CASE("sweep runs: every run as planned -> no remark") {
   const Disk disk;
   CHECK(is_sweep(disk.path()));
   CHECK_FALSE(is_sweep(disk.path() / "cell-0"));
@@ -46,7 +46,7 @@ TEST_CASE("a sweep that is as its plan says") {
   CHECK(sweep.folder_of(6) == disk.path() / "cell-1/shadow/replicate-0");
 }
 
-TEST_CASE("a run that is not there, or not complete, is missing and says why") {
+TEST_CASE("sweep runs: absent or incomplete run -> missing, with the reason") {
   const Disk disk;
   std::filesystem::remove_all(disk.path() / disk.plan[1].folder);
   std::filesystem::remove(disk.path() / disk.plan[3].folder / "manifest.json");
@@ -73,7 +73,7 @@ TEST_CASE("of many missing runs the first are named") {
         folder.path().string() + ": has no complete run; run 0 (cell-0/replicate-0): no such folder");
 }
 
-TEST_CASE("another run in the place of the planned one is refused") {
+TEST_CASE("sweep runs: another run in the place of the planned one -> refused") {
   for (const auto& [what, by, message] :
        {std::tuple{"\"f1\"", "\"f0\"", "fingerprint = f0: must be f1, as the plan has it for run 4"},
         std::tuple{"\"seed\": 100", "\"seed\": 7", "seed = 7: must be 100, as the plan"},
@@ -85,8 +85,8 @@ TEST_CASE("another run in the place of the planned one is refused") {
   }
 }
 
-TEST_CASE("a shadow must be one") {
+TEST_CASE("sweep runs: run in a shadow's place that is not a shadow -> refused") {
   const Disk disk;
   disk.change(6, "nothing_inherited", "own_copy");
-  CHECK(disk.refused().find("cell-1/shadow/replicate-0: is no neutral shadow of ") != std::string::npos);
+  CHECK(disk.refused().find("cell-1/shadow/replicate-0: is not a neutral shadow of ") != std::string::npos);
 }

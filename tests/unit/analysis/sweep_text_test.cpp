@@ -39,7 +39,7 @@ struct Printed {
 
 }  // namespace
 
-TEST_CASE("the terminal says what was compared and what is significant") {
+TEST_CASE("sweep text: significant differences -> comparisons and significant cells are printed") {
   const Printed printed{{.cells = 3, .replicates = 6}, 10.0};
   CAPTURE(printed.text());
   CHECK(printed.says("sweep of 3 cells, 18 runs of 6000 s\naxis x.y: 0.0, 0.5, 1.0\nreference: cell 0 (y 0.0)\n"));
@@ -50,7 +50,7 @@ TEST_CASE("the terminal says what was compared and what is significant") {
   CHECK_FALSE(printed.says("no conclusion"));
 }
 
-TEST_CASE("what is not significant has no conclusion, and nobody says that there is no effect") {
+TEST_CASE("sweep text: no significant difference -> no conclusion, and no claim of absence") {
   const Printed printed{{.cells = 3, .replicates = 6, .paired = false}, 0.1};
   CAPTURE(printed.text());
   CHECK(printed.says("as independent sets (other seeds in each cell)"));
@@ -61,7 +61,7 @@ TEST_CASE("what is not significant has no conclusion, and nobody says that there
   CHECK_FALSE(printed.says("no effect"));
 }
 
-TEST_CASE("too few runs are said, and a cell alone has nothing to be compared with") {
+TEST_CASE("sweep text: too few runs or a single cell -> a remark instead of comparisons") {
   const Printed few{{.cells = 2, .replicates = 5}, 10.0};
   CHECK(few.says("too few runs for a conclusion in 1 of them: 6 in each cell are needed"));
   const Printed alone{{.cells = 1, .replicates = 6}, 10.0};
@@ -76,7 +76,7 @@ TEST_CASE("axes that end alike keep their paths, and unset values are named") {
   CHECK(analysis::detail::cell_title(grid, 1) == "a.sd unset, b.sd 2");
 }
 
-TEST_CASE("how many replicates a difference needs is a sentence") {
+TEST_CASE("sweep text: power of a difference -> a sentence with the number of replicates") {
   const Printed printed{{.cells = 2, .replicates = 6}, 10.0};
   std::ostringstream out;
   print_runs_for_difference(out, runs_for_difference(printed.differences, 0.5), printed.differences);

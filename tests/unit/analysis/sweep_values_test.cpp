@@ -22,7 +22,7 @@ TEST_CASE("metrics of several food webs are named once, in the order of the firs
   CHECK(both.front() == MetricName{"attribution_caught", "prey", "all", "1"});
 }
 
-TEST_CASE("every run of a sweep is measured, whatever the number of jobs, and what is not there has no values") {
+TEST_CASE("sweep values: any number of jobs -> the same values, and none for missing runs") {
   const test::TemporaryFolder folder;
   const auto plan = test::plan_of({.cells = 2, .replicates = 3});
   test::write_sweep(folder.path(), plan);

@@ -13,7 +13,7 @@
 using namespace trophic;
 using analysis::MetricRow;
 
-TEST_CASE("a table of results has its name once it is whole, and nothing is left of one that never is") {
+TEST_CASE("table file: complete -> gets its name, abandoned -> removed") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "table.csv";
   const std::filesystem::path part = folder.path() / "table.csv.part";

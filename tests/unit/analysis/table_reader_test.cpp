@@ -86,7 +86,7 @@ TEST_CASE("columns may stand in any order and among others, but none may be miss
         }) == lacking + ":1: no column \"genome_id\"; another kind of file?");
 }
 
-TEST_CASE("a cell that is no value of its column is refused by line and column") {
+TEST_CASE("table reader: cell that is not a value of its column -> refused with line and column") {
   const TemporaryFolder folder;
   const std::string path = folder.file("t.csv", "id,genome_id,time_s,w0\n1,2,3,big\n");
   analysis::TableReader<io::GenomeRow> table{path, web};

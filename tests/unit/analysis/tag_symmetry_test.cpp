@@ -63,7 +63,7 @@ TEST_CASE("permuted tags: small cases by hand") {
   CHECK(permuted_symmetry(9, 21, 13) == doctest::Approx(permuted_symmetry(9, 21, 17)));  // the other tag
 }
 
-TEST_CASE("permuted tags keep all's bias, over all numbers of positive ones they are fair coins") {
+TEST_CASE("permuted tags: common bias -> kept, and over all numbers of positive tags the mean of Bernoulli(1/2) tags") {
   CHECK(permuted_symmetry(10, 10, 19) > 1.7);
   double expectation = 0.0;
   for (std::size_t plus = 0; plus <= 12; ++plus) {
@@ -75,7 +75,7 @@ TEST_CASE("permuted tags keep all's bias, over all numbers of positive ones they
   CHECK(expectation == doctest::Approx(bernoulli_symmetry(5, 7)));
 }
 
-TEST_CASE("permuted tags agree with a shuffled deck") {
+TEST_CASE("permuted tags: exact value -> that of shuffled tags") {
   Rng rng{8, Stream::null_model};
   std::vector<int> deck{1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1};
   analysis::Mean sampled;
@@ -89,18 +89,18 @@ TEST_CASE("permuted tags agree with a shuffled deck") {
   CHECK(*sampled.value() == doctest::Approx(permuted_symmetry(4, 7, 7)).epsilon(0.01));
 }
 
-TEST_CASE("fair coins: small cases by hand") {
+TEST_CASE("Bernoulli tags: small cases by hand") {
   CHECK(bernoulli_symmetry(1, 1) == doctest::Approx(1.0));   // 2, 0, 0, 2
   CHECK(bernoulli_symmetry(1, 2) == doctest::Approx(1.0));   // |1 + {1, 0, 0, -1}| = 2, 1, 1, 0
   CHECK(bernoulli_symmetry(2, 2) == doctest::Approx(0.75));  // sums of two of {1, 0, 0, -1}: 2/16*2 + 8/16*1
   CHECK(bernoulli_symmetry(9, 21) == doctest::Approx(bernoulli_symmetry(21, 9)));
 }
 
-TEST_CASE("fair coins in the numbers of a whole population give about 0.32") {
+TEST_CASE("Bernoulli tags: numbers of a whole population -> about 0.32") {
   CHECK(bernoulli_symmetry(9, 21) == doctest::Approx(0.32).epsilon(0.01));
 }
 
-TEST_CASE("the exact sum agrees with sampled coins and meets the limit that is used beyond it") {
+TEST_CASE("Bernoulli tags: exact sum -> agrees with sampled tags and with the limit for large numbers") {
   Rng rng{7, Stream::null_model};
   analysis::Mean sampled;
   for (int trial = 0; trial < 100'000; ++trial) {
@@ -117,7 +117,7 @@ TEST_CASE("the exact sum agrees with sampled coins and meets the limit that is u
         doctest::Approx(std::sqrt(2.0 * (1.0 / 400 + 1.0 / 600) / std::numbers::pi)).epsilon(1e-3));
   CHECK(bernoulli_symmetry(401, 600) == doctest::Approx(bernoulli_symmetry(400, 600)).epsilon(2e-3));
   CHECK(bernoulli_symmetry(1, 999) == doctest::Approx(1.0));
-  CHECK(bernoulli_symmetry(1000, 1) == doctest::Approx(1.0));  // whatever the thousand show, it is as likely above as below -1
+  CHECK(bernoulli_symmetry(1000, 1) == doctest::Approx(1.0));  // for any sum of the thousand, it is as likely above as below -1
   for (const std::size_t few : {std::size_t{2}, std::size_t{7}, std::size_t{40}, std::size_t{248}}) {
     CHECK(bernoulli_symmetry(few, 1002 - few) == doctest::Approx(bernoulli_symmetry(few, 1000 - few)).epsilon(5e-4));
   }

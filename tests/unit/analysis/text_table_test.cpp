@@ -61,7 +61,7 @@ TEST_CASE("the table shows ours with its interval, the paper's value, nulls with
   CHECK_FALSE(has(text, "too few"));
 }
 
-TEST_CASE("of one run, two or five there are numbers, no conclusion, and a sentence that says so") {
+TEST_CASE("text table: one, two or five runs -> numbers, no conclusion, and a sentence about that") {
   for (const std::size_t count : {1UL, 2UL, 5UL}) {
     const test::TemporaryFolder folder;
     const ShadowedSet set{runs_of(folder, "aa", count), {}};

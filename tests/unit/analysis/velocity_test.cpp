@@ -28,7 +28,7 @@ std::vector<AgentRow> approach(double from_x_m, double to_x_m) {
 
 }  // namespace
 
-TEST_CASE("who gets nearer to where the adversary was has a positive velocity, over 12 s") {
+TEST_CASE("velocity: approach to the adversary's place within 12 s -> positive") {
   const auto samples = velocity_samples(approach(5.0, 4.4));
   REQUIRE(samples.size() == 1);  // tick 0 only: the others have no tick six later; the prey has no adversary
   CHECK(samples[0].species == predator);
@@ -77,7 +77,7 @@ TEST_CASE("no sample without adversary, in an empty run and in one that is too s
 }
 
 TEST_CASE("the stored adversary is kept while its robot is blind, and follows the body that it lived in") {
-  // The predator sees the prey at tick 0 only; from then on the prey stands elsewhere, and is somebody else.
+  // The predator sees the prey at tick 0 only; from then on the prey stands elsewhere, and is another individual.
   std::vector<AgentRow> agents;
   for (std::int64_t tick = 0; tick <= 7; ++tick) {
     agents.push_back(robot(tick, tick == 0 ? 0 : 77, prey, tick == 0 ? 0.0 : 10.0, 0.0));
@@ -101,12 +101,12 @@ TEST_CASE("the stored adversary outlives a birth: the next one in the body has i
     agents[agents.size() - 1].body = 1;
   }
   const auto samples = stored_velocity_samples(agents);
-  REQUIRE(samples.size() == 1);  // at tick 1; who was there at tick 0 is gone at tick 6
+  REQUIRE(samples.size() == 1);  // at tick 1; the individual of tick 0 is dead at tick 6
   CHECK(samples[0].time_s == 2.0);
   CHECK(samples[0].velocity_m_s == doctest::Approx(0.6 / 12.0));
 }
 
-TEST_CASE("a body that never saw anybody has no stored adversary") {
+TEST_CASE("velocity: body that has never perceived a robot -> no stored adversary") {
   auto alone = approach(5.0, 4.4);
   for (AgentRow& row : alone) row.adversary.reset();
   CHECK(stored_velocity_samples(alone).empty());

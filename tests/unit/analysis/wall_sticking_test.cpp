@@ -23,7 +23,7 @@ TEST_CASE("within 1 m of any wall sticks, at each tick as a share of the species
   CHECK(*wall_sticking(agents, prey, analysis::Group::all, 10.0, 2.0).mean() == doctest::Approx((1.0 + 0.5) / 2.0));
 }
 
-TEST_CASE("ticks without a member are left out, without any there is no value") {
+TEST_CASE("wall sticking: ticks without a member -> left out, and no value if no tick has one") {
   const std::vector<AgentRow> agents{robot(1, 0, prey, 9.9, 0.0), robot(2, 1, predator, 0.0, 0.0),
                                      robot(3, 0, prey, 9.9, 0.0, {}, Origin::random)};
   CHECK(*wall_sticking(agents, prey, analysis::Group::all, 10.0).mean() == 1.0);

@@ -96,7 +96,7 @@ T read(std::string_view bytes) {
 
 }  // namespace
 
-TEST_CASE("everything that can be saved comes back with the same bits") {
+TEST_CASE("archive: every type that can be saved -> the same bits") {
   CHECK(read<Everything>(bytes_of(full())) == full());
   CHECK(read<Everything>(bytes_of(Everything{})) == Everything{});
   CHECK(std::signbit(read<Everything>(bytes_of(full())).numbers[1]));
@@ -104,12 +104,12 @@ TEST_CASE("everything that can be saved comes back with the same bits") {
   CHECK(read<Counter>(bytes_of(Counter{12})).value() == 12);
 }
 
-TEST_CASE("a list of things without content keeps its length") {
+TEST_CASE("archive: list of empty elements -> the same length") {
   struct Nothing {};
   CHECK(read<std::vector<Nothing>>(bytes_of(std::vector<Nothing>(5))).size() == 5);
 }
 
-TEST_CASE("what was there before does not stay") {
+TEST_CASE("archive: reading into a filled object -> its old content is replaced") {
   const std::string bytes = bytes_of(Everything{});
   Everything value = full();
   Archive archive{bytes};
@@ -117,7 +117,7 @@ TEST_CASE("what was there before does not stay") {
   CHECK(value == Everything{});
 }
 
-TEST_CASE("what shared pointers share is written once and shared again") {
+TEST_CASE("archive: shared pointers to one object -> written once and shared again") {
   const auto genome = std::make_shared<Genome>(Genome{.id = 4, .weights = std::vector<double>(100, 0.5)});
   const std::vector<std::shared_ptr<Genome>> before{genome, nullptr, genome, std::make_shared<Genome>(*genome)};
   const std::string bytes = bytes_of(before);
@@ -131,7 +131,7 @@ TEST_CASE("what shared pointers share is written once and shared again") {
   CHECK(after[3]->id == 4);
 }
 
-TEST_CASE("bytes that end too early are refused at every length, without the memory that they claim") {
+TEST_CASE("archive: bytes cut at any length -> refused, without allocating the length that they claim") {
   const std::string bytes = bytes_of(full());
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     CAPTURE(length);
@@ -144,7 +144,7 @@ TEST_CASE("bytes that end too early are refused at every length, without the mem
   CHECK_THROWS_AS(static_cast<void>(read<std::string>(claims)), std::invalid_argument);
 }
 
-TEST_CASE("values that do not exist are refused") {
+TEST_CASE("archive: values that do not exist -> refused") {
   CHECK_THROWS_AS(static_cast<void>(read<bool>("\x02")), std::invalid_argument);
   CHECK_THROWS_AS(static_cast<void>(read<Origin>(bytes_of(std::int32_t{2}))), std::invalid_argument);
   CHECK_THROWS_AS(static_cast<void>(read<Origin>(bytes_of(std::int32_t{-1}))), std::invalid_argument);

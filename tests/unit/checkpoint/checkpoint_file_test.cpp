@@ -26,7 +26,7 @@ checkpoint::Checkpoint moment(std::int64_t tick) {
 
 }  // namespace
 
-TEST_CASE("a checkpoint reads back, and any cut or change of a byte is noticed") {
+TEST_CASE("checkpoint file: written -> reads back, and cut or changed in any byte -> refused") {
   const std::string bytes = to_bytes(moment(5));
   const auto back = checkpoint::from_bytes(bytes, "it");
   CHECK(back.tick == 5);
@@ -35,7 +35,7 @@ TEST_CASE("a checkpoint reads back, and any cut or change of a byte is noticed")
   CHECK(back.section("files") == "abc");
   CHECK(message_of<std::invalid_argument>([&] {
           static_cast<void>(back.section("replay"));
-        }).starts_with("the checkpoint holds nothing of \"replay\""));
+        }).starts_with("the checkpoint has no section \"replay\""));
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     CAPTURE(i);
     CHECK_THROWS_AS(static_cast<void>(checkpoint::from_bytes(std::string_view{bytes}.substr(0, i), "it")), std::invalid_argument);
@@ -45,12 +45,12 @@ TEST_CASE("a checkpoint reads back, and any cut or change of a byte is noticed")
   }
 }
 
-TEST_CASE("errors name the file and what is wrong with it") {
+TEST_CASE("checkpoint file: missing, of another format or version -> errors name the file and its fault") {
   const auto refusal = [](const std::string& bytes) {
     return message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::from_bytes(bytes, "x.bin")); });
   };
   const std::string bytes = to_bytes(moment(5));
-  CHECK(refusal("") == "x.bin: is no checkpoint of trophic");
+  CHECK(refusal("") == "x.bin: is not a checkpoint of trophic");
   CHECK(refusal("trophic checkpoint\n12") == "x.bin: is cut short");
   CHECK(refusal(bytes + "x") == "x.bin: is cut short or damaged: its checksum is another");
   std::string newer = bytes;
@@ -58,7 +58,7 @@ TEST_CASE("errors name the file and what is wrong with it") {
   CHECK(refusal(newer) == "x.bin: has format 4: must be 3, as this program writes");
 }
 
-TEST_CASE("the one before it stands in for a checkpoint that is missing or damaged") {
+TEST_CASE("checkpoint file: missing or damaged -> its predecessor is read") {
   const TemporaryFolder folder;
   CHECK_FALSE(checkpoint::exists(folder.path()));
   CHECK_THROWS_AS(static_cast<void>(checkpoint::read_last(folder.path())), std::invalid_argument);

@@ -10,12 +10,12 @@
 
 using namespace trophic;
 
-TEST_CASE("checksum: CRC-32's check value, and nothing has the sum of nothing") {
+TEST_CASE("checksum: the digits 1 to 9 -> the check value of CRC-32, and no bytes -> 0") {
   CHECK(checksum("123456789") == 0xCBF43926U);
   CHECK(checksum("") == 0);
 }
 
-TEST_CASE("checksum: as another library says, in one piece or in two") {
+TEST_CASE("checksum: random bytes, in one piece or in two -> zlib's sum") {
   Rng rng{1, Stream::user};
   std::string bytes(1000, '\0');
   for (char& byte : bytes) byte = static_cast<char>(static_cast<unsigned char>(rng.uniform(0.0, 256.0)));

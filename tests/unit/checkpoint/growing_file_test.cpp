@@ -32,7 +32,7 @@ std::uint32_t crc(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("a file that is gone on with is cut to its length at the checkpoint, and ends as if nothing had happened") {
+TEST_CASE("growing file: resumed -> cut to its length at the checkpoint, and ends with the same bytes") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "table.csv";
   Archive archive;
@@ -55,7 +55,7 @@ TEST_CASE("a file that is gone on with is cut to its length at the checkpoint, a
   CHECK(moved.checksum() == crc("one\ntwo\n"));
 }
 
-TEST_CASE("a file is never overwritten, and one that is too short, missing or a pipe is refused") {
+TEST_CASE("growing file: exists, or is too short, missing or a pipe on resuming -> refused") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "table.csv";
   Archive archive;
@@ -71,7 +71,7 @@ TEST_CASE("a file is never overwritten, and one that is too short, missing or a 
   GrowingFile file{path, Opening::resumed};
   Archive back{archive.bytes()};
   CHECK(message_of<std::runtime_error>([&] { file.persist(back); }) ==
-        "cannot go on with " + path.string() + ": it has 4 bytes: must be >= 10, as many as it had at the checkpoint");
+        "cannot continue " + path.string() + ": it has 4 bytes: must be >= 10, as many as it had at the checkpoint");
   CHECK_THROWS_AS((GrowingFile{folder.path() / "none", Opening::resumed}), std::runtime_error);
   REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
   CHECK_THROWS_AS((GrowingFile{folder.path() / "pipe", Opening::resumed}), std::runtime_error);

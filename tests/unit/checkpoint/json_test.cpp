@@ -9,13 +9,13 @@
 
 using namespace trophic;
 
-TEST_CASE("JSON comes back as it was written, keys in their order") {
+TEST_CASE("json: written -> reads back, keys in their order") {
   const std::string text = R"({"until_s":600.0,"seed":18446744073709551615,"food_web":[{"hunter":"predator"}],"error":null})";
   CHECK(json_text(parse_json(text)) == text);
   CHECK(json_text(parse_json(R"({"b":1,"a":2})"), 2) == "{\n  \"b\": 1,\n  \"a\": 2\n}");
 }
 
-TEST_CASE("what is no JSON throws, or is null") {
+TEST_CASE("json: text that is not JSON -> throws, or null") {
   for (const char* text : {"", "{", R"({"a":})", "{} {}", "\xff"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(static_cast<void>(parse_json(text)), Json::exception);
@@ -24,7 +24,7 @@ TEST_CASE("what is no JSON throws, or is null") {
   CHECK(parse_json_or_null("[]").is_array());
 }
 
-TEST_CASE("what is nested deeper than anything of ours is no JSON, and takes no stack") {
+TEST_CASE("json: nested deeper than trophic writes -> refused, without overflowing the stack") {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   CHECK(parse_json(nested(64)).is_array());
   CHECK_THROWS_AS(static_cast<void>(parse_json(nested(65))), Json::exception);
@@ -37,7 +37,7 @@ TEST_CASE("what is nested deeper than anything of ours is no JSON, and takes no 
   CHECK(parse_json(wide + "]").size() == 1001);
 }
 
-TEST_CASE("a whole number of JSON is one, within its bounds, or a sentence") {
+TEST_CASE("json: whole number within its bounds -> the number, and any other value -> an error that names the field") {
   const Json json = parse_json(R"({"seed":18446744073709551615,"low":-3,"half":0.5,"huge":1e300,"text":"7"})");
   CHECK(whole_number<std::uint64_t>(json, "seed") == 18446744073709551615u);
   CHECK(whole_number<int>(json, "low") == -3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run on an engine that was cut off goes on to the same bytes: robots that touch, height fields, other numbers of threads.
+// An interrupted run on an engine resumes to the same bytes: robots that touch, height fields, other numbers of threads.
 #include <doctest/doctest.h>
 
 #include <cstddef>
@@ -31,23 +31,23 @@ constexpr auto other_threads = [](std::size_t part, auto& backend) { backend.thr
 
 }  // namespace
 
-TEST_CASE("MuJoCo, fast, robots that touch, with another number of threads before and after") {
+TEST_CASE("resume: MuJoCo, fast, robots that touch, another number of threads -> the same bytes") {
   const TemporaryFolder folder;
   check_resumed(crowd("walled_square", 0.8, 40.0), backend::Mujoco::Params{}, folder.path(), {7, 13}, 8.0, other_threads);
 }
 
-TEST_CASE("MuJoCo, islands, robots that touch") {
+TEST_CASE("resume: MuJoCo, islands, robots that touch -> the same bytes") {
   const TemporaryFolder folder;
   const backend::Mujoco::Params islands{.stepping = backend::Mujoco::Stepping::islands};
   check_resumed(crowd("walled_square", 0.8, 16.0), islands, folder.path(), {5}, 6.0, other_threads);
 }
 
-TEST_CASE("MuJoCo, fast, on the slopes of a height field") {
+TEST_CASE("resume: MuJoCo, fast, slopes of a height field -> the same bytes") {
   const TemporaryFolder folder;
   check_resumed(crowd("height_field", 9.3, 24.0), backend::Mujoco::Params{}, folder.path(), {4, 9}, 4.0, other_threads);
 }
 
-TEST_CASE("ODE, robots that touch, with another number of threads before and after") {
+TEST_CASE("resume: ODE, robots that touch, another number of threads -> the same bytes") {
   const TemporaryFolder folder;
   check_resumed(crowd("walled_square", 0.8, 10.0), backend::Ode::Params{}, folder.path(), {3}, 2.0, other_threads);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run that was cut off goes on to the same bytes: kinematic backend, every rule table, any moment.
+// An interrupted run resumes to the same bytes: kinematic backend, every rule table, any moment.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -65,15 +65,15 @@ void check_random_moments() {
 
 }  // namespace
 
-TEST_CASE("a run that is cut off at any moment goes on to the same bytes: paper") {
+TEST_CASE("resume: run of paper interrupted at any moment -> the same bytes") {
   check_random_moments<rules::Paper>();
 }
 
-TEST_CASE("a run that is cut off at any moment goes on to the same bytes: released") {
+TEST_CASE("resume: run of released interrupted at any moment -> the same bytes") {
   check_random_moments<rules::Released>();
 }
 
-TEST_CASE("so does a run that is cut off ten times") {
+TEST_CASE("resume: run interrupted ten times -> the same bytes") {
   const TemporaryFolder folder;
   std::vector<std::int64_t> cuts;
   Rng rng{1, Stream::user};
@@ -85,7 +85,7 @@ TEST_CASE("so does a run that is cut off ten times") {
   CHECK(manifest["continued"].size() >= 5);
 }
 
-TEST_CASE("so does a run that was stopped, and one that is made longer") {
+TEST_CASE("resume: run that was stopped or is extended -> the same bytes") {
   const TemporaryFolder folder;
   run_in_parts(brief<rules::Paper>(3), backend::Kinematic::Params{}, folder.path() / "whole", {}, 100.0, unchanged);
   const auto part = [&](double until_s, std::int64_t stop_tick) {
@@ -105,7 +105,7 @@ TEST_CASE("so does a run that was stopped, and one that is made longer") {
   CHECK(results_in(folder.path() / "whole") == results_in(folder.path() / "parts"));
 }
 
-TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that goes on is told") {
+TEST_CASE("resume: run with a thinned agents.csv, resumed with another interval -> the same bytes") {
   const TemporaryFolder folder;
   const fs::path whole = folder.path() / "whole";
   const fs::path parts = folder.path() / "parts";
@@ -126,7 +126,7 @@ TEST_CASE("so does a run whose agents.csv is thinned, whatever the program that 
   CHECK_FALSE(parse_json(content(folder.path() / "all/manifest.json")).contains("agents_every_ticks"));
 }
 
-TEST_CASE("so does a run with states.csv, with senses.csv beside it or not") {
+TEST_CASE("resume: run with states.csv, with and without senses.csv -> the same bytes") {
   for (const bool senses : {false, true}) {
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";
@@ -145,7 +145,7 @@ TEST_CASE("so does a run with states.csv, with senses.csv beside it or not") {
   }
 }
 
-TEST_CASE("so does a run with senses.csv, and no other file of it knows of that one") {
+TEST_CASE("resume: run with senses.csv -> the same bytes, and no other file differs") {
   const TemporaryFolder folder;
   const fs::path whole = folder.path() / "whole";
   const fs::path parts = folder.path() / "parts";
@@ -159,7 +159,7 @@ TEST_CASE("so does a run with senses.csv, and no other file of it knows of that 
   CHECK(manifest["tables"]["senses.csv"]["rows"] == 30 * (300 / 2 + 1));
   CHECK(manifest["senses"]["inputs"].size() == 3);
 
-  // what it began without it goes on without
+  // a table that it began without stays absent
   run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, without, 101, 50.0, {.agents_every_ticks = 2, .senses = false});
   run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, without, never, 50.0, {.agents_every_ticks = 2, .senses = true});
   CHECK_FALSE(fs::exists(without / "senses.csv"));
@@ -170,13 +170,13 @@ TEST_CASE("so does a run with senses.csv, and no other file of it knows of that 
   CHECK(results_in(whole) == results_in(without));
 }
 
-TEST_CASE("a checkpoint of 30 robots is small") {
+TEST_CASE("resume: checkpoint of 30 robots -> small") {
   const TemporaryFolder folder;
   run_in_parts(brief<rules::Released>(3), backend::Kinematic::Params{}, folder.path() / "run", {}, 100.0, unchanged);
   CHECK(fs::file_size(folder.path() / "run" / checkpoint::file_name) < 50'000);
 }
 
-TEST_CASE("a checkpoint of another run, seed or number is refused, and nothing is changed") {
+TEST_CASE("resume: checkpoint of another run, seed or number -> refused, and nothing is changed") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
   run_part(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, 150, 100.0);
@@ -196,7 +196,7 @@ TEST_CASE("a checkpoint of another run, seed or number is refused, and nothing i
   CHECK(content(run / "agents.csv") == before);
 }
 
-TEST_CASE("a folder in which nothing can go on is set aside, one that another program works in is left alone") {
+TEST_CASE("resume: folder without a usable checkpoint -> renamed, and folder that another program works in -> unchanged") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
   const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
@@ -212,7 +212,7 @@ TEST_CASE("a folder in which nothing can go on is set aside, one that another pr
   CHECK(fs::exists(folder.path() / "run.incomplete-1/events.csv"));
 }
 
-TEST_CASE("a damaged checkpoint gives way to the one before it") {
+TEST_CASE("resume: damaged checkpoint -> its predecessor is used") {
   const TemporaryFolder folder;
   run_in_parts(brief<rules::Paper>(3), backend::Kinematic::Params{}, folder.path() / "whole", {}, 50.0, unchanged);
   const fs::path run = folder.path() / "parts";
@@ -222,7 +222,7 @@ TEST_CASE("a damaged checkpoint gives way to the one before it") {
   CHECK(results_in(folder.path() / "whole") == results_in(run));
 }
 
-TEST_CASE("files that lost what they had at the checkpoint are refused") {
+TEST_CASE("resume: files shorter than at the checkpoint -> refused") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
   run_part(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, 150, 50.0);

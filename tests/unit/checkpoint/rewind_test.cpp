@@ -29,7 +29,7 @@ void write_manifest(const std::filesystem::path& folder, const std::string& stat
 
 }  // namespace
 
-TEST_CASE("a run needs the snapshot that it begins with until it has something of its own to go on from") {
+TEST_CASE("rewind: run that begins from a snapshot -> needs it until it has a checkpoint of its own") {
   const TemporaryFolder folder;
   CHECK(checkpoint::needs_snapshot(folder.path() / "none", 100.0));
   CHECK(checkpoint::needs_snapshot(folder.path(), 100.0));
@@ -48,10 +48,10 @@ TEST_CASE("a run needs the snapshot that it begins with until it has something o
   std::filesystem::remove(folder.path() / checkpoint::predecessor_name);
   std::filesystem::resize_file(folder.path() / checkpoint::file_name, 30);
   CHECK(checkpoint::needs_snapshot(folder.path(), 200.0));
-  CHECK(checkpoint::exists(folder.path()));  // what it cannot use it leaves alone
+  CHECK(checkpoint::exists(folder.path()));  // unusable folders are not changed
 }
 
-TEST_CASE("the snapshot is copied as far as the latest checkpoint of this version that is not too late") {
+TEST_CASE("rewind: snapshot -> copied up to the latest checkpoint of this version that is not too late") {
   const TemporaryFolder folder;
   const std::filesystem::path run = folder.path() / "run";
   std::filesystem::create_directory(run);

@@ -12,14 +12,14 @@ using namespace trophic;
 using test::message_of;
 using test::TemporaryFolder;
 
-TEST_CASE("a whole file is read with every byte") {
+TEST_CASE("whole file: any bytes -> every byte is read") {
   const TemporaryFolder folder;
   const std::string text{"a\0b\r\n\xff", 6};
   CHECK(read_whole_file(folder.file("text", text)) == text);
   CHECK(read_whole_file(folder.file("empty", "")).empty());
 }
 
-TEST_CASE("what is no file, not there or too large is refused at once") {
+TEST_CASE("whole file: not a file, missing or too large -> refused at once") {
   const TemporaryFolder folder;
   const auto refusal = [](const std::filesystem::path& path, std::uint64_t most = 100) {
     return message_of<std::invalid_argument>([&] { static_cast<void>(read_whole_file(path, most)); });

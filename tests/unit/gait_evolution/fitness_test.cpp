@@ -20,8 +20,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A perfect walker: goes along its heading at that speed; the target angle turns it to the right at that rate, rad/s. 10 steps a
-/// second.
+/// A perfect walker: moves along its heading at that speed; the target angle turns it to the right at that rate, rad/s. 10 steps
+/// a second.
 Track perfect_walk(const Pilot& pilot, double start_turn_rad, double duration_s, double speed_m_s = 1.0) {
   Track track{.control_hz = 10.0, .poses = {{0.0, 0.0, trophic::wrap_angle(pi + start_turn_rad)}}};
   for (int step = 0; step < static_cast<int>(duration_s * 10.0); ++step) {
@@ -58,7 +58,7 @@ TEST_CASE("turning rate and speeds of a walk on a circle that swings its body") 
                            trophic::wrap_angle(rate * t + swing - 0.5)});
   }
   CHECK(std::abs(track.turn_rate_rad_s() - rate) < 1e-3);
-  // The body points 0.5 rad to the right of the way it goes; a chord of 1 rad is shorter than its arc by sin(0.5) / 0.5.
+  // The body points 0.5 rad to the right of its direction of motion; a chord of 1 rad is shorter than its arc by sin(0.5) / 0.5.
   const double chord = speed * std::sin(0.5) / 0.5;
   const auto [forward, left] = track.forward_and_left_m_s(5.0);
   CHECK(std::abs(forward - chord * std::cos(0.5)) < 1e-3);
@@ -110,7 +110,7 @@ TEST_CASE("steered displacement: only a walker that turns to both sides gets far
   CHECK(steered.fitness(walker(-1.0, -1.0, -1.0)) < 1.0);
 }
 
-TEST_CASE("a trial starts as its facing says and asks the pilot at the control rate") {
+TEST_CASE("trial: facing -> its start pose, and the pilot is asked at the control rate") {
   const trophic::RobotModel robot = trophic::load_robot("spider");
   const trophic::Gait gait = trophic::load_gait("spider_published");
   gait_evolution::Trial trial{.duration_s = 2.0, .control_hz = 10.0, .idle_steps = 3};

@@ -19,7 +19,7 @@ struct Family {
   std::vector<Genome> genomes;
 };
 
-/// A handful of founders that mutate and mate at random, structure often.
+/// A few founders that mutate and mate at random, with frequent changes of structure.
 Family breed(std::uint64_t seed, std::size_t operations) {
   const gait_evolution::Variation variation{.add_link_probability = 0.5, .add_node_probability = 0.2};
   Family family;
@@ -55,7 +55,7 @@ TEST_CASE("genomes stay valid under any sequence of mutations and crossovers") {
   }));
 }
 
-TEST_CASE("three thousand operations on one family") {
+TEST_CASE("genome: three thousand operations on one family -> valid genomes") {
   const Family family = breed(2024, 3000);
   std::size_t hidden = 0;
   for (const Genome& genome : family.genomes) {

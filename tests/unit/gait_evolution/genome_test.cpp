@@ -66,7 +66,7 @@ TEST_CASE("equal innovations get equal numbers, new ones new numbers") {
   CHECK(continued.node(5, without) == 11);
 }
 
-TEST_CASE("a new node takes the place of a link") {
+TEST_CASE("genome: new node -> replaces a link") {
   gait_evolution::Innovations innovations;
   Genome genome{.nodes = {{7, Activation::sine}}, .links = {{2, 2, 7, 0.75, true}}};
   trophic::Rng rng{3, trophic::Stream::gait_variation};
@@ -154,7 +154,7 @@ TEST_CASE("an invalid genome is refused with gene and rule") {
   CHECK(refusal(genome) == "cppn: link 9: to = 3 is an input");
   genome = small();
   genome.links.push_back({9, 12, 7, 1.0, true});
-  CHECK(refusal(genome) == "cppn: link 9: from = 12 is no node of this genome");
+  CHECK(refusal(genome) == "cppn: link 9: from = 12 is not a node of this genome");
   genome = small();
   genome.links.push_back({9, 0, 7, 1.0, true});
   CHECK(refusal(genome) == "cppn: link 9: joins the same nodes as an earlier link");

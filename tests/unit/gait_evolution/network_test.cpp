@@ -30,7 +30,7 @@ TEST_CASE("inputs are the constant and both cells, in this order") {
   CHECK(gait_evolution::Network{genome}({2, 3, 4}, {5, 6, 7}) == 654321.0);
 }
 
-TEST_CASE("hidden nodes compute before the nodes that they lead to, whatever their ids") {
+TEST_CASE("network: any ids of hidden nodes -> computed before the nodes that they feed") {
   // x1 -> 9 (abs) -> 8 (linear) -> 7 (linear): |2 x1| * 3 * 0.5
   const Genome genome{.nodes = {{7, Activation::linear}, {8, Activation::linear}, {9, Activation::abs}},
                       .links = {{0, 8, 7, 0.5, true}, {1, 9, 8, 3.0, true}, {2, 1, 9, 2.0, true}}};

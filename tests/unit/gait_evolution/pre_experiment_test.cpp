@@ -96,7 +96,7 @@ TEST_CASE("in the released code's pre-experiment the two parents of a child are 
   }
 }
 
-TEST_CASE("any number of threads gives the same lineage and another seed another one") {
+TEST_CASE("pre-experiment: any number of threads -> the same lineage, another seed -> another one") {
   auto one = experiment();
   auto three = experiment();
   finish(one, 1);
@@ -109,7 +109,7 @@ TEST_CASE("any number of threads gives the same lineage and another seed another
   CHECK_FALSE(one.lineage() == other.lineage());
 }
 
-TEST_CASE("killed at any generation and resumed: the same bytes") {
+TEST_CASE("pre-experiment: killed at any generation and resumed -> the same bytes") {
   const trophic::test::TemporaryFolder whole;
   auto uninterrupted = experiment<gait_evolution::Released>();
   while (!uninterrupted.done()) {
@@ -135,7 +135,7 @@ TEST_CASE("killed at any generation and resumed: the same bytes") {
   }
 }
 
-TEST_CASE("a generation that is stopped leaves everything as it was") {
+TEST_CASE("pre-experiment: generation stopped halfway -> nothing is changed") {
   auto running = experiment();
   REQUIRE(running.next_generation());
   const gait_evolution::Lineage before = running.lineage();
@@ -156,7 +156,7 @@ TEST_CASE("candidates whose trial diverges score -infinity and do not survive be
   CHECK(std::isfinite(lineage.individuals[lineage.champion()].fitness));
 }
 
-TEST_CASE("what cannot work is refused before anything runs") {
+TEST_CASE("pre-experiment: impossible settings -> refused before any trial runs") {
   const auto refusal = [](auto change) {
     auto numbers = quick<gait_evolution::Paper>();
     change(numbers);
@@ -168,7 +168,7 @@ TEST_CASE("what cannot work is refused before anything runs") {
         "physics.timestep_s = 0.0012: must be <= 0.001, the control period");
 }
 
-TEST_CASE("a checkpoint of something else, or a broken one, is refused") {
+TEST_CASE("pre-experiment: broken or foreign checkpoint -> refused") {
   const trophic::test::TemporaryFolder folder;
   auto saved = experiment();
   saved.next_generation();
@@ -199,7 +199,7 @@ TEST_CASE("a checkpoint of something else, or a broken one, is refused") {
   for (const char* generations : {"generations = 2", "generations = 1000000000"}) {
     changed = text;
     changed.replace(changed.find("generations = 1"), 15, generations);
-    if (changed.find("generations = 2") != std::string::npos) {  // nobody survived the second
+    if (changed.find("generations = 2") != std::string::npos) {  // no individual survived the second
       for (std::size_t at = 0; (at = changed.find("born = 0", at)) != std::string::npos; at += 20)
         changed.insert(at, "died = 1\n");
     }
@@ -207,7 +207,7 @@ TEST_CASE("a checkpoint of something else, or a broken one, is refused") {
   }
 }
 
-TEST_CASE("history as tables") {
+TEST_CASE("history: a pre-experiment -> its tables") {
   using trophic::gait_evolution::Individual;
   gait_evolution::Lineage lineage;
   lineage.generations = 2;
@@ -221,7 +221,7 @@ TEST_CASE("history as tables") {
         "0,[none],0,0,1,0.5,0,0\n1,[none],1,0,inf,2,0,0\n2,\"[0,1]\",0,1,inf,1.25,0,0\n3,[1],1,1,1,-inf,0,0\n");
 }
 
-TEST_CASE("a gait file reads back as the champion's gait and CPPN, and tells how it was made") {
+TEST_CASE("gait file: written -> reads back as the champion's gait and CPPN, with its provenance") {
   const trophic::test::TemporaryFolder folder;
   auto running = experiment(quick<gait_evolution::Paper>());
   finish(running);

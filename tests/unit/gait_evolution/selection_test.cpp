@@ -20,7 +20,7 @@ trophic::Rng rng(std::uint64_t event = 0) {
 
 }  // namespace
 
-TEST_CASE("round robin against everybody: most wins first, equals by age") {
+TEST_CASE("round robin: against all -> most wins first, equals by age") {
   auto random = rng();
   const std::vector<double> fitness{3.0, 1.0, 2.0, 5.0, 3.0, -std::numeric_limits<double>::infinity()};
   const gait_evolution::RoundRobin round_robin;
@@ -75,7 +75,7 @@ TEST_CASE("couples need two individuals and two places each") {
         }) == "tournament_couples: 3 parents: must be even");
 }
 
-TEST_CASE("a tournament selects nobody twice") {
+TEST_CASE("tournament: any draw -> no individual is selected twice") {
   const gait_evolution::Tournament tournament;
   const std::vector<double> fitness{1.0, 4.0, 2.0, 3.0};
   auto random = rng();

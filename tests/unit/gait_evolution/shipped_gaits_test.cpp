@@ -11,7 +11,7 @@ using trophic::Gait;
 using trophic::load_gait;
 namespace gait_evolution = trophic::gait_evolution;
 
-TEST_CASE("the gaits that were evolved for the shipped robots are their own CPPN at the robot's grid positions") {
+TEST_CASE("shipped gaits: each evolved gait -> its own CPPN at the robot's grid positions") {
   for (const std::string name : {"spider_paper", "spider_steered", "gecko_paper", "gecko_steered"}) {
     CAPTURE(name);
     const Gait gait = load_gait(name);

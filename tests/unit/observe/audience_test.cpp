@@ -29,7 +29,7 @@ struct TicksOnly {
   void on_tick(const View&) { ++ticks; }
 };
 
-/// Tells its audience of one moment between two ticks, and of the last.
+/// Announces to its audience one moment between two ticks, and the last.
 class TwoMoments final : public Simulation {
  public:
   void persist(Archive& archive) override { archive(tick_); }
@@ -71,7 +71,7 @@ TEST_CASE("audience: several observers -> each hook called, in order") {
   audience.tick(view);
   CHECK(audience.keep_running());
   third.is_running = false;
-  CHECK_FALSE(audience.keep_running());  // any of them may say stop
+  CHECK_FALSE(audience.keep_running());  // any of them may stop the run
   audience.failure("broken");
   audience.end(view);
   CHECK(told ==

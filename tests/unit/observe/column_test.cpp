@@ -23,7 +23,7 @@ void check_columns() {
     CHECK_FALSE(column.help.empty());
     using Kind = std::remove_cvref_t<decltype(column)>;
     if constexpr (!io::is_species_column<Kind>) {
-      // a name that ends in a unit says it
+      // a column whose name ends in a unit has that unit
       for (const std::string_view unit : {"s", "m", "rad"}) {
         if (column.name.ends_with("_" + std::string{unit})) CHECK(column.unit == unit);
       }

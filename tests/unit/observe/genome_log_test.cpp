@@ -14,7 +14,7 @@ TEST_CASE("genomes: birth -> a row with every weight, exact") {
   robots.individuals[0].genome->weights = {0.1, -1.0 / 3.0};
   const View view = robots.view();
   io::GenomeLog log{path};
-  CHECK_FALSE(std::filesystem::exists(path));  // until a birth tells how many weights there are
+  CHECK_FALSE(std::filesystem::exists(path));  // until a birth sets the number of weights
   log.on_event({.kind = EventKind::activation, .body = 1, .individual = view.robots[1], .cause = {}, .other = {}}, view);
   log.on_event({.kind = EventKind::birth, .body = 0, .individual = view.robots[0], .cause = {}, .other = {}}, view);
   log.on_tick(view);

@@ -79,7 +79,7 @@ TEST_CASE("recording: checkpoint with an impossible recording -> error") {
   Ecology<rules::Paper> ecology{Experiment<rules::Paper>{}, backend::Kinematic::Params{}};
   Recording recording{path, 5.0};
   struct Keep {
-    void on_tick(const View&) {  // with frames that wait for their block
+    void on_tick(const View&) {  // with frames that are not yet in a block
       Archive archive;
       recording.persist(archive);
       bytes = archive.bytes();

@@ -23,7 +23,7 @@ TEST_CASE("run folder: run -> all files, never overwritten") {
                    robots.view());
     }
     run.on_tick(robots.view());
-    // what has happened is there before the run ends
+    // past events are written before the run ends
     CHECK(test::content(path / "events.csv").find("birth,9,") != std::string::npos);
     run.on_end(robots.at_tick(5).view());
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Claims on runs, attempts at them, and who does what of a plan.
+// Claims on runs, attempts at them, and the division of a plan among programs.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -56,7 +56,7 @@ std::vector<PlannedRun> plan_with(const std::vector<double>& works) {
   return plan;
 }
 
-/// What a run leaves that ended so.
+/// Writes the files of a run that ended with this status.
 void leave_manifest(const fs::path& folder, const std::string& status) {
   fs::create_directories(folder);
   std::ofstream{folder / "manifest.json"} << R"({"status": ")" << status << "\"}\n";
@@ -73,7 +73,7 @@ void make_old(const fs::path& path, double by_s) {
 
 }  // namespace
 
-TEST_CASE("A run is claimed once, and again when it was given back") {
+TEST_CASE("claim: claimed run -> refused until it is given back") {
   const TemporaryFolder folder;
   {
     const auto first = Claim::take(folder.path(), 3, long_lease_s);
@@ -87,7 +87,7 @@ TEST_CASE("A run is claimed once, and again when it was given back") {
   CHECK(Claim::take(folder.path(), 3, long_lease_s));
 }
 
-TEST_CASE("Of many threads that claim one run at once, one gets it") {
+TEST_CASE("claim: many threads claim one run at once -> one gets it") {
   const TemporaryFolder folder;
   for (std::size_t run = 0; run < 50; ++run) {
     std::atomic<int> got = 0;
@@ -109,7 +109,7 @@ TEST_CASE("Of many threads that claim one run at once, one gets it") {
   }
 }
 
-TEST_CASE("The claim of a program of this machine that died is stale at once") {
+TEST_CASE("claim: its program on this machine died -> stale at once") {
   const TemporaryFolder folder;
   const pid_t child = ::fork();
   if (child == 0) {
@@ -131,7 +131,7 @@ TEST_CASE("The claim of a program of this machine that died is stale at once") {
   CHECK(fs::is_empty(folder.path()));
 }
 
-TEST_CASE("A claim of another machine is stale when it was not renewed for its lease") {
+TEST_CASE("claim: of another machine, not renewed for its lease -> stale") {
   const TemporaryFolder folder;
   const fs::path claim = folder.path() / "5.0";
   fs::create_directory(claim);
@@ -144,7 +144,7 @@ TEST_CASE("A claim of another machine is stale when it was not renewed for its l
   CHECK(Claim::take(folder.path(), 5, 60.0));
 }
 
-TEST_CASE("A claim without an owner's file is as old as its folder") {
+TEST_CASE("claim: without an owner's file -> as old as its folder") {
   const TemporaryFolder folder;
   const fs::path claim = folder.path() / "5.0";
   fs::create_directory(claim);
@@ -153,7 +153,7 @@ TEST_CASE("A claim without an owner's file is as old as its folder") {
   CHECK(Claim::take(folder.path(), 5, 60.0));
 }
 
-TEST_CASE("A run is claimed while others who have no more to do take the empty folder of claims away") {
+TEST_CASE("claim: other programs remove the empty folder of claims meanwhile -> the run is claimed") {
   const TemporaryFolder folder;
   const std::vector<PlannedRun> plan = plan_with({1.0});
   std::atomic<bool> is_over = false;
@@ -174,7 +174,7 @@ TEST_CASE("A run is claimed while others who have no more to do take the empty f
   CHECK(taken == 500);
 }
 
-TEST_CASE("A claim whose owner's file is not one of this program's is another program's until its lease is over") {
+TEST_CASE("claim: owner's file of another format -> another program's claim until its lease is over") {
   const TemporaryFolder folder;
   const fs::path claim = folder.path() / "5.0";
   fs::create_directory(claim);
@@ -192,7 +192,7 @@ TEST_CASE("A claim whose owner's file is not one of this program's is another pr
   CHECK(Claim::take(folder.path(), 5, 60.0));
 }
 
-TEST_CASE("A claim is renewed as long as it lives") {
+TEST_CASE("claim: held -> renewed until it is destroyed") {
   const TemporaryFolder folder;
   const auto claim = Claim::take(folder.path(), 0, 0.2);
   REQUIRE(claim);
@@ -203,7 +203,7 @@ TEST_CASE("A claim is renewed as long as it lives") {
   CHECK(fs::last_write_time(owner) > old);
 }
 
-TEST_CASE("A run's folder appears when it is complete, and older attempts go") {
+TEST_CASE("attempt: complete -> the run's folder appears, and older attempts are removed") {
   const TemporaryFolder folder;
   const auto plan = plan_with({1.0});
   const fs::path run = folder.path() / plan[0].folder;
@@ -221,7 +221,7 @@ TEST_CASE("A run's folder appears when it is complete, and older attempts go") {
   CHECK(again.ended == Ended::was_complete);
 }
 
-TEST_CASE("What a program leaves that is killed at the very end of a run goes with the next look at it") {
+TEST_CASE("attempt: program killed at the very end of a run -> its files are removed at the next look") {
   const TemporaryFolder folder;
   const auto plan = plan_with({1.0, 2.0});
   const auto look = [&] {
@@ -236,7 +236,7 @@ TEST_CASE("What a program leaves that is killed at the very end of a run goes wi
   const fs::path claims = folder.path() / sweep::claims_name;
   fs::create_directories(claims / "0.0");
   sweep::remove_claims(folder.path(), plan);
-  CHECK(fs::exists(claims / "0.0"));  // somebody may be at work on the other run
+  CHECK(fs::exists(claims / "0.0"));  // another program may be at work on the other run
   fs::remove(claims / "0.0");
   sweep::remove_claims(folder.path(), plan);
   CHECK_FALSE(fs::exists(claims));
@@ -246,7 +246,7 @@ TEST_CASE("What a program leaves that is killed at the very end of a run goes wi
   CHECK_FALSE(fs::exists(claims));
 }
 
-TEST_CASE("A claim says whose it is from its first moment on") {
+TEST_CASE("claim: at any moment of its life -> has its owner's file") {
   const TemporaryFolder folder;
   constexpr std::size_t runs = 200;
   std::atomic<bool> done = false;
@@ -270,7 +270,7 @@ TEST_CASE("A claim says whose it is from its first moment on") {
   CHECK(nobodys == 0);
 }
 
-TEST_CASE("What is claimed is elsewhere, what throws has failed, what a signal ends is stopped") {
+TEST_CASE("attempt: claimed by another -> elsewhere, throws -> failed, ended by a signal -> stopped") {
   const TemporaryFolder folder;
   const auto plan = plan_with({1.0});
   const auto attempt = [&](const std::function<void(const fs::path&)>& work) {
@@ -289,7 +289,7 @@ TEST_CASE("What is claimed is elsewhere, what throws has failed, what a signal e
   CHECK_FALSE(sweep::is_complete(folder.path(), plan[0]));
 }
 
-TEST_CASE("Of two programs that do the same run, the slower one finds it done") {
+TEST_CASE("attempt: two programs do the same run -> the slower one finds it done") {
   const TemporaryFolder folder;
   const auto plan = plan_with({1.0});
   const fs::path run = folder.path() / plan[0].folder;
@@ -308,7 +308,7 @@ TEST_CASE("Of two programs that do the same run, the slower one finds it done") 
   CHECK_FALSE(fs::exists(run.string() + ".attempt-0"));
 }
 
-TEST_CASE("Shards are written I/N, hold each run once and none is empty of sense") {
+TEST_CASE("shard: I/N -> the N shards have each run once, and any other text -> refused") {
   for (const char* bad : {"", "1", "0/4", "5/4", "1/0", "1/", "/4", "1/4x", "a/b", "-1/4"}) {
     CAPTURE(bad);
     CHECK_THROWS_AS(static_cast<void>(sweep::shard_of(bad)), std::invalid_argument);
@@ -320,13 +320,13 @@ TEST_CASE("Shards are written I/N, hold each run once and none is empty of sense
   CHECK(std::ranges::all_of(held, [](int times) { return times == 1; }));
 }
 
-TEST_CASE("The longest runs are begun first, equal ones in the plan's order") {
+TEST_CASE("work: runs of different length -> the longest first, equal ones in the plan's order") {
   const auto plan = plan_with({1.0, 3.0, 2.0, 3.0});
   CHECK(sweep::longest_first(plan) == std::vector<std::size_t>{1, 3, 2, 0});
   CHECK(sweep::longest_first(plan, {2, 2}) == std::vector<std::size_t>{1, 3});
 }
 
-TEST_CASE("Every run is tried once, what is elsewhere is waited for, a failure takes no other run with it") {
+TEST_CASE("work: some runs elsewhere or failing -> each run is tried once, claimed ones are awaited, the others complete") {
   const auto plan = plan_with({5.0, 4.0, 3.0, 2.0, 1.0});
   std::mutex mutex;
   std::vector<std::size_t> tried;
@@ -348,7 +348,7 @@ TEST_CASE("Every run is tried once, what is elsewhere is waited for, a failure t
   }
 }
 
-TEST_CASE("A signal ends the work, what was not begun is said") {
+TEST_CASE("work: signal -> ends, and runs that were not begun are reported") {
   const auto plan = plan_with({2.0, 1.0});
   int tried = 0;
   const auto attempt = [&](const PlannedRun&) -> Result {
@@ -360,7 +360,7 @@ TEST_CASE("A signal ends the work, what was not begun is said") {
         std::vector<std::string>{"cell-0/replicate-00: status \"stopped\"", "cell-1/replicate-00: not begun"});
 }
 
-TEST_CASE("A sweep's folder is made once and joined with the same plan only") {
+TEST_CASE("sweep folder: exists with the same plan -> joined, and with another -> refused") {
   const TemporaryFolder folder;
   const fs::path out = folder.path() / "sweep";
   const auto plan = plan_with({1.0, 2.0});
@@ -378,7 +378,7 @@ TEST_CASE("A sweep's folder is made once and joined with the same plan only") {
   }
   fs::create_directory(folder.path() / "notes");
   CHECK_THROWS_WITH_AS(sweep::make_or_join(folder.path() / "notes", plan, {}),
-                       doctest::Contains("is no sweep's folder; runs are never overwritten"), std::invalid_argument);
+                       doctest::Contains("is not a sweep's folder; runs are never overwritten"), std::invalid_argument);
   for (const auto& entry : fs::directory_iterator{folder.path()}) {
     CHECK(entry.path().filename().string().find("making") == std::string::npos);
   }

@@ -45,7 +45,7 @@ std::vector<PlannedRun> small_plan() {
 class PlanOnDisk : public test::TemporaryFolder {
  public:
   [[nodiscard]] std::vector<PlannedRun> read(const std::string& text) const { return sweep::read_plan(file("plan.jsonl", text)); }
-  /// The reader's objection, without the folder.
+  /// The reader's error, without the folder.
   [[nodiscard]] std::string refused(const std::string& text) const {
     const std::string message = test::message_of<std::invalid_argument>([&] { static_cast<void>(read(text)); });
     return message.empty() ? "" : message.substr(path().string().size() + 1);
@@ -62,7 +62,7 @@ std::string with(const std::string& what, const std::string& by) {
 
 }  // namespace
 
-TEST_CASE("a plan is read back as it was written") {
+TEST_CASE("plan file: written -> reads back") {
   const PlanOnDisk disk;
   const auto runs = small_plan();
   const auto read = disk.read(sweep::plan_text(runs));
@@ -75,7 +75,7 @@ TEST_CASE("a plan is read back as it was written") {
   CHECK(read[6].settings["rules.capture.reach_m"] == 0.75);
 }
 
-TEST_CASE("a broken plan is refused with line, field, value and bound") {
+TEST_CASE("plan file: broken -> refused with line, field, value and bound") {
   const PlanOnDisk disk;
   for (const auto& [what, by, message] : {
            std::tuple{"{\"index\":2", "{\"index\":3", "plan.jsonl:3: index = 3: must be 2"},
@@ -109,7 +109,7 @@ TEST_CASE("a broken plan is refused with line, field, value and bound") {
                        std::invalid_argument);
 }
 
-TEST_CASE("the runs of a cell are those of one cell") {
+TEST_CASE("plan file: runs of a cell -> those of this cell alone") {
   const PlanOnDisk disk;
   const auto refused = [&](auto change) {
     auto runs = small_plan();

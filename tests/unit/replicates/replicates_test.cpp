@@ -41,7 +41,7 @@ std::string content(const fs::path& path) {
 
 constexpr std::array tables{"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"};
 
-/// Everything that a replicate's folder says about the run itself.
+/// All contents of a replicate's folder that depend on the run itself.
 std::string results(const fs::path& run) {
   std::string text;
   for (const char* table : tables) text += content(run / table);
@@ -69,7 +69,7 @@ struct Saboteur {
 
 }  // namespace
 
-TEST_CASE("seeds differ, follow from the master seed alone and fit a double") {
+TEST_CASE("replicates: master seed -> distinct seeds that follow from it alone and fit a double") {
   std::set<std::uint64_t> seeds;
   for (std::size_t i = 0; i < 1000; ++i) seeds.insert(replicates::seed_of(1, i));
   for (std::size_t i = 0; i < 1000; ++i) seeds.insert(replicates::seed_of(2, i));
@@ -81,7 +81,7 @@ TEST_CASE("seeds differ, follow from the master seed alone and fit a double") {
   CHECK(many.all()[2].folder == fs::path{"x/replicate-02"});
 }
 
-TEST_CASE("results do not depend on the number of jobs, byte for byte") {
+TEST_CASE("replicates: another number of jobs -> the same bytes") {
   const TemporaryFolder folder;
   std::ostringstream out;
   for (const std::size_t jobs : {1U, 4U}) {
@@ -103,7 +103,7 @@ TEST_CASE("results do not depend on the number of jobs, byte for byte") {
   CHECK(manifest["master_seed"] == "1");
 }
 
-TEST_CASE("one that fails loses nothing of the others, and --resume runs it and no other") {
+TEST_CASE("replicates: one fails -> the others complete, and --resume runs that one alone") {
   const TemporaryFolder folder;
   std::ostringstream out;
   const replicates::Plan plan{.out = folder.path() / "set", .count = 4, .jobs = 2};
@@ -136,7 +136,7 @@ TEST_CASE("one that fails loses nothing of the others, and --resume runs it and 
   }
 }
 
-TEST_CASE("a killed replicate, known by its manifest or the lack of one, goes on or is run anew, a set can grow") {
+TEST_CASE("replicates: killed with or without a manifest -> resumed or run anew, and larger count -> the set grows") {
   const TemporaryFolder folder;
   std::ostringstream out;
   replicates::Plan plan{.out = folder.path() / "set", .count = 3, .resume = true};  // resuming nothing starts it
@@ -152,12 +152,12 @@ TEST_CASE("a killed replicate, known by its manifest or the lack of one, goes on
   CHECK(outcome.complete == 4);
   CHECK(fs::exists(plan.out / "replicate-00.incomplete-1/agents.csv"));
   CHECK_FALSE(fs::exists(plan.out / "replicate-01.incomplete-1"));
-  CHECK(out.str().find("replicate-02 goes on from its checkpoint at 200 s") != std::string::npos);
+  CHECK(out.str().find("replicate-02 resumes from its checkpoint at 200 s") != std::string::npos);
   CHECK(content(plan.out / "replicate-02/phylogeny.csv") == phylogeny);
   CHECK(parse_json(content(plan.out / "replicates.json"))["count"] == 4);
 }
 
-TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
+TEST_CASE("replicates: existing set -> never overwritten, and resumed by the same experiment only") {
   const TemporaryFolder folder;
   std::ostringstream out;
   replicates::Plan plan{.out = folder.path() / "set", .count = 2};
@@ -185,7 +185,7 @@ TEST_CASE("nothing is overwritten, and only the same experiment is resumed") {
   CHECK_FALSE(fs::exists(folder.path() / "new"));
 }
 
-TEST_CASE("two programs cannot work in one folder") {
+TEST_CASE("replicates: two programs in one folder -> the second is refused") {
   const TemporaryFolder folder;
   const replicates::Plan plan{.out = folder.path() / "set", .count = 1, .resume = true};
   const observe::RunDescription any = Ecology<rules::Paper>{brief(), backend::Kinematic::Params{}}.describe(200.0);
@@ -195,7 +195,7 @@ TEST_CASE("two programs cannot work in one folder") {
         }) == plan.out.string() + ": another program is running in it");
 }
 
-TEST_CASE("work in parallel: every item once, errors kept, none started after the word to stop") {
+TEST_CASE("work in parallel: errors and a stop -> every item once, errors kept, none started after the stop") {
   std::atomic<int> sum = 0;
   const auto attempts = replicates::in_parallel(
       100, 4,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sweeps: which cells a file makes, and which files are refused.
+// Sweep files: the cells that they make, and the files that are refused.
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -23,7 +23,7 @@ SweepFile read(const std::string& text) {
   return sweep::read_sweep(path);
 }
 
-/// What is said of a text, without the file's name.
+/// The error about a text, without the file's name.
 std::string refusal_of(const std::string& text) {
   try {
     static_cast<void>(read(text));
@@ -43,18 +43,18 @@ std::vector<std::string> texts_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("A grid makes every combination, the last key fastest, in the order of the file") {
+TEST_CASE("sweep file: grid -> every combination, the last key fastest, in the order of the file") {
   CHECK(texts_of("[grid]\nrules.b.x = [1, 2]\nrules.a.y = [0.5, 0.25, 1.0]\n") ==
         std::vector<std::string>{"rules.b.x=1 rules.a.y=0.5", "rules.b.x=1 rules.a.y=0.25", "rules.b.x=1 rules.a.y=1.0",
                                  "rules.b.x=2 rules.a.y=0.5", "rules.b.x=2 rules.a.y=0.25", "rules.b.x=2 rules.a.y=1.0"});
 }
 
-TEST_CASE("Lists of a zip go together, and with each cell of a grid") {
+TEST_CASE("sweep file: zip -> its lists advance together, for each cell of a grid") {
   CHECK(texts_of("[zip]\na = [1, 2]\nb = [3, 4]\n[grid]\nc = [true, false]\n") ==
         std::vector<std::string>{"a=1 b=3 c=true", "a=1 b=3 c=false", "a=2 b=4 c=true", "a=2 b=4 c=false"});
 }
 
-TEST_CASE("Runs that are listed stay as they are, and what is set is in all of them") {
+TEST_CASE("sweep file: listed runs -> unchanged, with the common settings in all of them") {
   const SweepFile file =
       read("rule_table = \"paper\"\n[set]\necology.duration_s = 60.0\n[[runs]]\nrules.a = 1\n[[runs]]\nrules.b = \"x\"\n");
   const auto cells = sweep::cells_of(file);
@@ -63,7 +63,7 @@ TEST_CASE("Runs that are listed stay as they are, and what is set is in all of t
   CHECK(json_text(cells[1]) == R"({"ecology.duration_s":60.0,"rule_table":"paper","rules.b":"x"})");
 }
 
-TEST_CASE("What a file leaves out has its default") {
+TEST_CASE("sweep file: omitted keys -> defaults") {
   const SweepFile file = read("[grid]\na = [1]\n");
   CHECK(file.numbers.replicates == 10);
   CHECK(file.numbers.seed == 1);
@@ -77,7 +77,7 @@ TEST_CASE("What a file leaves out has its default") {
   CHECK(read("states = true\n[grid]\na = [1]\n").numbers.output() == io::OutputOptions{.replay_hz = 0.0, .states = true});
 }
 
-TEST_CASE("A file that is no sweep is refused in one line") {
+TEST_CASE("sweep file: not a sweep -> refused in one line") {
   CHECK(refusal_of("") == ": has neither [grid] nor [zip] nor [[runs]]: nothing varies");
   CHECK(refusal_of("[grid]\n") == ": [grid]: is empty");
   CHECK(refusal_of("[grid]\na = []\n") == ": [grid] a = []: must have a value");
@@ -88,7 +88,7 @@ TEST_CASE("A file that is no sweep is refused in one line") {
   CHECK(refusal_of("[set]\na = 1\n[grid]\na = [1]\n") == ": a: is in [set] and in [grid]");
   CHECK(refusal_of("[zip]\na = [1]\n[grid]\na = [1]\n") == ": a: is in [grid] and in [zip]");
   CHECK(refusal_of("engine = \"ode\"\n[grid]\nengine = [\"ode\"]\n") == ": engine: is in [set] and in [grid]");
-  CHECK(refusal_of("[grid]\nseed = [1, 2]\n") == ": [grid] seed: is no setting of a sweep");
+  CHECK(refusal_of("[grid]\nseed = [1, 2]\n") == ": [grid] seed: is not a setting of a sweep");
   CHECK(refusal_of("replicates = 0\n[grid]\na = [1]\n") == ": replicates = 0: must be >= 1 and <= 1e+06");
   CHECK(refusal_of("replicate = 3\n[grid]\na = [1]\n").starts_with(": replicate: unknown key"));
   CHECK(refusal_of("replay_hz = 7\n[grid]\na = [1]\n") == ": replay_hz = 7: must be 0, 5, 10 or 30");
@@ -99,7 +99,7 @@ TEST_CASE("A file that is no sweep is refused in one line") {
   CHECK(refusal_of("[grid\n").starts_with(":1: "));
 }
 
-TEST_CASE("A million runs by accident are refused before they are made") {
+TEST_CASE("sweep file: a million runs by accident -> refused before they are made") {
   std::string list = "[0";
   for (int i = 1; i < 100; ++i) list += ", " + std::to_string(i);
   list += "]\n";

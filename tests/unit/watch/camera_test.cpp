@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("what is seen at a place of the picture is the point of the floor that is seen there") {
+TEST_CASE("camera: floor point at a place of the picture -> is seen at that place") {
   Rng rng{7, Stream::user};
   int seen = 0;
   for (int i = 0; i < 500; ++i) {
@@ -27,7 +27,7 @@ TEST_CASE("what is seen at a place of the picture is the point of the floor that
   CHECK(seen > 400);
 }
 
-TEST_CASE("a camera looks at its point, and from above north is at the top and east on the right") {
+TEST_CASE("camera: from above -> its point in the middle, north at the top, east on the right") {
   const drawing::Camera camera{.at_m = {3, 4, 0}, .distance_m = 9, .azimuth_deg = 30, .elevation_deg = -40};
   CHECK(drawing::seen_at(camera, camera.at_m)->x == doctest::Approx(0.0));
   CHECK(drawing::seen_at(camera, camera.at_m)->y == doctest::Approx(0.0));
@@ -38,7 +38,7 @@ TEST_CASE("a camera looks at its point, and from above north is at the top and e
   CHECK_FALSE(drawing::floor_at({.elevation_deg = -5}, {0.0, 1.0}).has_value());
 }
 
-TEST_CASE("the whole arena is in the picture, wide or high") {
+TEST_CASE("camera: wide or high picture -> the whole arena is in it") {
   for (const double aspect : {0.5, 1.0, 16.0 / 9.0, 3.0}) {
     Arena arena;
     arena.half_side_m = 12.0;
@@ -55,7 +55,7 @@ TEST_CASE("the whole arena is in the picture, wide or high") {
   }
 }
 
-TEST_CASE("shifting draws the floor along with the mouse") {
+TEST_CASE("eye: shift -> the floor moves with the mouse") {
   watch::Eye eye;
   eye.see_from_above({}, 1.5);
   const auto before = drawing::floor_at(eye.camera(), {0.2, 0.1});
@@ -64,7 +64,7 @@ TEST_CASE("shifting draws the floor along with the mouse") {
   CHECK((*before - *after).norm() < 1e-9);
 }
 
-TEST_CASE("an eye neither goes below the floor nor through what it looks at") {
+TEST_CASE("eye: turned or moved to its limits -> neither below the floor nor through its target") {
   watch::Eye eye;
   for (int i = 0; i < 100; ++i) eye.turn(0.3, 0.5);
   CHECK(eye.camera().elevation_deg == -5.0);

@@ -5,7 +5,7 @@
 
 using namespace trophic::watch;
 
-TEST_CASE("a clock goes at its speed and never ahead of the run") {
+TEST_CASE("clock: running -> advances at its speed and never ahead of the run") {
   Clock clock;
   CHECK(clock.speed() == 10.0);
   clock.advance(0.3, 100.0);
@@ -17,7 +17,7 @@ TEST_CASE("a clock goes at its speed and never ahead of the run") {
   CHECK(clock.wanted_until_s(2.0) == doctest::Approx(14.0));
 }
 
-TEST_CASE("paused, the clock stands and wants a tick, until it goes on") {
+TEST_CASE("clock: paused -> stands and asks for one tick, until it is resumed") {
   Clock clock;
   clock.set(6.0);
   clock.pause_or_continue();
@@ -31,7 +31,7 @@ TEST_CASE("paused, the clock stands and wants a tick, until it goes on") {
   CHECK(clock.text() == "7.0 s, 10x");
 }
 
-TEST_CASE("a step ends at the next tick, waits for the run, and steps add up") {
+TEST_CASE("clock: step -> ends at the next tick, waits for the run, and steps add up") {
   Clock clock;
   clock.set(5.3);
   clock.step(2.0);
@@ -49,7 +49,7 @@ TEST_CASE("a step ends at the next tick, waits for the run, and steps add up") {
   CHECK(clock.time_s() == 10.0);
 }
 
-TEST_CASE("speeds have ends, the last is the run's own") {
+TEST_CASE("clock: faster or slower -> speeds have limits, and the last is the run's own") {
   Clock clock;
   for (int i = 0; i < 30; ++i) clock.slower();
   CHECK(clock.speed() == 0.1);

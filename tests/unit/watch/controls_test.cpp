@@ -11,7 +11,7 @@ using namespace trophic;
 
 namespace {
 
-/// Three robots two ticks into a run, seen by somebody who has just paused.
+/// Three robots two ticks into a run that has just been paused.
 struct Scene {
   test::WrittenFootage written{{{.species = test::predator, .x_m = -4, .y_m = 3, .tag = -1, .id = 17},
                                 {.x_m = 5, .y_m = -2, .id = 18},
@@ -44,7 +44,7 @@ struct Scene {
 
 }  // namespace
 
-TEST_CASE("a click says who that is, a click beside everybody lets go") {
+TEST_CASE("controls: click on a robot -> selects it, and click elsewhere -> deselects") {
   Scene scene;
   for (const auto key : {watch::Key::whole, watch::Key::top}) {
     scene.press(key);
@@ -59,7 +59,7 @@ TEST_CASE("a click says who that is, a click beside everybody lets go") {
   }
 }
 
-TEST_CASE("a drag turns or moves and chooses nobody") {
+TEST_CASE("controls: drag -> turns or moves the view and selects no robot") {
   Scene scene;
   const drawing::Camera before = scene.controls.camera();
   scene.controls.press_mouse(watch::Button::turns, 600, 300);
@@ -78,10 +78,10 @@ TEST_CASE("a drag turns or moves and chooses nobody") {
   CHECK(scene.controls.camera().distance_m < turned.distance_m);
 }
 
-TEST_CASE("who is followed stays in the middle, until it is let go") {
+TEST_CASE("controls: followed robot -> stays in the middle until it is deselected") {
   Scene scene;
   scene.press(watch::Key::follow);
-  CHECK_FALSE(scene.controls.is_following());  // nobody was chosen
+  CHECK_FALSE(scene.controls.is_following());  // no robot was selected
   scene.press(watch::Key::next);
   scene.press(watch::Key::follow);
   for (int i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ TEST_CASE("who is followed stays in the middle, until it is let go") {
   CHECK_FALSE(scene.controls.selected().has_value());
 }
 
-TEST_CASE("the next one goes round, and who dies stays chosen as a dead one") {
+TEST_CASE("controls: next -> cycles through the robots, and selected robot dies -> stays selected as dead") {
   Scene scene;
   for (const IndividualId id : {17U, 18U, 19U, 17U}) {
     scene.press(watch::Key::next);
@@ -118,7 +118,7 @@ TEST_CASE("the next one goes round, and who dies stays chosen as a dead one") {
   CHECK(watch::inspected(scene.controls, scene.footage).right == "17\ndead");
 }
 
-TEST_CASE("what is known of a robot") {
+TEST_CASE("inspector: selected robot -> its data as text") {
   Scene scene;
   CHECK(watch::inspected(scene.controls, scene.footage).left.empty());
   scene.written.population.individuals[0].parent = 3;
@@ -138,7 +138,7 @@ TEST_CASE("what is known of a robot") {
   CHECK(watch::inspected(scene.controls, scene.footage).right.find("not active yet") != std::string::npos);
 }
 
-TEST_CASE("help has a meaning for each key") {
+TEST_CASE("controls: help -> a meaning for each key") {
   const auto lines = [](std::string_view text) { return std::ranges::count(text, '\n'); };
   CHECK(lines(watch::Controls::help) == lines(watch::Controls::help_meanings));
   Scene scene;

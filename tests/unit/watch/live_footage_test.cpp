@@ -7,7 +7,7 @@
 
 using namespace trophic;
 
-TEST_CASE("between two frames robots move straight, at their ends they stand") {
+TEST_CASE("live footage: between two frames -> robots move straight, and beyond them -> they stand") {
   test::WrittenFootage written{{{.x_m = -3}, {.x_m = 2, .y_m = 1}}};
   for (int i = 0; i < 5; ++i) written.advance();
   CHECK(written.footage.newest_s() == 10.0);
@@ -24,7 +24,7 @@ TEST_CASE("between two frames robots move straight, at their ends they stand") {
   CHECK(written.footage.root(99.0, 0).position_m.x() == doctest::Approx(written.x_m(0, 10.0)));
 }
 
-TEST_CASE("a row holds from its tick to the next") {
+TEST_CASE("live footage: row of a tick -> holds until the next tick") {
   test::WrittenFootage written{{{.id = 5}}};
   written.population.individuals[0].id = 6;
   written.advance();
@@ -35,7 +35,7 @@ TEST_CASE("a row holds from its tick to the next") {
   CHECK(written.footage.ancestry(2.0, 0).age_s == 2.0);
 }
 
-TEST_CASE("what nobody will see again is forgotten, and pictures stay the same") {
+TEST_CASE("live footage: frames before the shown moment -> dropped, and pictures stay the same") {
   test::WrittenFootage written{{{.x_m = -3}, {.x_m = 2}}};
   for (int i = 0; i < 100; ++i) {
     written.footage.add_death(written.population.view(), 0);
@@ -57,7 +57,7 @@ TEST_CASE("what nobody will see again is forgotten, and pictures stay the same")
   CHECK(after.robots[0].filled);
 }
 
-TEST_CASE("a run that goes on from a checkpoint has frames only after its first tick") {
+TEST_CASE("live footage: run resumed from a checkpoint -> frames only after its first tick") {
   watch::LiveFootage footage;
   test::HandPopulation robots{{{}}};
   footage.start({}, robots.at_tick(50).view());

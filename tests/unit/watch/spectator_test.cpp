@@ -27,7 +27,7 @@ using Ecosystem = Ecology<rules::Paper>;
 
 }  // namespace
 
-TEST_CASE("a run waits for who looks, goes on with him, and ends where it ends without him") {
+TEST_CASE("spectator: window shown -> the run waits for it and ends in the same state as without a window") {
   Ecosystem alone{{.seed = 5}, backend::Kinematic::Params{}};
   alone.run_until(200.0);
 
@@ -61,11 +61,11 @@ TEST_CASE("a run waits for who looks, goes on with him, and ends where it ends w
   run.join();
   CHECK(is_over);
   CHECK(places(watched) == places(alone));
-  CHECK(newest_s() == 40.0);  // nobody looks: nothing is kept
+  CHECK(newest_s() == 40.0);  // without a window nothing is kept
   CHECK(spectator.frame_hz() == 0.0);
 }
 
-TEST_CASE("who tells nobody asks for nothing") {
+TEST_CASE("spectator: without a window -> asks for no frames") {
   watch::Spectator nobody;
   CHECK(nobody.frame_hz() == 0.0);
   Ecosystem ecology{{.seed = 5}, backend::Kinematic::Params{}};

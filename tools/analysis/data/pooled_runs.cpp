@@ -39,7 +39,7 @@ std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other
            "); runs of different rules or numbers are not pooled: use --compare";
   }
   if (other.seed == manifest.seed) {
-    return here + "seed " + std::to_string(manifest.seed) + " as in " + there + "; the same run twice is no second replicate";
+    return here + "seed " + std::to_string(manifest.seed) + " as in " + there + "; the same run twice is not a second replicate";
   }
   if (other.begins != manifest.begins) {
     const auto beginning = [](const RunManifest& run) {
@@ -84,7 +84,7 @@ PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut
   }
   if (const std::string& begins = pooled.manifests.front().begins; pooled.manifests.size() > 1 && !begins.empty()) {
     pooled.remarks.push_back("all runs begin " + begins +
-                             ": they share that past, so that intervals tell of its futures, not of runs");
+                             ": they share that past, so that intervals are over its futures, not over runs");
   }
   return pooled;
 }

@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesyste
 
 void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
   const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument{shadow.folder.string() + ": is no neutral shadow of " + ours.folder.string() + ": " + why};
+    throw std::invalid_argument{shadow.folder.string() + ": is not a neutral shadow of " + ours.folder.string() + ": " + why};
   };
   const std::string slot{shadow_slot};
   const std::string policy = shadow.policies.value(slot, "unknown");

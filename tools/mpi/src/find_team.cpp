@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
-// trophic::mpi_compiled: what MPI's headers are needed for.
+// trophic::mpi_compiled: the code that needs MPI's headers.
 #include <trophic/mpi/find_team.ipp>

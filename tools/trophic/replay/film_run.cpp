@@ -84,8 +84,8 @@ class RecordedFootage {
       const auto found = std::ranges::find(rows, id, &io::AgentRow::id);
       if (found != rows.end()) return static_cast<std::size_t>(found - rows.begin());
     }
-    throw std::invalid_argument{"--follow " + std::to_string(id) + ": nobody of that id lives between " + number_text(from_s_) +
-                                " and " + number_text(to_s_) + " s"};
+    throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual of that id lives between " +
+                                number_text(from_s_) + " and " + number_text(to_s_) + " s"};
   }
 
  private:

@@ -79,7 +79,7 @@ class OwnTables {
     const Json& was = sums.at(table).at("crc32");
     if (was == is.crc32) return;
     throw std::invalid_argument{(folder_ / table).string() + ": checksum " + std::to_string(is.crc32) + ": must be " +
-                                json_text(was) + ", as the manifest beside it says; it is of another run, or was changed"};
+                                json_text(was) + ", as in the manifest next to it; it is of another run, or was changed"};
   }
 
  private:
@@ -100,15 +100,15 @@ class OwnTables {
     const auto& head = recording_.head();
     std::string where = place_of(csv, table) + ": body " + std::to_string(body) + " at " + number_text(time_s) + " s";
     if (body >= head.robots) {
-      throw std::invalid_argument{where + ": the recording beside it has " + std::to_string(head.robots) + " bodies"};
+      throw std::invalid_argument{where + ": the recording next to it has " + std::to_string(head.robots) + " bodies"};
     }
     if (std::abs(time_s - static_cast<double>(tick) * head.times.tick_s) > 1e-6) {
       throw std::invalid_argument{where + ": must be at " + number_text(static_cast<double>(tick) * head.times.tick_s) +
-                                  " s, tick " + std::to_string(tick) + " of the recording beside it"};
+                                  " s, tick " + std::to_string(tick) + " of the recording next to it"};
     }
     if (time_s > last_s_ + 1e-9) {
       if (!recording_.remark().empty()) return {body, std::move(where)};
-      throw std::invalid_argument{where + ": the recording beside it ends at " + number_text(last_s_) + " s"};
+      throw std::invalid_argument{where + ": the recording next to it ends at " + number_text(last_s_) + " s"};
     }
     if (time_s < head.first_time_s) return {body, std::move(where)};
     const Eigen::Vector3d at = recording_.root(recording_.frame_at(std::min(time_s + 1e-9, last_s_)), body).position_m;
@@ -116,7 +116,7 @@ class OwnTables {
     const double y_m = csv.get<double>(4);
     if (std::hypot(at.x() - x_m, at.y() - y_m) > 0.002 + head.units.position_m) {
       throw std::invalid_argument{where + " is at (" + number_text(x_m) + ", " + number_text(y_m) +
-                                  ") m, in the recording beside it elsewhere; they are of two runs"};
+                                  ") m, in the recording next to it elsewhere; they are of two runs"};
     }
     return {body, std::move(where)};
   }
@@ -128,7 +128,7 @@ class OwnTables {
     const auto birth = births_.find(id);
     if (!is_from_birth() || (birth != births_.end() && birth->second == body)) return;
     throw std::invalid_argument{where + ": robot " + std::to_string(id) + " was never born into body " + std::to_string(body) +
-                                " by the events.csv beside it; they are of two runs"};
+                                " by the events.csv next to it; they are of two runs"};
   }
 
   std::filesystem::path folder_;

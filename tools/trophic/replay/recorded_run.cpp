@@ -19,7 +19,7 @@ Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead&
     const Json& seed = manifest.at("seed");
     if (fingerprint != head.fingerprint || seed != head.seed) {
       throw std::invalid_argument{path.string() + ": fingerprint " + fingerprint + ", seed " + json_text(seed) +
-                                  ", but replay.trp beside it is of fingerprint " + head.fingerprint + ", seed " +
+                                  ", but replay.trp next to it is of fingerprint " + head.fingerprint + ", seed " +
                                   std::to_string(head.seed) + "; they are of two runs"};
     }
   } catch (const Json::exception& error) {

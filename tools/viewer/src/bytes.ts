@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes that the page carries: base64 in script elements, compressed by zlib.
+// Bytes inside the page: base64 in script elements, compressed by zlib.
 
 /** The bytes of a base64 text. */
 export function fromBase64(text: string): Uint8Array {
@@ -11,7 +11,7 @@ export function fromBase64(text: string): Uint8Array {
   return bytes;
 }
 
-/** What zlib compressed. Rejects for damaged bytes. */
+/** Decompresses zlib's bytes. Rejects damaged ones. */
 export async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
   const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());

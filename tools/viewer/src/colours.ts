@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours that people with any colour vision tell apart (Okabe and Ito), one for each species.
+// Colours that people with any colour vision can distinguish (Okabe and Ito), one for each species.
 
 export const speciesColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a5c00"];
 export const inactiveColour = "#9aa1a9";

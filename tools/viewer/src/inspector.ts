@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is known of one individual at a moment.
+// The data of one individual at a moment.
 import { colourOf } from "./colours";
 import type { Run, Senses } from "./run";
 
@@ -42,7 +42,7 @@ export class Inspector {
       if (!Number.isNaN(agents.hunger[at])) rows.push(["hunger", `${fixed(agents.hunger[at] * run.recording.head.tick_s, 0)} s without a catch`]);
       const other = agents.adversary[at];
       const otherBody = other >= 0 ? run.bodyOf(other, time) : -1;
-      let seen = "nobody";
+      let seen = "none";
       if (other >= 0) {
         const distance = drawn && otherBody >= 0 ? Math.hypot(drawn[3 * body] - drawn[3 * otherBody], drawn[3 * body + 1] - drawn[3 * otherBody + 1]) : NaN;
         seen = `${link(other)}${Number.isNaN(distance) ? "" : `, ${fixed(distance, 2)} m away`}`;
@@ -66,26 +66,26 @@ export class Inspector {
   }
 }
 
-/** What a robot touched, what its brain was told and answered, and what became of it. */
+/** The contacts of a robot, the inputs and outputs of its brain, and their effect. */
 function sensed(senses: Senses, row: number): [string, string][] {
   const rows: [string, string][] = [];
   const cell = (name: string): string => senses.cell(name, row);
   const number = (text: string): string => (text === "" ? "–" : fixed(Number(text), 2));
   const told = senses.told(row);
   if (told.length > 0) {
-    rows.push(["brain is told", told.map(([name, value]) => `${plain(name.replaceAll("_", " "))} ${number(value)}`).join(", ")]);
+    rows.push(["brain's inputs", told.map(([name, value]) => `${plain(name.replaceAll("_", " "))} ${number(value)}`).join(", ")]);
     if (cell("angle_output") !== "") rows.push(["outputs", `angle ${number(cell("angle_output"))}, tag ${number(cell("tag_output"))}`]);
     const became: Record<string, string> = { kept: "as before", switched: "switched now", denied: "denied" };
     const tag = Number(cell("chosen_tag"));
     rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_outcome")] ?? plain(cell("tag_outcome"))}`]);
   } else {
-    rows.push(["brain is told", "nothing at this tick"]);
+    rows.push(["brain's inputs", "none at this tick"]);
   }
   if (cell("exempt") === "1") rows.push(["hunger", "was to starve, exempt"]);
   if (cell("height_m") !== "") {
     rows.push(["root", `${number(cell("height_m"))} m high, tilted by ${fixed((Number(cell("tilt_rad")) * 180) / Math.PI, 0)}°`]);
     const touched = Number(cell("robots_touched"));
-    const others = touched === 0 ? "nobody" : touched === 1 ? "one robot" : `${touched} robots`;
+    const others = touched === 0 ? "no robot" : touched === 1 ? "one robot" : `${touched} robots`;
     rows.push(["touches", cell("touches_wall") === "1" ? `a wall, ${others}` : others]);
   }
   return rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page: worlds side by side on one time bar, and beside them what is known of the run and the robot at hand.
+// The page: worlds side by side on one time bar, next to the data of the run and the selected robot.
 import uPlotStyle from "uplot/dist/uPlot.min.css";
 import { Inspector } from "./inspector";
 import { colourOf } from "./colours";
@@ -25,7 +25,7 @@ class App {
   playing = false;
   speed = 10;
   current = 0;
-  /** The individual at hand; NaN: nobody. */
+  /** The selected individual; NaN: none. */
   selected = NaN;
   readonly worlds: World[] = [];
   private readonly branches = new Map<number, Set<number>>();
@@ -159,7 +159,7 @@ class App {
     controls.append(
       button("−1", "a decision back (←)", () => this.step(-1)),
       this.playButton,
-      button("+1", "a decision on (→)", () => this.step(1)),
+      button("+1", "a decision forward (→)", () => this.step(1)),
       this.speedBox,
       this.clock,
       button("Previous catch", "(p)", () => this.nextCatch(-1)),
@@ -169,7 +169,7 @@ class App {
       toggle("who perceives whom", "links"),
       viewGroup,
     );
-    // A page that stands in another one has no address that leads there.
+    // A page inside another one has no address of its own.
     if (location.protocol !== "blob:") controls.append(copy);
     footer.append(controls, this.timebar.element);
     return footer;
@@ -209,7 +209,7 @@ class App {
     this.select(this.selected);
   }
 
-  /** Draws the current run's curves anew; the speed comes once its recording was read through. */
+  /** Draws the current run's curves again; the speed follows when its recording has been read. */
   showPlots(): void {
     const series = seriesOf(this.run);
     const { species } = this.run.index;
@@ -290,7 +290,7 @@ class App {
     });
   }
 
-  /** Goes where the link says. */
+  /** Opens the moment, robot and view of the link. */
   private follow(): void {
     const moment = readLink(location.hash);
     if (moment.run !== undefined && this.runs[moment.run]) this.setCurrent(moment.run);
@@ -348,12 +348,12 @@ class App {
     this.inspector.show(run, this.selected, time, this.worlds[this.current].drawn, living);
   }
 
-  /** What the last pictures took, ms each. */
+  /** Times of the last pictures, ms each. */
   get pictureMs(): number[] {
     return [...this.pictureTimes];
   }
 
-  /** Whether what is drawn is the moment that was asked for. */
+  /** Whether the requested moment is drawn. */
   get settled(): boolean {
     return !this.dirty && !this.drawing;
   }

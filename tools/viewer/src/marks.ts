@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one sees of a robot from afar: a ring on the floor in its species' colour, filled or hollow by its tag, and where it heads.
+// Marks of robots that are visible from afar: a ring on the floor in the species' colour, filled or hollow by its tag, and a pointer.
 import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
 
 const hidden = new Matrix4().makeScale(0, 0, 0);
@@ -79,7 +79,7 @@ export class Marks {
     this.highlights.set(index, highlight ? mark : null, highlight ?? undefined);
   }
 
-  /** Rings that widen where something has just happened. */
+  /** Widening rings at the places of recent events. */
   flash(marks: Mark[]): void {
     for (let i = 0; i < this.flashCount; ++i) this.flashes.set(i, marks[i] ?? null);
   }
@@ -89,7 +89,7 @@ export class Marks {
   }
 }
 
-/** Line segments that are written anew at each frame, with a colour at each end. */
+/** Line segments that are rewritten at each frame, with a colour at each end. */
 export class Lines {
   readonly object: LineSegments;
   private readonly position: BufferAttribute;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Who descends from whom: a line for each life, over time, below its parent's. The wheel zooms, a click selects a branch.
+// The phylogeny: a line for each life, over time, below its parent's. The wheel zooms, a click selects a branch.
 import { hierarchy } from "d3-hierarchy";
 import { colourOf, faded } from "./colours";
 import type { Individual, Run } from "./run";
 
-/** Gives everybody a row, so that a branch is a block of rows; returns their number. */
+/** Gives each individual a row, so that a branch is a block of rows; returns their number. */
 export function layOut(run: Run): number {
   let row = 0;
   const tree = hierarchy<{ children: Individual[] }>({ children: run.roots }, (one) => one.children);
@@ -15,7 +15,7 @@ export function layOut(run: Run): number {
   return row;
 }
 
-/** An individual, those it descends from and all who descend from it. */
+/** An individual with its ancestors and all of its descendants. */
 export function branchOf(run: Run, id: number): { ancestors: Set<number>; descendants: Set<number> } {
   const ancestors = new Set<number>();
   for (let one = run.individuals.get(id); one && !ancestors.has(one.id); one = run.individuals.get(one.parent)) ancestors.add(one.id);
@@ -121,7 +121,7 @@ export class PhylogenyView {
     return ((row - this.fromRow) / (this.toRow - this.fromRow)) * this.canvas.clientHeight;
   }
 
-  /** Where an individual's life is drawn, CSS pixels. */
+  /** Place of an individual's life in the drawing, CSS pixels. */
   placeOf(id: number): [number, number] {
     const one = this.run!.individuals.get(id)!;
     return [(this.xOf(one.birth) + this.xOf(one.death)) / 2, this.yOf(one.row)];

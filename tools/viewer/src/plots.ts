@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Population, tags and speed over time, with the moment at hand.
+// Population, tags and speed over time, with the current moment.
 import uPlot from "uplot";
 import { colourOf } from "./colours";
 import type { Run } from "./run";
@@ -7,16 +7,16 @@ import type { Run } from "./run";
 /** Curves by species, one value a point of time. */
 export interface Curves {
   time: number[];
-  bySpecies: (number | null)[][]; // null: nothing is known
+  bySpecies: (number | null)[][]; // null: unknown
 }
 
 export interface Series {
   population: Curves;
   tags: Curves;
-  speed: Curves | null; // known once the recording was read through
+  speed: Curves | null; // known when the recording has been read
 }
 
-/** Points are no closer than so many ticks, so that a curve has at most some thousands. */
+/** Smallest distance of points, ticks, so that a curve has at most some thousands. */
 function strideOf(run: Run): number {
   return Math.max(1, Math.floor(run.agents.ticks / 1500));
 }

@@ -58,10 +58,10 @@ export class Recording {
   private kept: Block[] = [];
   private readonly keptAtMost: number;
 
-  /** Throws for what is no recording. */
+  /** Throws if the bytes are not a recording. */
   constructor(bytes: Uint8Array) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    if (bytes[0] !== 0x89 || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("this is no recording");
+    if (bytes[0] !== 0x89 || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("this is not a recording");
     let head: Head | undefined;
     for (let at = 8; at + 12 <= bytes.length; ) {
       const size = view.getUint32(at, true);
@@ -121,7 +121,7 @@ export class Recording {
     return this.blockOf(frame).values !== undefined;
   }
 
-  /** Unpacks what a frame and its successor need. */
+  /** Unpacks the blocks of a frame and its successor. */
   async prepare(frame: number): Promise<void> {
     const block = this.blockOf(frame);
     const next = this.blockOf(Math.min(this.frames - 1, frame + 1));
@@ -191,7 +191,7 @@ export class Recording {
   private readonly before = new Float32Array(128);
   private readonly after = new Float32Array(128);
 
-  /** As `frameInto` at any moment whose frames are ready: interpolated between the frames beside it. */
+  /** As `frameInto` at any moment whose frames are ready: interpolated between the frames next to it. */
   poseInto(out: Float32Array, time: number, robot: number): void {
     const frame = this.frameAt(time);
     const next = Math.min(this.frames - 1, frame + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One run: its recording and its tables, and what they say about a moment.
+// One run: its recording and its tables, and their contents at a moment.
 import { fromBase64, inflate } from "./bytes";
 import { Table } from "./csv";
 import { Recording } from "./recording";
@@ -11,7 +11,7 @@ export interface RunIndex {
   species: string[];
   tags: number[];
   hunters: string[];
-  /** The stretch that was asked for; the recording's blocks are longer. */
+  /** The requested stretch of time; the recording's blocks are longer. */
   from_s?: number;
   to_s?: number;
   /** The sensors whose values senses.csv has, in their order. */
@@ -28,7 +28,7 @@ export interface Event {
   other: number;
   x: number;
   y: number;
-  parent: number; // of whom it happened to; NaN: a founder or an orphan
+  parent: number; // of the event's individual; NaN: a founder or an orphan
   origin: string;
 }
 
@@ -45,18 +45,18 @@ export interface Individual {
   genome: string;
   mutation: number;
   children: Individual[];
-  row: number; // where the phylogeny draws it
+  row: number; // in the phylogeny's drawing
 }
 
-/** What agents.csv says of everybody after each tick, in arrays of ticks times robots. */
+/** The contents of agents.csv: all robots after each tick, in arrays of ticks times robots. */
 export class Agents {
   readonly id: Int32Array;
   readonly species: Int8Array;
   readonly active: Uint8Array;
   readonly tag: Int8Array;
   readonly targetAngle: Float32Array;
-  readonly adversary: Int32Array; // -1: nobody
-  readonly hunger: Float32Array; // NaN: hunts nobody
+  readonly adversary: Int32Array; // -1: none
+  readonly hunger: Float32Array; // NaN: has no prey
   readonly extra = new Map<string, string[]>();
   readonly firstTick: number;
   readonly ticks: number;
@@ -82,19 +82,19 @@ export class Agents {
   }
 }
 
-/** What senses.csv says of everybody after each tick, row by row as the agents. */
+/** The contents of senses.csv: all robots after each tick, row by row as the agents. */
 export class Senses {
   constructor(
     private readonly table: Table,
     private readonly inputs: string[],
   ) {}
 
-  /** What the brain in a row was told: (sensor, value); nothing where it was not asked. */
+  /** Inputs of the brain in a row: (sensor, value); empty if it was not evaluated. */
   told(row: number): [string, string][] {
     return this.inputs.map((name, i): [string, string] => [name, this.cell(`input${i}`, row)]).filter(([, value]) => value !== "");
   }
 
-  /** A cell, or an empty text where the table ends before. */
+  /** A cell, or an empty text behind the table's end. */
   cell(name: string, row: number): string {
     return this.table.has(name) ? (this.table.text(name)[row] ?? "") : "";
   }
@@ -104,7 +104,7 @@ export class Run {
   readonly individuals = new Map<number, Individual>();
   readonly roots: Individual[] = [];
   readonly events: Event[] = [];
-  /** x, y of every body at every tick of the agents; NaN until the recording was read through. */
+  /** x, y of every body at every tick of the agents; NaN until the recording has been read. */
   readonly track: Float32Array;
   tracked = false;
 
@@ -165,7 +165,7 @@ export class Run {
         row: 0,
       });
     }
-    // Who was born and has no row lived when the run was cut off.
+    // Individuals with a birth but without a row lived when the run was interrupted.
     for (const event of this.events) {
       if (event.kind !== "birth" || this.individuals.has(event.id)) continue;
       this.individuals.set(event.id, {
@@ -190,13 +190,13 @@ export class Run {
     return this.recording.head.robots;
   }
 
-  /** Where the agents' arrays have the tick that a moment belongs to. */
+  /** Index of a moment's tick in the agents' arrays. */
   rowAt(time: number): number {
     const tick = Math.floor(time / this.recording.head.tick_s + 1e-9) - this.agents.firstTick;
     return Math.min(this.agents.ticks - 1, Math.max(0, tick)) * this.robots;
   }
 
-  /** The body that an individual lives in at a moment; -1 when it does not live. */
+  /** The body of an individual at a moment; -1 if it does not live. */
   bodyOf(id: number, time: number): number {
     const row = this.rowAt(time);
     const one = this.individuals.get(id);
@@ -205,7 +205,7 @@ export class Run {
     return -1;
   }
 
-  /** Reads the recording through once, so that tracks are known. */
+  /** Reads the whole recording once for the tracks. */
   async readTracks(pause: () => Promise<void>): Promise<void> {
     const { head } = this.recording;
     const robots = this.robots;
@@ -224,7 +224,7 @@ export class Run {
     this.tracked = true;
   }
 
-  /** Reads what the page carries of run number `number`. */
+  /** Reads run number `number` from the page. */
   static async open(index: RunIndex, number: number): Promise<Run> {
     const bytes = (file: string): Uint8Array => {
       const element = document.querySelector(`script[data-run="${number}"][data-file="${file}"]`);

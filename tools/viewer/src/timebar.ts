@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The run's time as a bar with what happened: births, catches and deaths by cause. A click jumps, the wheel zooms, a drag moves.
+// The run's time as a bar with its events: births, catches and deaths by cause. A click jumps, the wheel zooms, a drag moves.
 import { colourOf, faded, inkColour } from "./colours";
 import type { Event, Run } from "./run";
 
@@ -96,11 +96,11 @@ export class TimeBar {
     const time = this.from + ((x - left) / this.width()) * (this.to - this.from);
     return Math.min(this.last, Math.max(this.first, time));
   }
-  /** Where a moment is drawn, CSS pixels from the canvas' left. */
+  /** Place of a moment, CSS pixels from the canvas' left. */
   xOf(time: number): number {
     return left + ((time - this.from) / (this.to - this.from)) * this.width();
   }
-  /** Where a lane is drawn, CSS pixels from the canvas' top. */
+  /** Place of a lane, CSS pixels from the canvas' top. */
   yOf(lane: string): number {
     return (this.lanes.findIndex((one) => one.name === lane) + 0.5) * laneHeight + 2;
   }

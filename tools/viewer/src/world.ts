@@ -10,7 +10,7 @@ import type { Run } from "./run";
 
 export type View = "orbit" | "top" | "follow";
 
-/** What else is to be seen than the robots. */
+/** Optional parts of the picture besides the robots. */
 export interface Shown {
   trails: boolean;
   links: boolean;
@@ -18,7 +18,7 @@ export interface Shown {
 
 const trailTicks = 30;
 const flashSeconds = 6;
-/** Of more robots than that, those that are smaller than so many pixels are drawn without their limbs. */
+/** In worlds of more robots, those smaller than so many pixels are drawn without their limbs. */
 const manyRobots = 60;
 const farPixels = 16;
 
@@ -39,7 +39,7 @@ export class World {
   private readonly matrix = new Matrix4();
   private readonly colour = new Color();
   private readonly ringSize: number;
-  /** Where each robot was drawn last: x, y, z. */
+  /** Last drawn place of each robot: x, y, z. */
   readonly drawn: Float32Array;
 
   constructor(
@@ -77,7 +77,7 @@ export class World {
     });
   }
 
-  /** Puts the camera where a view begins. */
+  /** Puts the camera at the start of a view. */
   look(view: View): void {
     const half = this.run.recording.head.arena.half_side_m;
     this.view = view;
@@ -126,14 +126,14 @@ export class World {
 
   private readonly point = new Vector3();
 
-  /** How large a robot is on the screen. */
+  /** Size of a robot on the screen. */
   private pixelsOf(body: number): number {
     this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]);
     const focal = (0.5 * this.canvas.clientHeight) / Math.tan((0.5 * this.camera.fov * Math.PI) / 180);
     return (2 * this.run.recording.head.robot.bounding_radius_m * focal) / this.point.distanceTo(this.camera.position);
   }
 
-  /** Where a robot is drawn in the canvas, CSS pixels. */
+  /** Place of a robot in the canvas, CSS pixels. */
   onScreen(body: number): [number, number] {
     this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]).project(this.camera);
     const width = this.canvas.clientWidth;
@@ -258,7 +258,7 @@ export class World {
     this.label.style.transform = `translate(${Math.round(x + 12)}px, ${Math.round(y - 26)}px)`;
   }
 
-  /** What the canvas shows, as a PNG. */
+  /** The picture of the canvas, as a PNG. */
   picture(): string {
     return this.canvas.toDataURL("image/png");
   }

@@ -39,7 +39,7 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** Fails unless the page kept quiet; closes it. */
+/** Fails if the page made requests or errors; closes it. */
 async function leave(opened) {
   assert.deepEqual(opened.complaints, []);
   assert.deepEqual(opened.requests, []);
@@ -47,7 +47,7 @@ async function leave(opened) {
   await opened.page.close();
 }
 
-test("a run of 6000 s opens within 3 s of work and draws both species", async () => {
+test("page: run of 6000 s -> opens within 3 s of processor time and draws both species", async () => {
   const opened = await browser.open(at("long.html"));
   const busy = await opened.busySeconds();
   assert.ok(busy < 3, `${busy} s`);
@@ -61,7 +61,7 @@ test("a run of 6000 s opens within 3 s of work and draws both species", async ()
   await leave(opened);
 });
 
-test("a stretch begins and ends where it was asked to, with those who live then", async () => {
+test("page: requested stretch of a run -> begins and ends there, with the individuals that live then", async () => {
   const opened = await browser.open(at("part.html"));
   assert.deepEqual(await opened.evaluate(() => [window.trophic.firstTime, window.trophic.lastTime]), [75, 130.5]);
   for (const [time, tick] of [[75, 37], [100, 50], [130.5, 65]]) {
@@ -74,7 +74,7 @@ test("a stretch begins and ends where it was asked to, with those who live then"
   await leave(opened);
 });
 
-test("a world of 400 m is drawn as any other, and a press on it leaves the rest alone", async () => {
+test("page: world of 400 m -> drawn as any other, and a press on it changes nothing else", async () => {
   const opened = await browser.open(at("wide.html"));
   await opened.settle();
   const pixels = await opened.pixels("#0072b2");
@@ -90,7 +90,7 @@ test("a world of 400 m is drawn as any other, and a press on it leaves the rest 
   await leave(opened);
 });
 
-test("at three events the drawn robot is where events.csv says, to 2 mm", async () => {
+test("page: three events -> the drawn robot is at the place in events.csv, to 2 mm", async () => {
   const opened = await browser.open(at("long.html"));
   const catches = rows("long", "events.csv").filter((row) => row.event === "catch");
   for (const event of [catches[0], catches[Math.floor(catches.length / 2)], catches[catches.length - 1]]) {
@@ -103,7 +103,7 @@ test("at three events the drawn robot is where events.csv says, to 2 mm", async 
   await leave(opened);
 });
 
-test("a click on the bar of time jumps, a click on an event selects whom it happened to", async () => {
+test("page: click on the time bar -> jumps, click on an event -> selects its individual", async () => {
   const opened = await browser.open(at("long.html"));
   const [x, y] = await opened.evaluate(() => [window.trophic.timebar.xOf(4321), window.trophic.timebar.canvas.clientHeight - 6]);
   await opened.click(".timebar canvas", x, y);
@@ -117,7 +117,7 @@ test("a click on the bar of time jumps, a click on an event selects whom it happ
   await leave(opened);
 });
 
-test("a click on a robot selects it, its branch lights up, and a click on its branch leads back", async () => {
+test("page: click on a robot -> selected and its branch highlighted, click on its branch -> selects it again", async () => {
   const opened = await browser.open(at("long.html"), "#t=3000&view=top");
   const [body, x, y] = await opened.evaluate(() => {
     const { worlds, runs } = window.trophic;
@@ -141,7 +141,7 @@ test("a click on a robot selects it, its branch lights up, and a click on its br
   await leave(opened);
 });
 
-test("a branch in the tree lights up its living robots in the world", async () => {
+test("page: branch selected in the tree -> its living robots are highlighted in the world", async () => {
   const opened = await browser.open(at("long.html"), "#t=3000&view=top");
   assert.equal(await opened.pixels("#e8b400"), 0);
   await opened.evaluate(() => {
@@ -155,7 +155,7 @@ test("a branch in the tree lights up its living robots in the world", async () =
   await leave(opened);
 });
 
-test("a link opens at its moment, robot and view, and playing goes on from there", async () => {
+test("page: link -> opens at its moment, robot and view, and plays from there", async () => {
   const opened = await browser.open(at("long.html"), "#t=1234&robot=17&view=top");
   assert.deepEqual(await opened.evaluate(() => [window.trophic.time, window.trophic.selected, window.trophic.worlds[0].view]), [1234, 17, "top"]);
   assert.equal(await opened.evaluate(() => window.trophic.link()), "#t=1234&robot=17&view=top");
@@ -169,7 +169,7 @@ test("a link opens at its moment, robot and view, and playing goes on from there
   await leave(opened);
 });
 
-test("several runs stand side by side on one bar of time", async () => {
+test("page: several runs -> side by side on one time bar", async () => {
   const opened = await browser.open(at("two.html"));
   assert.equal(await opened.page.locator(".view").count(), 2);
   assert.equal(await opened.evaluate(() => window.trophic.lastTime), 6000);
@@ -185,7 +185,7 @@ test("several runs stand side by side on one bar of time", async () => {
   await leave(opened);
 });
 
-test("300 robots stay usable", async () => {
+test("page: 300 robots -> stays fast enough to use", async () => {
   const opened = await browser.open(at("crowd.html"));
   const start = await opened.busySeconds();
   const pictures = 4;
@@ -199,7 +199,7 @@ test("300 robots stay usable", async () => {
   await leave(opened);
 });
 
-test("a page that was damaged says so", async () => {
+test("page: damaged -> shows an error", async () => {
   const page = readFileSync(at("long.html"), "utf8");
   const start = page.indexOf('data-file="agents">') + 'data-file="agents">'.length;
   const { writeFileSync } = await import("node:fs");
@@ -209,7 +209,7 @@ test("a page that was damaged says so", async () => {
   await opened.page.close();
 });
 
-test("the inspector says what a brain is told, answers and wants, as senses.csv does", async () => {
+test("inspector: run with senses.csv -> a brain's inputs, outputs and wanted tag as in the table", async () => {
   const opened = await browser.open(at("sensing.html"));
   const inputs = JSON.parse(readFileSync(join(at("sensing"), "manifest.json"), "utf8")).senses.inputs;
   const fixed = (text) => Number(text).toFixed(2);
@@ -221,7 +221,7 @@ test("the inspector says what a brain is told, answers and wants, as senses.csv 
     }, [Number(row.time_s), Number(row.id)]);
     await opened.settle();
     const said = Object.fromEntries(await opened.page.$$eval(".inspector dt", (terms) => terms.map((term) => [term.textContent, term.nextSibling.textContent])));
-    assert.equal(said["brain is told"], inputs.map((name, i) => `${name.replaceAll("_", " ")} ${fixed(row[`input${i}`])}`).join(", "));
+    assert.equal(said["brain's inputs"], inputs.map((name, i) => `${name.replaceAll("_", " ")} ${fixed(row[`input${i}`])}`).join(", "));
     assert.equal(said.outputs, `angle ${fixed(row.angle_output)}, tag ${fixed(row.tag_output)}`);
     assert.equal(said["wants tag"], `${Number(row.chosen_tag) > 0 ? "+" : ""}${row.chosen_tag}, ${{ denied: "denied", kept: "as before", switched: "switched now" }[wish]}`);
     assert.equal(said.touches, undefined); // points have no bodies
@@ -229,7 +229,7 @@ test("the inspector says what a brain is told, answers and wants, as senses.csv 
   await leave(opened);
 });
 
-test("a page of an analysis has its table, and replays a run in a frame of its own", async () => {
+test("analysis page: an analysis -> its table, and replays of runs in frames", async () => {
   execFileSync(process.env.TROPHIC, ["analyze", at("set"), "--html", at("analysis.html")]);
   const page = await browser.context.newPage();
   const complaints = [];
@@ -250,7 +250,7 @@ test("a page of an analysis has its table, and replays a run in a frame of its o
     await frame.evaluate(() => window.trophic.seek(100));
     await frame.waitForFunction(() => window.trophic.settled);
     assert.equal(await frame.evaluate(() => window.trophic.time), 100);
-    assert.equal(await frame.getByText("Copy link").count(), 0); // nobody could open it
+    assert.equal(await frame.getByText("Copy link").count(), 0); // no reader could open it
   }
   assert.deepEqual(complaints, []);
   assert.deepEqual(requests, [`file://${at("analysis.html")}`]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `trophic export` writes, before Khronos' validator and in three.js. TROPHIC, PREDATOR_PREY and ENGINE name programs and backend.
+// Files of `trophic export` in Khronos' validator and three.js. TROPHIC, PREDATOR_PREY and ENGINE name programs and backend.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -22,7 +22,7 @@ before(() => {
 });
 after(() => rmSync(folder, { recursive: true, force: true }));
 
-test("Khronos' validator finds nothing to complain of", async () => {
+test("glTF: exported run -> no finding of Khronos' validator", async () => {
   const files = [
     ["long", "long.glb"], ["walk", "walk.gltf"], ["slopes", "slopes.glb"], ["walk", "moment.glb", "--from", 4, "--to", 4],
     ["long", "one.glb", "--follow", 5, "--to", 2],
@@ -36,7 +36,7 @@ test("Khronos' validator finds nothing to complain of", async () => {
   }
 });
 
-test("three.js plays it: robots are where agents.csv says and walk on the floor", async () => {
+test("glTF: played by three.js -> robots at their places in agents.csv, walking on the floor", async () => {
   write("walk", "played.glb");
   const bytes = readFileSync(at("played.glb"));
   const gltf = await new GLTFLoader().parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength), "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A page in a real browser, and what it must never do: ask for anything, or complain.
+// A page in a real browser, which must never make requests or report errors.
 import { chromium } from "playwright-core";
 
 const flags = [
@@ -18,7 +18,7 @@ export class Browser {
     this.context = context;
   }
 
-  /** Opens a file and waits until it shows what it was asked for. */
+  /** Opens a file and waits until it shows the requested moment. */
   async open(file, hash = "") {
     const page = await this.context.newPage();
     const opened = new OpenedPage(page, `file://${file}`);
@@ -63,7 +63,7 @@ export class OpenedPage {
     return this.page.evaluate(work, argument);
   }
 
-  /** How many pixels of a run's world are near a colour "#rrggbb". */
+  /** Number of pixels of a run's world near a colour "#rrggbb". */
   pixels(colour, world = 0) {
     return this.page.evaluate(
       async ([wanted, number]) => {

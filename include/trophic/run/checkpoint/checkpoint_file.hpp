@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// checkpoint.bin: everything that a run needs to go on, with what it was made by and a checksum.
+// checkpoint.bin: the state from which a run can be resumed, with its provenance and a checksum.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace trophic::checkpoint {
 
-/// Of what a checkpoint file holds and how. Another number: another format.
+/// Version of the file's contents and layout. Another number: another format.
 inline constexpr std::uint32_t format_version = 3;
 
 inline constexpr std::string_view file_name = "checkpoint.bin";
-/// The one before it, in case that the last one cannot be read.
+/// The previous checkpoint, in case that the last one cannot be read.
 inline constexpr std::string_view predecessor_name = "checkpoint.old.bin";
 
 /// A part of a checkpoint that one object wrote and only this object reads.
@@ -31,7 +31,7 @@ struct Section {
 /// A moment of a run.
 struct Checkpoint {
   std::string fingerprint;      ///< observe::fingerprint of the run: rules, numbers, models, backend
-  std::string program_version;  ///< trophic's; only the same version goes on to the same bytes
+  std::string program_version;  ///< trophic's; only the same version resumes to the same bytes
   std::uint64_t seed = 0;
   std::int64_t tick = 0;
   double time_s = 0.0;  ///< the ecology's clock
@@ -46,28 +46,28 @@ struct Checkpoint {
   [[nodiscard]] const std::string& section(std::string_view name) const;
 };
 
-/// As a file: a line that says what it is, the format's version, the content, and the CRC-32 of all of it.
+/// As a file: a line that names the format, its version, the content, and the CRC-32 of all of it.
 [[nodiscard]] std::string to_bytes(Checkpoint checkpoint);
 
-/// The way back. `name` stands for the bytes in errors. Throws std::invalid_argument for bytes that are no checkpoint, of another
-/// format, cut short or damaged.
+/// The inverse. `name` stands for the bytes in errors. Throws std::invalid_argument for bytes that are not a checkpoint, of
+/// another format, cut short or damaged.
 [[nodiscard]] Checkpoint from_bytes(std::string_view bytes, const std::string& name);
 
-/// Writes checkpoint.bin in a folder: beside the old one, onto the disk, then under its name; the old one stays as predecessor.
-/// Whenever the program dies, one of the two is whole. Throws std::runtime_error.
+/// Writes checkpoint.bin in a folder: next to the old one, onto the disk, then under its name; the old one stays as predecessor.
+/// If the program dies at any moment, one of the two is whole. Throws std::runtime_error.
 void write(const std::filesystem::path& folder, Checkpoint checkpoint);
 
 /// Whether there is a checkpoint in a folder, whole or not.
 [[nodiscard]] bool exists(const std::filesystem::path& folder);
 
 /// checkpoint.bin, or its predecessor if it is missing or damaged: then a damaged one is removed. Throws std::invalid_argument if
-/// neither can be read, with what is wrong with the last one.
+/// neither can be read, with the fault of the last one.
 [[nodiscard]] Checkpoint read_last(const std::filesystem::path& folder);
 
-/// All that can be read, the last one first. Throws nothing for one that cannot.
+/// All readable checkpoints, the last one first. Skips others without an exception.
 [[nodiscard]] std::vector<Checkpoint> read_all(const std::filesystem::path& folder);
 
-/// Takes the predecessor away, for a run that has come to its end.
+/// Removes the predecessor, for a run that has ended.
 void remove_predecessor(const std::filesystem::path& folder);
 
 }  // namespace trophic::checkpoint

@@ -34,8 +34,8 @@ TROPHIC_INLINE const std::string& Checkpoint::section(std::string_view name) con
   for (const Section& section : sections) {
     if (section.name == name) return section.bytes;
   }
-  throw std::invalid_argument{"the checkpoint holds nothing of \"" + std::string{name} +
-                              "\": the run was made without it, so it must go on without it"};
+  throw std::invalid_argument{"the checkpoint has no section \"" + std::string{name} +
+                              "\": the run was made without it, so it must continue without it"};
 }
 
 TROPHIC_INLINE std::string to_bytes(Checkpoint checkpoint) {
@@ -55,7 +55,7 @@ TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& 
   const auto require = [&](bool good, const std::string& why) {
     if (!good) throw std::invalid_argument{name + ": " + why};
   };
-  require(bytes.starts_with(detail::first_line), "is no checkpoint of trophic");
+  require(bytes.starts_with(detail::first_line), "is not a checkpoint of trophic");
   const std::string_view all = bytes;
   bytes.remove_prefix(detail::first_line.size());
   std::uint32_t version = 0;
@@ -99,7 +99,7 @@ TROPHIC_INLINE Checkpoint read_last(const std::filesystem::path& folder) {
   } catch (const std::invalid_argument&) {
     if (!std::filesystem::exists(folder / predecessor_name)) throw;
     Checkpoint before = read(predecessor_name);
-    // Or the next one that is written would put the damaged one in this one's place.
+    // Otherwise the next write would replace this one by the damaged one.
     std::error_code ignored;
     std::filesystem::remove(folder / file_name, ignored);
     return before;

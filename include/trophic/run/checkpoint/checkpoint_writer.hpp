@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps checkpoints of a run, and lets a run go on from one.
+// Keeps checkpoints of a run, and resumes a run from one.
 #pragma once
 
 #include <concepts>
@@ -20,22 +20,22 @@
 
 namespace trophic::checkpoint {
 
-/// An observer that takes part in checkpoints: what it remembers and the lengths of the files that it appends to go into a
-/// section of its own, of this name. Archives write and read: see trophic/params/archive.hpp and, for files,
+/// An observer that takes part in checkpoints: its state and the lengths of the files to which it appends go into a
+/// section of this name. Archives write and read: see trophic/params/archive.hpp and, for files,
 /// trophic/io/growing_file.hpp.
 template <class O>
 concept Checkpointed = Persists<O> && requires {
   { O::section } -> std::convertible_to<std::string_view>;
 };
 
-/// What of an observer goes into checkpoints: its section, and how that is written and read. Refers to the observer.
+/// The part of an observer in checkpoints: its section, and how that is written and read. Refers to the observer.
 struct Part {
   std::string_view section;
   std::function<void(Archive& archive)> persist;
 };
 using Parts = std::vector<Part>;
 
-/// The parts of those of these observers that take part, in order.
+/// The parts of the participating observers, in order.
 template <class... Observers>
 [[nodiscard]] Parts parts_of(Observers&... observers) {
   Parts parts;
@@ -49,26 +49,26 @@ template <class... Observers>
 /// The section of the ecology itself.
 inline constexpr std::string_view ecology_section = "ecology";
 
-/// The moment at which an ecology and those of its observers that take part are, between two ticks.
+/// The present moment of an ecology and its participating observers, between two ticks.
 [[nodiscard]] Checkpoint take(Simulation& ecology, const observe::RunDescription& run, const Parts& parts = {});
 
-/// Throws std::invalid_argument naming what differs if a checkpoint is not of this run, seed aside.
+/// Throws std::invalid_argument naming the difference if a checkpoint is not of this run, apart from the seed.
 void check_same_rules(const Checkpoint& checkpoint, const observe::RunDescription& run);
 
-/// Also where the seed differs.
+/// Also throws if the seed differs.
 void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run);
 
-/// Lets an ecology of other rules or another seed begin from a checkpoint. Throws std::invalid_argument for one of other robots
+/// Starts an ecology of other rules or another seed from a checkpoint. Throws std::invalid_argument for one of other robots
 /// or other states of rules, else as `restore`.
 void restore_any(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});
 
-/// Lets an ecology that has been made from the same numbers, and those of its observers that take part, go on from a checkpoint.
-/// Files are cut to what they were. Throws std::invalid_argument if the checkpoint is not of this run or of other observers;
-/// std::runtime_error for a file that is missing or shorter than it was.
+/// Restores an ecology that was made from the same numbers, and its participating observers, from a checkpoint.
+/// Files are cut to their length at that moment. Throws std::invalid_argument if the checkpoint is not of this run or of other
+/// observers; std::runtime_error for a file that is missing or shorter than it was.
 void restore(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});
 
 /// An observer that writes checkpoints of the run and of its other observers, those that take part, into a folder: as often as
-/// its schedule says, where the run ends and where it is stopped. They must be told of a tick before this one is.
+/// its schedule demands, and when the run ends or is stopped. They must be called for a tick before this one is.
 class CheckpointWriter {
  public:
   CheckpointWriter(std::filesystem::path folder, Schedule schedule, Parts parts)
@@ -77,7 +77,7 @@ class CheckpointWriter {
   void on_start(const observe::RunDescription& run, const View& view);
   void between_ticks(Simulation& ecology, bool last);
 
-  /// How many it has written.
+  /// Number of written checkpoints.
   [[nodiscard]] std::uint64_t written() const { return written_; }
 
  private:
@@ -87,7 +87,7 @@ class CheckpointWriter {
   Schedule schedule_;
   Parts parts_;
   observe::RunDescription run_;
-  observe::Stopwatch watch_;  ///< decides when checkpoints are written, never what is in a result
+  observe::Stopwatch watch_;  ///< decides when checkpoints are written, never changes a result
   double last_s_ = 0.0;
   double written_s_ = 0.0;
   double cost_s_ = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Definitions of keeper.hpp.
+// Definitions of checkpoint_writer.hpp.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace detail {
 inline void same(const std::string& what, const std::string& there, const std::string& ours) {
   if (there == ours) return;
   throw std::invalid_argument{"the checkpoint's " + what + " = " + there + ": must be " + ours +
-                              ", as of the run that is to go on"};
+                              ", as of the run that is to be resumed"};
 }
 
 [[nodiscard]] inline Section section_of(const Part& part) {
@@ -57,7 +57,7 @@ TROPHIC_INLINE void check_same_rules(const Checkpoint& checkpoint, const observe
   detail::same("version of trophic", checkpoint.program_version, std::string{version});
   if (checkpoint.fingerprint == run.fingerprint) return;
   throw std::invalid_argument{"the checkpoint's fingerprint = " + checkpoint.fingerprint + ": must be " + run.fingerprint +
-                              ", as of the run that is to go on; its rules, numbers, models or engine are others"};
+                              ", as of the run that is to be resumed; its rules, numbers, models or engine differ"};
 }
 
 TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run) {
@@ -68,9 +68,9 @@ TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::
 TROPHIC_INLINE void restore_any(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts) {
   const std::size_t sections = 1 + parts.size();
   if (checkpoint.sections.size() > sections) {
-    throw std::invalid_argument{"the checkpoint holds " + std::to_string(checkpoint.sections.size()) +
-                                " sections, the last of \"" + checkpoint.sections.back().name + "\": must be " +
-                                std::to_string(sections) + "; the run was made with more than this command"};
+    throw std::invalid_argument{"the checkpoint has " + std::to_string(checkpoint.sections.size()) + " sections, the last of \"" +
+                                checkpoint.sections.back().name + "\": must be " + std::to_string(sections) +
+                                "; the run was made with more than this command"};
   }
   detail::read_section(checkpoint, detail::part_of(ecology));
   for (const Part& part : parts) detail::read_section(checkpoint, part);

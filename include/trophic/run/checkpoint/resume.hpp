@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run in a folder, from its beginning or from where it was cut off.
+// A run in a folder, from its beginning or from where it was interrupted.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,11 @@
 
 namespace trophic::checkpoint {
 
-/// What a folder holds of a run that is to be made in it.
+/// State of a run that is to be made in a folder.
 struct RunState {
   bool complete = false;           ///< nothing is left to do
-  std::optional<Checkpoint> from;  ///< to go on from; none: the run begins, in a folder that does not exist
-  std::string remark;              ///< what was found there, a sentence; empty for nothing
+  std::optional<Checkpoint> from;  ///< to resume from; none: the run begins, in a folder that does not exist
+  std::string remark;              ///< a sentence about the folder's contents; empty if none is needed
   bool begins = false;             ///< `from` is a moment of another run, of which the folder is a copy (rewind.hpp)
 
   [[nodiscard]] Opening opening() const { return from ? Opening::resumed : Opening::created; }
@@ -31,12 +31,12 @@ struct RunState {
 /// Moves a folder to "FOLDER.incomplete-K" and returns the new path.
 [[nodiscard]] std::filesystem::path rename_incomplete(const std::filesystem::path& folder);
 
-/// Looks at the folder of a run that is to be resumed. A folder without a checkpoint that can be read, or with one of another
-/// version of trophic, is set aside, as nothing can go on there. Throws std::invalid_argument if the folder is of a run with
+/// Examines the folder of a run that is to be resumed. A folder without a readable checkpoint, or with one of another
+/// version of trophic, is renamed, as no run can be resumed there. Throws std::invalid_argument if the folder is of a run with
 /// other rules, numbers or another seed, std::runtime_error if another program works in it.
 [[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run);
 
-/// Runs an ecology to `until_s` before observers, from where it stands or from a checkpoint, and keeps checkpoints in the folder.
+/// Runs an ecology to `until_s` with observers, from its present state or from a checkpoint, and keeps checkpoints in the folder.
 /// Observers that take part in checkpoints (see Kept) are read from it; with one, those that own files must have been made with
 /// `Opening::resumed`. Throws as `restore` and `run_until` do.
 template <class... Observers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Definitions of go_on.hpp.
+// Definitions of resume.hpp.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ namespace detail {
   try {
     auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json"));
     return manifest.is_object() ? manifest : Json{};
-  } catch (const std::invalid_argument&) {  // what cannot be read says nothing
+  } catch (const std::invalid_argument&) {  // an unreadable manifest counts as none
     return {};
   }
 }
@@ -36,14 +36,14 @@ namespace detail {
   return status != manifest.end() && status->is_string() ? status->get<std::string>() : "unreadable";
 }
 
-/// When the run of a complete manifest was to end; 0 where it does not say.
+/// Planned end of the run of a complete manifest; 0 if it has none.
 [[nodiscard]] inline double until_in(const Json& manifest) {
   const auto clock = manifest.find("clock");
   if (clock == manifest.end() || !clock->is_object() || !clock->contains("until_s")) return 0.0;
   return (*clock)["until_s"].is_number() ? (*clock)["until_s"].get<double>() : 0.0;
 }
 
-/// Whether a manifest says that its run is complete, so long or longer.
+/// Whether a manifest's run is complete, to this duration or longer.
 [[nodiscard]] inline bool is_complete(const Json& manifest, double until_s) {
   return status_in(manifest) == "complete" && until_in(manifest) >= until_s;
 }
@@ -55,7 +55,7 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
     if (there != manifest.end() && *there == ours) return;
     throw std::invalid_argument{(folder / "manifest.json").string() + ": " + key + " = " +
                                 (there == manifest.end() ? "nothing" : json_text(*there)) + ": must be " + json_text(ours) +
-                                ", as of the run that is to go on"};
+                                ", as of the run that is to be resumed"};
   };
   check("fingerprint", run.fingerprint);
   check("seed", run.seed);
@@ -113,13 +113,14 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
     const double before_s = static_cast<double>(last->tick - 1) * run.tick_s;
     if (last->tick > 0 && before_s >= run.until_s) {
       throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be > " + number_text(before_s) +
-                                  ", beyond which the run in " + folder.string() + " has come"};
+                                  ", which the run in " + folder.string() + " has passed"};
     }
-    std::string remark = "goes on from its checkpoint at " + number_text(last->time_s) + " s";
+    std::string remark = "resumes from its checkpoint at " + number_text(last->time_s) + " s";
     return {.complete = false, .from = std::move(last), .remark = std::move(remark)};
   }
   if (status == "complete") {
-    throw std::invalid_argument{folder.string() + ": is complete to " + number_text(until_s) + " s and cannot go on: " + why};
+    throw std::invalid_argument{folder.string() + ": is complete to " + number_text(until_s) +
+                                " s and cannot be resumed: " + why};
   }
   return {.complete = false,
           .from = {},

@@ -25,26 +25,26 @@ struct Moment {
   double at_s = 0.0;          ///< seconds of its clock
 };
 
-/// A run as it was at a moment, its tables and its checkpoint, in a folder that is not the run's own.
+/// A run up to a moment, its tables and its checkpoint, in a folder that is not the run's own.
 struct Snapshot {
   Moment moment;
   std::filesystem::path folder;
 };
 
-/// What manifests and lists of runs say of the moment at which they begin.
+/// The entry of manifests and lists of runs about the moment at which they begin.
 [[nodiscard]] io::Provenance provenance_of(const Moment& moment);
 
-/// When a run's last checkpoint was taken, seconds of its clock; none without one.
+/// Moment of a run's last checkpoint, seconds of its clock; `nullopt` without one.
 [[nodiscard]] std::optional<double> last_moment_s(const std::filesystem::path& run);
 
-/// Where to make the past of what begins at a moment and goes to `out`: in a folder beside it, whose name says which moment of
-/// which run.
+/// Place for the past of runs that begin at a moment and go to `out`: a folder next to it, whose name contains the run and the
+/// moment.
 [[nodiscard]] std::filesystem::path snapshot_folder(const std::filesystem::path& out, const Moment& moment);
 
-/// The folder around a past, this program's alone; it goes where nothing is left in it.
+/// The folder around a past, this program's alone; it is removed when it is empty.
 class SnapshotFolder {
  public:
-  /// Makes it where it is not. Throws std::runtime_error where another program has it.
+  /// Makes it if it does not exist. Throws std::runtime_error if another program uses it.
   explicit SnapshotFolder(const Snapshot& snapshot);
   SnapshotFolder(const SnapshotFolder&) = delete;
   SnapshotFolder& operator=(const SnapshotFolder&) = delete;
@@ -53,7 +53,7 @@ class SnapshotFolder {
   /// Whether there is one, of this program or another.
   [[nodiscard]] static bool exists(const Snapshot& snapshot);
 
-  /// Removes what is in it.
+  /// Removes its contents.
   void clear();
 
  private:
@@ -61,25 +61,25 @@ class SnapshotFolder {
   FolderLock lock_;
 };
 
-/// Whether a run to `until_s` that begins at a moment needs the past of it: not one that is complete in its folder or can go on
-/// there.
+/// Whether a run to `until_s` that begins at a moment needs the past of it: false if it is complete in its folder or can be
+/// resumed there.
 [[nodiscard]] bool needs_snapshot(const std::filesystem::path& folder, double until_s);
 
-/// Makes `folder` a copy of a run's folder as far as its latest checkpoint of this version at or before `at_s`, which another run
-/// can go on from. Does nothing if there is none: then that other run begins at its beginning. Throws std::invalid_argument if
+/// Makes `folder` a copy of a run's folder up to its latest checkpoint of this version at or before `at_s`, from which another
+/// run can be resumed. Does nothing if there is none: then that other run starts at time 0. Throws std::invalid_argument if
 /// `folder` exists, std::runtime_error if a file cannot be copied.
 void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder);
 
-/// Where a run that begins at a moment stands in its folder: there, in a copy that is made where there is nothing to go on from,
-/// or further on. Without a past as the other `run_state_in`. Throws as that one and as `copy_until`, and std::invalid_argument
-/// where the run in the folder began elsewhere.
+/// State of a run that begins at a moment: at that moment, in a copy that is made if the folder has no checkpoint, or later.
+/// Without a past as the other `run_state_in`. Throws as that one and as `copy_until`, and std::invalid_argument
+/// if the run in the folder began elsewhere.
 [[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
                                     const std::optional<Snapshot>& snapshot);
 
-/// Lets a run begin that stands at a moment of another one. Throws as `restore_any`.
+/// Starts a run at a moment of another one. Throws as `restore_any`.
 void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts);
 
-/// Throws std::invalid_argument naming the first number in which two runs differ that a run cannot change on its way: all but
+/// Throws std::invalid_argument naming the first number in which two runs differ that a run cannot change halfway: all but
 /// rules, seed, duration and threads.
 void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run);
 

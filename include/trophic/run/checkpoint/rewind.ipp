@@ -31,7 +31,7 @@ namespace trophic::checkpoint {
 
 namespace detail {
 
-/// Sees that a copy is on the disk before the checkpoint that tells of its length.
+/// Waits until a copy is on the disk, before the checkpoint with its length is written.
 inline void sync_copy(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool is_synced = file >= 0 && ::fsync(file) == 0;
@@ -40,7 +40,7 @@ inline void sync_copy(const std::filesystem::path& path) {
   if (!is_synced) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(reason)};
 }
 
-/// Copies within the room of the past first, so that a folder has all of it or is not there.
+/// Copies within the folder of the past first, so that the target has all of it or does not exist.
 inline void copy_snapshot(const Snapshot& snapshot, const std::filesystem::path& folder) {
   const std::filesystem::path target = without_slash(folder);
   const std::filesystem::path part = snapshot.folder.parent_path() / ("part-" + std::to_string(checksum(target.string())));
@@ -50,7 +50,7 @@ inline void copy_snapshot(const Snapshot& snapshot, const std::filesystem::path&
   std::filesystem::rename(part, target);
 }
 
-/// Whether a clock shows the tick with which those begin that begin at a moment.
+/// Whether a clock shows the tick with which runs from a moment begin.
 [[nodiscard]] inline bool is_tick_of(const Moment& moment, double time_s, double tick_s) {
   return time_s >= moment.at_s && time_s < moment.at_s + tick_s;
 }
@@ -62,13 +62,13 @@ inline void copy_snapshot(const Snapshot& snapshot, const std::filesystem::path&
   return std::move(all.front());
 }
 
-/// Whether what is in a folder is a copy of the moment with which nobody went on.
+/// Whether a folder contains a copy of the moment that no run has continued.
 [[nodiscard]] inline bool stands_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
   const std::optional<Checkpoint> last = last_resumable(folder);
   return last && is_tick_of(moment, last->time_s, tick_s) && last->fingerprint == moment.fingerprint && last->seed == moment.seed;
 }
 
-/// Throws std::invalid_argument if a folder's manifest says that its run began elsewhere.
+/// Throws std::invalid_argument if the run of a folder's manifest began elsewhere.
 inline void check_began_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
   const Json manifest = manifest_in(folder);
   if (manifest.is_null()) return;
@@ -79,9 +79,9 @@ inline void check_began_at(const Moment& moment, const std::filesystem::path& fo
   };
   const bool same_run = said("fingerprint") == moment.fingerprint && said("seed") == std::to_string(moment.seed);
   if (same_run && is_tick_of(moment, std::strtod(said("at_s").c_str(), nullptr), tick_s)) return;
-  throw std::invalid_argument{folder.string() + ": its run began " +
-                              (origin.empty() ? "by itself" : "at " + said("at_s") + " s of " + said("run")) +
-                              "; it can go on, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
+  throw std::invalid_argument{
+      folder.string() + ": its run began " + (origin.empty() ? "at 0 s" : "at " + said("at_s") + " s of " + said("run")) +
+      "; it can be resumed, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
 }
 
 }  // namespace detail
@@ -145,7 +145,7 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
     require(entry.path());
     detail::sync_copy(folder / name);
   }
-  // Last, so that a copy that was cut off has none.
+  // Last, so that an interrupted copy has none.
   write(folder, *early);
 }
 

@@ -5,8 +5,8 @@
 namespace trophic::checkpoint {
 
 struct Schedule {
-  double every_s = 300.0;    ///< seconds of the ecology's clock between two; 0: only where the run ends or is stopped
-  double most_share = 0.01;  ///< of the wall time that may go into them: one that is due waits until it costs no more
+  double every_s = 300.0;    ///< seconds of the ecology's clock between two; 0: only when the run ends or is stopped
+  double most_share = 0.01;  ///< largest share of the wall time for them: a checkpoint that is due waits until it costs no more
 };
 
 }  // namespace trophic::checkpoint

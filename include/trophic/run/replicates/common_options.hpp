@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What runs of a set leave behind.
+// Output and other options that runs of a set have in common.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace trophic::replicates {
 
-/// What runs of a set have in common beside their experiment.
+/// Options that runs of a set have in common, besides their experiment.
 struct CommonOptions {
   io::Provenance provenance = {};
   checkpoint::Schedule checkpoints = {};
-  io::OutputOptions output = {};                      ///< how much of each run is written down
+  io::OutputOptions output = {};                      ///< how much of each run is written
   std::optional<checkpoint::Snapshot> snapshot = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};                      ///< that each run writes, too
+  io::OwnTables own_tables = {};                      ///< written by each run
 };
 
 }  // namespace trophic::replicates

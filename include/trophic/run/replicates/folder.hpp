@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The folder of a set of replicates: made once, gone on with later, never overwritten.
+// The folder of a set of replicates: made once, resumed later, never overwritten.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ using checkpoint::status_of;
 /// The name of the file that lists a set's replicates.
 inline constexpr const char* list_name = "replicates.json";
 
-/// At which moment of which run they all begin, as the file has it; empty where they begin at their beginning.
+/// The run and moment at which they all begin, as in the file; empty if they begin at time 0.
 [[nodiscard]] inline Json origin_of(const Plan& plan) {
   auto origin = Json::object();
   if (!plan.snapshot) return origin;
@@ -35,7 +35,7 @@ inline constexpr const char* list_name = "replicates.json";
   return parse_json(json_text(origin));
 }
 
-/// What it says: which runs there are to be, and what they have in common.
+/// Contents of the file: the planned runs, and what they have in common.
 [[nodiscard]] inline std::string list_text(const Plan& plan, const observe::RunDescription& run,
                                            const io::Provenance& provenance) {
   auto replicates = Json::array();
@@ -51,13 +51,13 @@ inline constexpr const char* list_name = "replicates.json";
   return json_text(content, 2) + '\n';
 }
 
-/// replicates.json and what of the plan is still to be done. Holds a lock on the folder while it lives, so that two programs
+/// replicates.json and the remaining part of the plan. Holds a lock on the folder while it lives, so that two programs
 /// cannot work in it at once.
 class Folder {
  public:
-  /// Makes the folder or, with `plan.resume`, goes on in it. Complete replicates stay; those that were cut off go on from their
+  /// Makes the folder or, with `plan.resume`, resumes in it. Complete replicates stay; interrupted ones resume from their
   /// checkpoint or, without one, are moved to "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan,
-  /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, or if what is there has other
+  /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, or if its runs have other
   /// rules, numbers, seeds or duration; std::runtime_error if another program works in it or the system refuses.
   Folder(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance) {
     plan.check();
@@ -84,13 +84,13 @@ class Folder {
   }
   /// To be run, each into a new folder or from the checkpoint in its own.
   [[nodiscard]] const std::vector<Replicate>& pending() const { return pending_; }
-  /// How many were complete already.
+  /// Number of those that were complete already.
   [[nodiscard]] std::size_t kept() const { return kept_; }
-  /// What was set aside, a sentence each.
+  /// A sentence about each folder that was renamed.
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
-  /// Whether whoever made the folder died before it could list what is to be done there.
+  /// Whether the program that made the folder died before it could list the runs.
   [[nodiscard]] static bool is_bare(const std::filesystem::path& folder) {
     const std::string part = std::string{list_name} + ".part";
     for (const auto& entry : std::filesystem::directory_iterator{folder}) {
@@ -128,7 +128,7 @@ class Folder {
       const Json& count = there.at("count");
       if (count > plan.count) {
         throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + json_text(count) +
-                                    ", what " + path.string() + " has; a resumed set can grow but not shrink"};
+                                    ", as in " + path.string() + "; a resumed set can grow but not shrink"};
       }
     } catch (const Json::exception& error) {
       throw std::invalid_argument{path.string() + ": " + error.what()};

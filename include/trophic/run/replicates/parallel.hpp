@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Independent pieces of work on several threads; one that fails takes no other with it.
+// Independent pieces of work on several threads; one that fails ends no other.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace trophic::replicates {
 
-/// How one piece of work went.
+/// Result of one piece of work.
 struct Attempt {
   bool started = false;
-  std::string error;  ///< what it threw; empty if nothing
+  std::string error;  ///< text of its exception; empty if none
 };
 
 /// Calls `work(i)` for i = 0 ... items - 1 on `jobs` threads, in this order as threads get free; `go_on()` is asked before each.

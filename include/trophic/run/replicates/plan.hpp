@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which replicates of an experiment there are, with which seeds, in which folders.
+// The replicates of an experiment, with their seeds and folders.
 #pragma once
 
 #include <cstddef>
@@ -25,12 +25,12 @@ struct Replicate {
 };
 
 /// The seed of a replicate: the top 53 bits of the stream (master seed, replicate, index), so that every reader of JSON keeps it
-/// exact. It depends neither on how many replicates there are nor on who runs first.
+/// exact. It depends neither on the number of replicates nor on their order.
 [[nodiscard]] inline std::uint64_t seed_of(std::uint64_t master_seed, std::size_t index) {
   return Rng{master_seed, Stream::replicate, index}.bits() >> 11;
 }
 
-/// More than anybody runs in one set; a plan of them all still fits the memory.
+/// A bound far above any real set; a plan of them all still fits the memory.
 inline constexpr std::size_t most_replicates = 100'000;
 
 /// "replicate-00", "replicate-01", ...
@@ -43,11 +43,11 @@ struct Plan {
   std::uint64_t master_seed = 1;
   std::size_t count = 10;
   std::size_t jobs = 1;                   ///< replicates at a time; results do not depend on it
-  bool resume = false;                    ///< go on in a folder that exists: run what is missing, go on with what was cut off
+  bool resume = false;                    ///< use a folder that exists: run missing replicates, resume interrupted ones
   checkpoint::Schedule checkpoints = {};  ///< of each replicate
-  io::OutputOptions output = {};          ///< how much of each run is written down
+  io::OutputOptions output = {};          ///< how much of each run is written
   std::optional<checkpoint::Snapshot> snapshot = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};                      ///< that each run writes, too
+  io::OwnTables own_tables = {};                      ///< written by each run
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

@@ -21,10 +21,10 @@
 
 namespace trophic::replicates {
 
-/// How the set stands after a call of run.
+/// State of the set after a call of run.
 struct Outcome {
-  std::size_t kept = 0;                 ///< were complete before
-  std::size_t complete = 0;             ///< ran to their end now
+  std::size_t kept = 0;                 ///< complete at the start
+  std::size_t complete = 0;             ///< completed by this call
   std::vector<std::string> unfinished;  ///< a sentence for each that failed, was stopped or was not started
   [[nodiscard]] bool all_complete() const { return unfinished.empty(); }
 };
@@ -38,8 +38,8 @@ using RunOne = std::function<void(const Replicate& replicate, const CommonOption
                                   std::ostream& out, const RunOne& run_one);
 
 /// Runs `plan.count` replicates of an experiment to `until_s`, `plan.jobs` at a time, each with its own seed into its own folder,
-/// with checkpoints; tells `out` of each that ends. Replicates share nothing: one that fails or is killed leaves the others as
-/// they are, and results depend neither on `jobs` nor on how often the set was cut off. SIGINT and SIGTERM end those at hand and
+/// with checkpoints; reports each that ends on `out`. Replicates share no data: one that fails or is killed does not change the
+/// others, and results depend neither on `jobs` nor on interruptions of the set. SIGINT and SIGTERM end the running ones and
 /// start no more. Throws as Folder does, and as `make` does for a bad number, before anything is simulated. `extra...` observe
 /// every replicate, from several threads.
 template <class... Observers>

@@ -15,7 +15,7 @@
 namespace trophic::replicates {
 
 /// Runs an ecology that has not begun to `until_s` into a folder, from its beginning, from the moment of another run at which it
-/// begins or from the checkpoint that is there, until a signal comes; the manifest says which. `extra...` observe it. Throws as
+/// begins or from the folder's checkpoint, until a signal comes; the manifest has the origin. `extra...` observe it. Throws as
 /// run_state_in and run_with_checkpoints do.
 template <class... Observers>
 void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,

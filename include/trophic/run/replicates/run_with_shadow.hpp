@@ -15,7 +15,8 @@
 namespace trophic::replicates {
 
 /// Runs the replicates of an experiment to `until_s` as `run` does and then, with `shadow`, those of its neutral shadow with the
-/// same seeds into `plan.out`/shadow. The shadow waits for a set that is complete. A sentence for each replicate that is not.
+/// same seeds into `plan.out`/shadow. The shadow begins when the set is complete. Returns a sentence for each incomplete
+/// replicate.
 std::vector<std::string> run_with_shadow(const MakeSimulation& make, const MakeSimulation& shadow, double until_s,
                                          const Plan& plan, const io::Provenance& provenance, std::ostream& out);
 

@@ -38,7 +38,7 @@ using Numbered = std::pair<std::size_t, std::filesystem::path>;
   return attempts;
 }
 
-/// The folder of the next attempt. Where an older one has a checkpoint, it holds a copy of the one that came furthest.
+/// The folder of the next attempt. If an older one has a checkpoint, it is a copy of the one that came furthest.
 [[nodiscard]] inline std::filesystem::path next_attempt(const std::filesystem::path& run, const std::vector<Numbered>& older) {
   std::size_t number = 0;
   double furthest_s = -1.0;
@@ -64,7 +64,7 @@ inline void publish(const std::filesystem::path& attempt, const std::filesystem:
   }
 }
 
-/// Takes away what attempts at a complete run have left; a program may have been killed before it did.
+/// Removes the files of attempts at a complete run; a program may have been killed before it did.
 inline void remove_attempts(const std::filesystem::path& run) {
   std::error_code error;
   for (const auto& [number, folder] : attempts_at(run)) std::filesystem::remove_all(folder, error);
@@ -88,7 +88,7 @@ TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedR
     if (was_complete()) return {Ended::was_complete};
     const auto claim = Claim::take(sweep / claims_name, run.index, lease_s);
     if (!claim) return {Ended::elsewhere, claimant_of(sweep / claims_name, run.index, lease_s)};
-    // Between the first look and the claim somebody may have come to the end.
+    // Between the first look and the claim another program may have completed the run.
     if (was_complete()) return {Ended::was_complete};
     const std::filesystem::path own = detail::next_attempt(folder, detail::attempts_at(folder));
     work(own);
@@ -98,7 +98,7 @@ TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedR
     detail::remove_attempts(folder);
     return {Ended::complete};
   } catch (const std::exception& error) {
-    // One that was faster takes the folders of the others away.
+    // A faster one removes the folders of the others.
     if (is_complete(sweep, run)) return {Ended::complete};
     return {Ended::failed, error.what()};
   }

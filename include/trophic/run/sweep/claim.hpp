@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who works on a run, among programs that share nothing but a folder.
+// Claims on runs, among programs that share only a folder.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace trophic::sweep {
 
-/// A claim that has not been renewed for this long is nobody's.
+/// A claim that has not been renewed for this long is stale.
 inline constexpr double default_lease_s = 120.0;
 
 /// A run that this program works on. As long as the claim lives a thread renews it, four times in its lease, so that others leave
 /// the run alone; it is given back when the claim is destroyed. A program that dies cannot: its claim goes stale.
 ///
-/// A claim on run 17 is the folder "17.0": of all that give this name to a folder of theirs, which says who they are, one can
+/// A claim on run 17 is the folder "17.0": of all programs that give this name to a folder with their identity, one succeeds
 /// (rename, which is atomic on network file systems where locks are not). Its age is the time since its file was last touched, by
-/// the clock of the file system, as clocks of machines differ. Who finds it stale makes "17.1", and so on. The program that had
-/// it before may only have been slow: a claim saves work that would be done twice, and nothing relies on it.
+/// the clock of the file system, as clocks of machines differ. A program that finds it stale makes "17.1", and so on. Its former
+/// owner may only have been slow: a claim saves duplicate work, and correctness does not depend on it.
 class Claim {
  public:
-  /// Claims a run in the folder `claims`, or says that another program has it. A claim of a program that ran on this machine and
-  /// is dead is stale at once. Throws std::runtime_error if the system refuses.
+  /// Claims a run in the folder `claims`, or reports that another program has it. A claim of a program that ran on this machine
+  /// and is dead is stale at once. Throws std::runtime_error if the system refuses.
   [[nodiscard]] static std::optional<Claim> take(const std::filesystem::path& claims, std::size_t run, double lease_s);
 
   Claim(Claim&&) noexcept;
@@ -38,7 +38,7 @@ class Claim {
   std::unique_ptr<Renewal> renewal_;
 };
 
-/// Who has claimed a run, "HOST (process 123)"; empty where nobody has, or the claim is stale.
+/// Owner of the claim on a run, "HOST (process 123)"; empty without a claim, or if it is stale.
 [[nodiscard]] std::string claimant_of(const std::filesystem::path& claims, std::size_t run, double lease_s);
 
 }  // namespace trophic::sweep

@@ -34,7 +34,7 @@ inline constexpr const char* owner_file = "owner.json";
   return claims / (std::to_string(run) + "." + std::to_string(generation));
 }
 
-/// Makes a folder that nobody else has, and that of the claims, which others take away whenever it is empty.
+/// Makes a unique folder, and that of the claims, which others remove whenever it is empty.
 [[nodiscard]] inline std::filesystem::path new_folder(const std::filesystem::path& claims) {
   const std::string beginning = "new." + host_name() + "." + std::to_string(::gettid()) + ".";
   for (std::size_t number = 0;;) {
@@ -48,12 +48,12 @@ inline constexpr const char* owner_file = "owner.json";
   }
 }
 
-/// What tells apart two processes of one number: the machine since it was started, and the container.
+/// Distinguishes two processes of one number: the machine since its start, and the container.
 [[nodiscard]] inline std::string process_space() {
   std::string boot;
   try {
     boot = read_whole_file("/proc/sys/kernel/random/boot_id");
-  } catch (const std::invalid_argument&) {  // a system without it knows its processes by their host alone
+  } catch (const std::invalid_argument&) {  // on a system without it the host alone identifies a process
     boot = host_name();
   }
   while (!boot.empty() && boot.back() == '\n') boot.pop_back();
@@ -76,7 +76,7 @@ inline constexpr const char* owner_file = "owner.json";
   return static_cast<double>(state.st_mtim.tv_sec) + 1e-9 * static_cast<double>(state.st_mtim.tv_nsec);
 }
 
-/// How long ago a claim was made or renewed, by the clock of the file system; none if it was given back meanwhile.
+/// Age of a claim since it was made or renewed, by the clock of the file system; `nullopt` if it was given back meanwhile.
 [[nodiscard]] inline std::optional<double> age_s(const std::filesystem::path& claim) {
   const auto renewed = touched_s(claim / owner_file);
   const auto last = renewed ? renewed : touched_s(claim);
@@ -95,7 +95,7 @@ struct Owner {
   std::string space;
 };
 
-/// What the owner of a claim said of itself; none where nothing can be read.
+/// Identity of a claim's owner; `nullopt` if it cannot be read.
 [[nodiscard]] inline std::optional<Owner> owner_of(const std::filesystem::path& claim) {
   try {
     const Json json = parse_json(read_whole_file(claim / owner_file));
@@ -104,12 +104,12 @@ struct Owner {
                  .space = json.at("space").get<std::string>()};
   } catch (const std::invalid_argument&) {  // not yet written, given back, or a process that cannot be
     return std::nullopt;
-  } catch (const Json::exception&) {  // somebody else's file
+  } catch (const Json::exception&) {  // a file of another program
     return std::nullopt;
   }
 }
 
-/// Whether a process of this machine claimed it and is no more.
+/// Whether it was claimed by a process of this machine that has died.
 [[nodiscard]] inline bool is_dead(const Owner& owner) {
   return owner.space == process_space() && ::kill(owner.process, 0) != 0 && errno == ESRCH;
 }
@@ -143,7 +143,7 @@ struct Claim::Renewal {
       std::unique_lock lock{mutex};
       const auto period = std::chrono::duration<double>{period_s};
       while (!woken.wait_for(lock, stop, period, [&] { return stop.stop_requested(); }) && !stop.stop_requested()) {
-        // A claim that cannot be renewed goes stale, and another program does the run, too: nothing is lost but time.
+        // A claim that cannot be renewed goes stale, and another program does the run, too: only time is lost.
         static_cast<void>(detail::touch(detail::claim_folder(claims, run, generation) / detail::owner_file));
       }
     }};

@@ -23,7 +23,7 @@ namespace detail {
 inline void check_same_plan(const std::filesystem::path& folder, const std::string& plan) {
   const std::filesystem::path path = folder / plan_name;
   if (!std::filesystem::exists(path)) {
-    throw std::invalid_argument{folder.string() + ": exists already and is no sweep's folder; runs are never overwritten"};
+    throw std::invalid_argument{folder.string() + ": exists already and is not a sweep's folder; runs are never overwritten"};
   }
   const std::string there = read_whole_file(path);
   if (there == plan) return;

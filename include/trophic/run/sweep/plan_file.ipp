@@ -109,7 +109,7 @@ class PlanLine {
   return run;
 }
 
-/// Holds each run of a plan against those before it.
+/// Checks each run of a plan against those before it.
 class RunsSoFar {
  public:
   /// `runs`: those so far, and this line's at their end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sweep.toml: which settings a study tries, and how often.
+// sweep.toml: the settings that a study tries, and the number of replicates.
 #pragma once
 
 #include <cstddef>
@@ -25,12 +25,12 @@ struct Axis {
   std::vector<Json> values;
 };
 
-/// More than this is a slip of the keyboard.
+/// More than this is a typing error.
 inline constexpr std::size_t most_runs = 1'000'000;
 
 /// A file as
 ///
-///     rule_table = "paper"           # the program's first, where it is not given
+///     rule_table = "paper"           # the program's first, if it is not given
 ///     engine = "kinematic"           # the program's default
 ///     replicates = 10                # runs of each cell
 ///     seed = 1                       # the seeds of all runs follow from it
@@ -50,7 +50,7 @@ inline constexpr std::size_t most_runs = 1'000'000;
 ///     [[runs]]                       # settings that belong together
 ///     rule_table = "released"
 struct SweepFile {
-  /// What is no setting of a run.
+  /// The keys that are not settings of a run.
   struct Numbers {
     std::uint64_t replicates = 10;
     std::uint64_t seed = 1;
@@ -84,9 +84,9 @@ struct SweepFile {
   std::vector<Settings> runs;
 };
 
-/// Reads a sweep. Throws std::invalid_argument "FILE: ..." for what is no such file: an unknown key, an axis without values,
-/// lists of [zip] of different lengths, a key in two places, nothing that varies, more than `most_runs`. Whether the keys are
-/// numbers of a rule table is for the program to say.
+/// Reads a sweep. Throws std::invalid_argument "FILE: ..." for a bad file: an unknown key, an axis without values,
+/// lists of [zip] of different lengths, a key in two places, no setting that varies, more than `most_runs`. The program checks
+/// whether the keys are numbers of a rule table.
 [[nodiscard]] SweepFile read_sweep(const std::filesystem::path& path);
 
 /// The settings of each cell: [[runs]] x [zip] x [grid], the last key of [grid] fastest, each with those of [set].

@@ -16,7 +16,7 @@ namespace trophic::sweep {
 
 namespace detail {
 
-/// A node of a table under its path, and where in the file it stands.
+/// A node of a table under its path, with its place in the file.
 struct Leaf {
   std::string path;
   const toml::node* node = nullptr;
@@ -41,7 +41,7 @@ inline void append_leaves(const toml::table& table, const std::string& prefix, s
   }
 }
 
-/// Everything in a table that is no table, in the order of the file.
+/// All values of a table that are not tables, in the order of the file.
 [[nodiscard]] inline std::vector<Leaf> leaves_of(const toml::table& table) {
   std::vector<Leaf> leaves;
   append_leaves(table, "", leaves);
@@ -81,7 +81,7 @@ inline void append_leaves(const toml::table& table, const std::string& prefix, s
   return axes;
 }
 
-/// Removes a section from a table and hands it to `read`.
+/// Removes a section from a table and passes it to `read`.
 template <class Read>
 void take_section(toml::table& table, const std::string& name, Read&& read) {
   const toml::node* node = table.get(name);
@@ -116,7 +116,7 @@ inline void check(const SweepFile& sweep) {
       throw std::invalid_argument{key + ": is in " + other->second + " and in " + section};
     }
     for (const char* no_setting : {"seed", "backend.threads"}) {
-      if (key == no_setting) throw std::invalid_argument{section + " " + key + ": is no setting of a sweep"};
+      if (key == no_setting) throw std::invalid_argument{section + " " + key + ": is not a setting of a sweep"};
     }
   };
   for (const auto& [key, value] : sweep.set.items()) see(key, "[set]");

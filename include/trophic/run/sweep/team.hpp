@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several processes that share out the runs of a plan by messages.
+// Several processes that share the runs of a plan by messages.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace trophic::sweep {
 
-/// What a program needs of a message-passing library; trophic::mpi has one. One process leads; the others work.
+/// Interface to a message-passing library; trophic::mpi implements it. One process leads; the others work.
 class Team {
  public:
   Team() = default;
@@ -23,11 +23,11 @@ class Team {
   [[nodiscard]] virtual std::size_t size() const = 0;
   [[nodiscard]] virtual bool leads() const = 0;
 
-  /// The leader tells the others whether there is a plan to work on, the others hear it. Called by all, once.
+  /// The leader announces whether there is a plan to work on, the others receive it. Called by all, once.
   [[nodiscard]] virtual bool begin(bool there_is_a_plan) = 0;
 
-  /// The leader hands out the runs of a plan, longest first, and gives those of workers that died to others; the workers make
-  /// attempts at what they are given until the leader has nothing left. Called by all. The tally is the leader's.
+  /// The leader assigns the runs of a plan, longest first, and reassigns those of workers that died; the workers make
+  /// attempts at their runs until none is left. Called by all. The tally is the leader's.
   [[nodiscard]] virtual Tally distribute(const std::vector<PlannedRun>& plan, const std::filesystem::path& sweep, double lease_s,
                                          const std::function<Result(const PlannedRun&)>& attempt,
                                          const std::function<bool()>& keep_running) = 0;

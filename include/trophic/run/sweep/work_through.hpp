@@ -20,24 +20,24 @@ struct Shard {
   [[nodiscard]] bool holds(std::size_t run) const { return run % count == index - 1; }
 };
 
-/// "2/8". Throws std::invalid_argument for a text that is no shard.
+/// "2/8". Throws std::invalid_argument for a text that is not a shard.
 [[nodiscard]] Shard shard_of(const std::string& text);
 
 /// The numbers of a plan's runs in the order in which they are begun: those with the most work first, so that none of them is
 /// begun when all others have ended.
 [[nodiscard]] std::vector<std::size_t> longest_first(const std::vector<PlannedRun>& plan, const Shard& shard = {});
 
-/// How a sweep stands after some work on it.
+/// State of a sweep after some work on it.
 struct Tally {
-  std::size_t kept = 0;                 ///< were complete before
-  std::size_t complete = 0;             ///< are complete now, by this program or another
+  std::size_t kept = 0;                 ///< complete at the start
+  std::size_t complete = 0;             ///< completed meanwhile, by this program or another
   std::vector<std::string> unfinished;  ///< a sentence for each that failed, was stopped or was not begun
 };
 
 /// Counts how the last attempts at the runs of a shard ended; `results` by the plan's numbers.
 [[nodiscard]] Tally tally_of(const std::vector<PlannedRun>& plan, const Shard& shard, const std::vector<Result>& results);
 
-/// What stands in place of a result before the first attempt.
+/// The result of a run before the first attempt.
 inline constexpr const char* not_begun = "not begun";
 
 /// Makes attempts at the runs of a shard, `jobs` at a time, until each is complete or has failed here; waits for those that other

@@ -21,9 +21,9 @@ namespace {
 using backend::mujoco::DataPtr;
 using backend::mujoco::ModelPtr;
 
-constexpr double flat_m = 5e-4;  ///< half as high as what lies on the floor
+constexpr double flat_m = 5e-4;  ///< half the height of marks on the floor
 
-/// A world of nothing: what is drawn is put into the scene by hand.
+/// An empty world: the scene's objects are added by hand.
 ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
   const auto text = [](double value) { return std::to_string(value); };
   const std::string xml =
@@ -95,8 +95,8 @@ class Drawing::Scene {
     mjv_defaultOption(&option);
     mj_forward(model_.get(), data_.get());
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
-    scene_.flags[mjRND_SHADOW] = 0;  // they darken the discs that tell tags, and take half of the time of a picture
-    // Where nothing is, MuJoCo draws black. A window needs a white sky; in a buffer it would cost more than `read` does.
+    scene_.flags[mjRND_SHADOW] = 0;  // they darken the discs of tags, and take half of the time of a picture
+    // MuJoCo's background is black. A window needs a white sky; in a buffer it would cost more than `read` does.
     scene_.flags[mjRND_SKYBOX] = canvas_ == Canvas::window ? 1 : 0;
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
@@ -150,13 +150,13 @@ class Drawing::Scene {
     return geom;
   }
 
-  /// Flat on the floor, `level` above what is lower.
+  /// Flat on the floor, `level` layers up.
   void add_disc(double x, double y, double radius, int level, const Colour& colour) {
     const Eigen::Vector3d at{x, y, 2e-3 + 1.5e-3 * level};
     add(mjGEOM_CYLINDER, {radius, flat_m, 0.0}, at, Eigen::Matrix3d::Identity(), colour, 1.0F);  // MuJoCo: radius, half height
   }
 
-  /// A line of so many pixels, as a thin box: MuJoCo lights its own lines otherwise than surfaces.
+  /// A line of so many pixels, as a thin box: MuJoCo lights its own lines differently from surfaces.
   void add_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double pixels, const Colour& colour) {
     const Eigen::Vector3d way = to - from;
     const double length = way.norm();
@@ -253,7 +253,7 @@ class Drawing::Scene {
   mjrContext context_{};
   mjrRect view_{};
   double ring_m_;
-  double pixel_m_ = 0.01;  ///< about how large a pixel is at what the camera looks at
+  double pixel_m_ = 0.01;  ///< approximate size of a pixel at the camera's target
 };
 
 Drawing::Drawing(const RobotModel& robot, const Arena& arena, Canvas canvas, std::size_t width, std::size_t height,

@@ -24,7 +24,7 @@ namespace trophic::watch {
 
 namespace {
 
-/// What GLFW last complained of.
+/// The last error of GLFW.
 std::string& complaint() {
   static std::string text;
   return text;
@@ -35,7 +35,7 @@ std::string& complaint() {
   throw std::invalid_argument{"--watch: no window can be opened" + why + "; without a screen, `trophic film` draws what was run"};
 }
 
-/// GLFW as long as there is a window.
+/// GLFW, initialised while there is a window.
 class Library {
  public:
   Library() {
@@ -75,7 +75,7 @@ class Window {
     glfwGetFramebufferSize(window_, &width, &height);
     return {static_cast<std::size_t>(std::max(1, width)), static_cast<std::size_t>(std::max(1, height))};
   }
-  /// The title also tells the moment.
+  /// The title also shows the moment.
   void say(const std::string& moment) {
     if (moment == said_) return;
     said_ = moment;
@@ -120,12 +120,12 @@ class Window {
   }
 }
 
-/// What GLFW's callbacks pass on.
+/// The state that GLFW's callbacks use.
 struct Desk {
   Window& window;
   Exchange& exchange;
   Controls in_use;
-  bool is_ready = false;  ///< something is shown, to which keys and mouse refer
+  bool is_ready = false;  ///< a frame is shown, to which keys and mouse refer
 
   template <class Use>
   static void use(GLFWwindow* window, Use&& use) {
@@ -187,7 +187,7 @@ struct Session::Parts {
         draw(desk, canvas, now_s - then_s, has_ended);
         exchange.want_until(desk.in_use.wanted_until_s());
       } else if (has_ended) {
-        return;  // nothing came of it
+        return;  // the run ended without a frame
       }
       then_s = now_s;
       if (desk.is_ready && !desk.in_use.clock().is_paused()) {
@@ -236,7 +236,7 @@ int Session::show(const std::function<int()>& simulate) {
   try {
     parts_->show(result);
   } catch (const std::exception& error) {
-    std::cerr << "--watch: " << error.what() << "; the run goes on without a window\n";
+    std::cerr << "--watch: " << error.what() << "; the run continues without a window\n";
   }
   parts_->exchange.close();
   glfwHideWindow(parts_->window.get());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ranks of an MPI job, which share out the runs of a plan.
+// The ranks of an MPI job, which share the runs of a plan.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@ class Team;
 
 namespace trophic::mpi {
 
-/// The team of a program that mpirun or srun started as a rank of a job, as Open MPI's, MPICH's and PMIx's variables of the
-/// environment say; null where it was started alone. Who uses it includes trophic/run/sweep/team.hpp, too.
+/// The team of a program that mpirun or srun started as a rank of a job, by the environment variables of Open MPI, MPICH and
+/// PMIx; null if it was started alone. Callers also include trophic/run/sweep/team.hpp.
 [[nodiscard]] std::unique_ptr<sweep::Team> find_team();
 
 }  // namespace trophic::mpi

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Definitions of find_team.hpp: the ranks of an MPI job share out the runs of a plan; rank 0 hands them out, the others make
+// Definitions of find_team.hpp: the ranks of an MPI job share the runs of a plan; rank 0 assigns them, the others make
 // them.
 #pragma once
 
@@ -30,16 +30,16 @@ namespace detail {
 
 inline constexpr int to_leader = 1;
 inline constexpr int to_worker = 2;
-inline constexpr long no_run = -1;  ///< from a worker: it has done none yet; to a worker: there is none left
-inline constexpr long bye = -2;     ///< from a worker: it has heard that there is none left; to a worker: so have all others
+inline constexpr long no_run = -1;  ///< from a worker: it has done no run yet; to a worker: no run is left
+inline constexpr long bye = -2;     ///< from a worker: it has received no_run; to a worker: so have all others
 
-/// How long the leader waits at the end for workers to say so.
+/// Time that the leader waits for the workers' bye at the end.
 inline constexpr std::chrono::seconds patience{10};
 
 /// Looks for a message every few milliseconds, as MPI's own waiting takes a whole core.
 inline constexpr std::chrono::milliseconds pause{2};
 
-/// What a worker says: how it went with a run, and that it is free.
+/// A worker's message: the result of a run, and that the worker is free.
 struct Report {
   long run = no_run;
   int ended = 0;
@@ -56,7 +56,7 @@ struct Report {
   }
 };
 
-/// What the leader knows of the runs and of its workers.
+/// The leader's state of the runs and of its workers.
 class Leader {
  public:
   Leader(const std::vector<sweep::PlannedRun>& plan, std::filesystem::path sweep, double lease_s, std::size_t workers)
@@ -96,8 +96,8 @@ class Leader {
 
   static void send(int worker, long run) { MPI_Send(&run, 1, MPI_LONG, worker, to_worker, MPI_COMM_WORLD); }
 
-  /// Tells all workers that there is nothing left, and those who answer whether all did. One that died with nothing to do is
-  /// missed only here.
+  /// Sends no_run to all workers, and to those that answer whether all did. A worker that died while idle is noticed
+  /// only here.
   void dismiss() {
     for (int worker = 1; worker <= static_cast<int>(workers_); ++worker) {
       if (lost_.contains(worker)) continue;
@@ -163,7 +163,7 @@ class Leader {
     }
   }
 
-  /// Once a second: a run that was given to a worker some time ago, that is not complete and that nobody claims, is to be given
+  /// Once a second: a run that was given to a worker some time ago, that is incomplete and unclaimed, is to be given
   /// to another one.
   void check_lost_workers() {
     if (Clock::now() < next_look_) return;
@@ -184,7 +184,7 @@ class Leader {
         results_[run] = {sweep::Ended::complete};
       } else {
         pending_.push_front(run);
-        std::cerr << "rank " << worker << " no longer answers: " << plan_[run].folder.string() << " is given to another\n";
+        std::cerr << "rank " << worker << " has stopped answering: " << plan_[run].folder.string() << " is given to another\n";
       }
       given_.erase(worker);
       suspects_.erase(worker);
@@ -198,12 +198,12 @@ class Leader {
   std::size_t workers_;
   std::vector<sweep::Result> results_;
   std::deque<std::size_t> pending_;
-  std::deque<std::pair<std::size_t, Clock::time_point>> later_;  ///< those that programs of another job work on
+  std::deque<std::pair<std::size_t, Clock::time_point>> later_;  ///< runs on which programs of another job work
   std::deque<int> free_;
   std::map<int, Given> given_;
-  std::set<int> suspects_;  ///< whose run nobody claimed at the last look
+  std::set<int> suspects_;  ///< workers whose run was unclaimed at the last look
   std::set<int> lost_;
-  std::set<int> leaving_;  ///< at the end, who has not said bye yet
+  std::set<int> leaving_;  ///< at the end, workers without a bye
   Clock::time_point next_look_;
 };
 
@@ -215,7 +215,7 @@ class Team final : public sweep::Team {
   Team() {
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    // A rank that dies must not take the others with it: what it was given is given to another.
+    // A rank that dies must not end the others: its run is given to another one.
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
@@ -223,7 +223,7 @@ class Team final : public sweep::Team {
 
   ~Team() override {
     if (has_lost_workers_) {
-      // All ranks take part in MPI_Finalize, and one is no more.
+      // All ranks take part in MPI_Finalize, and one has died.
       std::cout.flush();
       std::cerr.flush();
       return;
@@ -243,7 +243,7 @@ class Team final : public sweep::Team {
   [[nodiscard]] sweep::Tally distribute(const std::vector<sweep::PlannedRun>& plan, const std::filesystem::path& sweep,
                                         double lease_s, const std::function<sweep::Result(const sweep::PlannedRun&)>& attempt,
                                         const std::function<bool()>& keep_running) override {
-    has_lost_workers_ = true;  // until all have said that they are done; not where an error ends the work before
+    has_lost_workers_ = true;  // until all workers have said bye; stays true if an error ends the work earlier
     if (!leads()) {
       work(plan, attempt);
       report({detail::bye, 0, {}});
@@ -262,7 +262,7 @@ class Team final : public sweep::Team {
     MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_CHAR, 0, detail::to_leader, MPI_COMM_WORLD);
   }
 
-  /// What the leader says next.
+  /// The leader's next message.
   [[nodiscard]] static long next() {
     int there = 0;
     while (MPI_Iprobe(0, detail::to_worker, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE) == MPI_SUCCESS && there == 0) {

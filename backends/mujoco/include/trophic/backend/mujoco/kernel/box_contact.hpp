@@ -20,7 +20,7 @@ struct PlacedBox {
   double axis[3][3];  ///< axis[k] is the direction of extent k
 };
 
-/// Where a box touches another or the ground.
+/// A contact of a box with another or the ground.
 struct BoxContact {
   std::array<double, 3> point_m;
   std::array<std::array<double, 3>, 3> frame;  ///< normal towards the second box, and MuJoCo's two tangents

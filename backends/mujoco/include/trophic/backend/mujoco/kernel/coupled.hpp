@@ -35,9 +35,9 @@ class CoupledSearch {
     for_each_contact([&](const auto& contact) { add(contact); });
   }
 
-  /// Full Newton steps until the pushing rows no longer change, at first with those of planes that pushed last, those of links at
-  /// the warm start; the minimum becomes the trial point of all links. False where rows go on changing: MuJoCo's line search must
-  /// do it.
+  /// Full Newton steps until the pushing rows stay the same, at first with those of planes that pushed last, those of links at
+  /// the warm start; the minimum becomes the trial point of all links. Returns false if rows keep changing: then MuJoCo's line
+  /// search must solve it.
   [[nodiscard]] bool minimise(const LaneState& state) {
     recall_rows(work_);
     read_warm_start(state);
@@ -96,7 +96,7 @@ class CoupledSearch {
   }
   [[nodiscard]] bool is_kept(std::size_t link) const { return own_.order[link] < own_.kept.size(); }
 
-  /// Index in x of the hinge that a link hangs on.
+  /// Index in x of a link's hinge to its parent.
   [[nodiscard]] std::size_t hinge_index(std::size_t lane, std::size_t link) const {
     return rank_[lane] * own_.kept.size() + own_.order[link];
   }
@@ -223,7 +223,7 @@ class CoupledSearch {
     });
   }
 
-  /// Which rows of contacts push at x; true where the answer differs from the last one.
+  /// Finds the rows of contacts that push at x; returns whether they differ from the last ones.
   bool evaluate_contacts() {
     bool changed = false;
     const auto update = [&](bool& active, double residual) {
@@ -265,7 +265,7 @@ class CoupledSearch {
     spread();
   }
 
-  /// A and b: a hinge's inertia is U = inertia S of all that hangs on it, with a hinge further in S_k' U, with the root U itself.
+  /// A and b: a hinge's inertia is U = inertia S of all links beyond it, with a hinge further in S_k' U, with the root U itself.
   void write_down_trees() {
     SymmetricSystem& system = own_.system;
     system.reset(own_.x.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the kernel knows of a robot, its ground and its solver: constants shared by all robots, read once from MuJoCo's model.
+// The kernel's model of a robot, its ground and its solver: constants shared by all robots, read once from MuJoCo's model.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -87,7 +87,8 @@ struct LinkPair {
   std::size_t second;
 };
 
-/// All constants of the kernel. Link 0 is the root; link i > 0 hangs on hinge i - 1, which is number 7 + i - 1 of qpos.
+/// All constants of the kernel. Link 0 is the root; link i > 0 is joined to its parent by hinge i - 1, which is number 7 + i - 1
+/// of qpos.
 struct KernelModel {
   std::vector<KernelLink> links;
   std::vector<KernelHinge> hinges;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which links touch each other or a height field, and where.
+// Contacts of links with each other or a height field.
 #pragma once
 
 #include <algorithm>

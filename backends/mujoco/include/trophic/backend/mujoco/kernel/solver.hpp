@@ -12,8 +12,8 @@ namespace trophic::backend::kernel {
 // which is strictly convex and piecewise quadratic. For a given set of pushing rows the minimum of the quadratic solves
 //   (M + J' D J) x = M x_s + J' D aref.
 // J' D J of the contacts of one link is a symmetric 6x6 matrix added to the link's spatial inertia, so the system is solved in
-// O(links) by the articulated-body recursion (Featherstone, "Rigid Body Dynamics Algorithms", ch. 7) with those inertias. Where
-// the rows that push at the solution are those it was computed with, it is the minimum, to rounding; else the search goes on.
+// O(links) by the articulated-body recursion (Featherstone, "Rigid Body Dynamics Algorithms", ch. 7) with those inertias. If
+// the rows that push at the solution are those of its computation, it is the minimum, to rounding; else the search continues.
 
 /// Weights of a contact's active rows summed: [normal, coupling to t1, to t2, t1, t2] of the 3x3 matrix W = sum D e e',
 /// e = n +- mu t.
@@ -103,7 +103,7 @@ TROPHIC_LANES_INLINE void pass_inwards(const LinkWork& child, LinkWork& parent) 
   parent.force = parent.force + child.force + scaled * child.torque;
 }
 
-/// Solves for a hinge, given its parent's motion: its link and all that hangs on it move the parent as an inertia and a force.
+/// Solves for a hinge, given its parent's motion: its link and all links beyond it act on the parent as an inertia and a force.
 TROPHIC_LANES_INLINE void eliminate_hinge(LinkWork& link, LinkWork& parent) {
   link.reach = link.articulated * link.axis;
   link.inverse = 1.0 / (dot(link.axis, link.reach) + link.load);
@@ -219,7 +219,7 @@ TROPHIC_LANES_INLINE void damp_joints(const KernelModel& model, Workspace& work)
   solve_tree(model, work);
 }
 
-/// Which rows push at `residual`; returns where the answer differs from `active`, which is updated.
+/// Finds the rows that push at `residual`; returns the lanes in which they differ from `active`, which is updated.
 TROPHIC_LANES_INLINE Mask update_rows(const Vec3& residual, double mu, double sign, Mask* active) {
   const Real normal = sign * residual[0];
   const Real first = mu * residual[1];

@@ -7,8 +7,8 @@
 
 namespace trophic::backend::kernel {
 
-// Most processors take step_avx2. Whoever includes everything need not wait as long for this one: fully optimised it is
-// the longest function of all to compile.
+// Most processors use step_avx2. Header-only programs compile this one with less optimisation: fully optimised it takes
+// longest of all functions to compile.
 #if TROPHIC_HEADER_ONLY && defined(__x86_64__) && !defined(__AVX2__) && !defined(__clang__)
 [[gnu::optimize(1)]]
 #endif

@@ -143,7 +143,7 @@ struct CoupledContact {
   }
 };
 
-/// Where the search stands: a link's motion, and the acceleration of the hinge that it hangs on.
+/// The search's current point: a link's motion, and the acceleration of its hinge to the parent.
 struct TrialPoint {
   Spatial link;
   Real hinge;
@@ -169,7 +169,7 @@ struct CoupledWork {
   }
 };
 
-/// What is known of where a box is.
+/// The known part of a box's pose.
 enum class Placed : std::uint8_t { none, centre, whole };
 
 /// Scratch memory of one thread.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From where a picture is taken, and which point of the floor is seen where.
+// The camera of a picture, and projections between picture and floor.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace trophic::drawing {
 
-/// How much of the height is seen, degrees.
+/// Vertical field of view, degrees.
 inline constexpr double fovy_deg = 38.0;
 
 /// Looks at a point from a distance; azimuth 90 degrees looks along +y, elevation -90 straight down.
@@ -24,7 +24,7 @@ struct Camera {
   double elevation_deg = -50.0;
 };
 
-/// A place in a picture: both 0 in its middle; y is 1 at its upper and -1 at its lower edge, x as long as y.
+/// A place in a picture: x and y are 0 in its middle; y is 1 at its upper and -1 at its lower edge, x as long as y.
 struct PicturePoint {
   double x = 0.0;
   double y = 0.0;
@@ -47,12 +47,12 @@ struct Sight {
   }
 };
 
-/// Half of the height that is seen at a distance of 1.
+/// Half of the visible height at a distance of 1.
 [[nodiscard]] inline double half_height() {
   return std::tan(0.5 * fovy_deg * std::numbers::pi / 180.0);
 }
 
-/// Where a point is seen; none behind the camera.
+/// Returns the place of a point in the picture; `nullopt` behind the camera.
 [[nodiscard]] inline std::optional<PicturePoint> seen_at(const Camera& camera, const Eigen::Vector3d& point_m) {
   const Sight sight{camera};
   const Eigen::Vector3d way = point_m - sight.eye_m;
@@ -61,7 +61,7 @@ struct Sight {
   return PicturePoint{way.dot(sight.right) / depth, way.dot(sight.up) / depth};
 }
 
-/// Which point of the floor (z = 0) is seen there; none above the horizon.
+/// Returns the point of the floor (z = 0) that is seen at a place; `nullopt` above the horizon.
 [[nodiscard]] inline std::optional<Eigen::Vector2d> floor_at(const Camera& camera, const PicturePoint& point) {
   const Sight sight{camera};
   const Eigen::Vector3d ray = sight.forward + half_height() * (point.x * sight.right + point.y * sight.up);

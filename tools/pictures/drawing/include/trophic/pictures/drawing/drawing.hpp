@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws pictures by MuJoCo's renderer with whatever OpenGL is current: without a screen (renderer.hpp) or in a window.
+// Draws pictures with MuJoCo's renderer in the current OpenGL context: without a screen (renderer.hpp) or in a window.
 #pragma once
 
 #include <cstddef>
@@ -13,30 +13,30 @@
 
 namespace trophic::drawing {
 
-/// What is drawn onto: a buffer of a fixed size, whose pixels can be read, or the window of the current context.
+/// Target of a drawing: a buffer of a fixed size, whose pixels can be read, or the window of the current context.
 enum class Canvas { buffer, window };
 
-/// Where a text stands in a picture.
+/// Place of a text in a picture.
 enum class Corner { top_left, top_right, bottom_left };
 
-/// Lives no longer than the OpenGL context that was current when it was made, and is used while that is current.
+/// Must not outlive the OpenGL context that was current when it was made, and is used while that is current.
 class Drawing {
  public:
-  /// Throws std::runtime_error where OpenGL cannot draw onto such a canvas. `width` and `height`: pixels of a buffer, unused for
+  /// Throws std::runtime_error if OpenGL cannot draw onto such a canvas. `width` and `height`: pixels of a buffer, unused for
   /// a window. `large_text`: letters twice as large.
   Drawing(const RobotModel& robot, const Arena& arena, Canvas canvas, std::size_t width, std::size_t height, bool large_text);
   Drawing(Drawing&&) noexcept;
   Drawing& operator=(Drawing&&) noexcept;
   ~Drawing();
 
-  /// Throws std::runtime_error for more than fits into one picture. `width` and `height` are those of a buffer, or what the
-  /// window has now.
+  /// Throws std::runtime_error for more objects than fit into one picture. `width` and `height`: of the buffer, or of the
+  /// window now.
   void draw(const Picture& picture, const Camera& camera, std::size_t width, std::size_t height);
 
-  /// Writes over what was drawn last: two columns, lines separated by \n; the second may be empty.
+  /// Writes text over the last drawing: two columns, lines separated by \n; the second may be empty.
   void write(Corner corner, const std::string& left, const std::string& right);
 
-  /// What was drawn last.
+  /// The last drawing.
   [[nodiscard]] Image read() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From what is known of an ecology at a moment to the picture of it, whether it was recorded or goes on just now.
+// Makes the picture of an ecology at a moment, from a recording or a live run.
 #pragma once
 
 #include <algorithm>
@@ -16,18 +16,18 @@
 
 namespace trophic::drawing {
 
-/// Somebody died there.
+/// Place and time of a death.
 struct Death {
   double time_s = 0.0;
   double x_m = 0.0;
   double y_m = 0.0;
 };
 
-/// How long a trail and the ring round a death are seen, ecology seconds.
+/// Time for which a trail and the ring round a death are visible, ecology seconds.
 inline constexpr double trail_s = 60.0;
 inline constexpr double flash_s = 6.0;
 
-/// What a picture needs to know of any moment, ecology seconds: `rows_at` has a row for each body, as the last tick left it; rows
+/// Source of a picture's data at any moment, ecology seconds: `rows_at` has a row for each body, as the last tick left it; rows
 /// go back by `trail_s` or to `first_s`, deaths by `flash_s`.
 template <class F>
 concept Footage = requires(const F& footage, double time_s, std::size_t body) {
@@ -77,7 +77,7 @@ inline void add_sights(Picture& picture, std::span<const io::AgentRow> rows) {
 
 }  // namespace detail
 
-/// The picture of a moment. `marked`: the individual that is to be found at a glance.
+/// The picture of a moment. `marked`: the individual to highlight.
 template <Footage F>
 [[nodiscard]] Picture picture_of(const F& footage, double time_s, std::optional<IndividualId> marked, std::string caption) {
   Picture picture;
@@ -100,7 +100,7 @@ template <Footage F>
   return picture;
 }
 
-/// The pose a part of the way from one to another.
+/// Interpolates between two poses.
 [[nodiscard]] inline Pose between(const Pose& from, const Pose& to, double part) {
   return {from.position_m + part * (to.position_m - from.position_m), from.orientation.slerp(part, to.orientation)};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is to be drawn: robots, lines on the floor, flashes, a caption. Places and colours only; no rule, no recording, no OpenGL.
+// Contents of a picture: robots, lines on the floor, flashes, a caption. Places and colours only; no rule, no recording, no
+// OpenGL.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 namespace trophic::drawing {
 
-/// A robot as it is to be seen: its body, and round it a ring on the floor that points where it heads.
+/// A robot in a picture: its body, and round it a ring on the floor with a pointer in its heading.
 struct RobotLook {
   Pose root;
   std::vector<double> joint_angles_rad;  ///< in the order of the hinges; empty: all 0
@@ -31,7 +32,7 @@ struct FloorLine {
   float opacity = 1.0F;
 };
 
-/// A widening ring where something has just happened.
+/// A widening ring at the place of a recent event.
 struct Flash {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -45,7 +46,7 @@ struct Picture {
   std::string caption;
 };
 
-/// The radius of a robot's ring: round its body, and never too small to be seen in a picture of the whole arena.
+/// The radius of a robot's ring: round its body, and large enough for a picture of the whole arena.
 [[nodiscard]] inline double ring_radius_m(const RobotModel& robot, const Arena& arena) {
   return std::max(1.15 * robot.bounding_radius_m, 0.021 * arena.half_side_m);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures one after another as an mp4 file, by the program ffmpeg.
+// A sequence of pictures as an mp4 file, made by the program ffmpeg.
 #pragma once
 
 #include <sys/types.h>
@@ -11,20 +11,20 @@
 
 namespace trophic::film {
 
-/// A film in the making: H.264 in a new mp4 file, which has its name once it is finished.
+/// An unfinished film: H.264 in a new mp4 file, which gets its name when it is finished.
 class Encoder {
  public:
-  /// `width` and `height` are even. Throws std::runtime_error where ffmpeg cannot be started or the file exists.
+  /// `width` and `height` are even. Throws std::runtime_error if ffmpeg cannot be started or the file exists.
   Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s);
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
-  /// A film that was not finished is no file.
+  /// Removes a film that was not finished.
   ~Encoder();
 
-  /// Throws std::runtime_error where ffmpeg takes no more.
+  /// Throws std::runtime_error if ffmpeg takes no more pictures.
   void add(const Image& image);
 
-  /// Throws std::runtime_error where ffmpeg fails.
+  /// Throws std::runtime_error if ffmpeg fails.
   void finish();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures scaled, put together and as PNG files.
+// Scales and combines pictures, and writes them as PNG files.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@ namespace trophic::film {
 
 using drawing::Image;
 
-/// Half as wide and high; each pixel the mean of four. The size must be even.
+/// Returns the picture at half its width and height; each pixel is the mean of four. The size must be even.
 [[nodiscard]] Image halved(const Image& image);
 
-/// Puts one image into another, its corner at (x, y). It must fit.
+/// Copies one image into another, its corner at (x, y). It must fit.
 void put(Image& into, const Image& image, std::size_t x, std::size_t y);
 
-/// Writes a new file. Throws std::runtime_error naming it when it exists or the system refuses.
+/// Writes a new file. Throws std::runtime_error naming it if it exists or cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace trophic::film

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures without a screen, by OSMesa.
+// Draws pictures without a screen, with OSMesa.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace trophic::film {
 
-/// How fine a picture is.
+/// Quality of a picture.
 enum class Quality {
   fast,  ///< each pixel drawn once
   fine   ///< drawn twice as large and scaled down: smooth edges
@@ -21,8 +21,8 @@ enum class Quality {
 /// One at a time in a thread.
 class Renderer {
  public:
-  /// Of pictures of `width` times `height` pixels, both even, 16 to 4096. Throws std::invalid_argument for another size and
-  /// std::runtime_error where there is no OpenGL.
+  /// A renderer of pictures of `width` times `height` pixels, both even, 16 to 4096. Throws std::invalid_argument for another
+  /// size and std::runtime_error without OpenGL.
   Renderer(const RobotModel& robot, const Arena& arena, std::size_t width, std::size_t height, Quality quality);
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which moment of a run is shown: pause, step and speed.
+// The shown moment of a run: pause, step and speed.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 
 namespace trophic::watch {
 
-/// Moves over the ecology's clock as somebody's own time passes. Is never ahead of the run.
+/// Advances over the ecology's clock as the viewer's real time passes. Never ahead of the run.
 class Clock {
  public:
-  /// Ecology seconds a second of the onlooker's; the last one: as fast as the run goes.
+  /// Ecology seconds per second of real time; the last one: as fast as the run.
   static constexpr std::array<double, 13> speeds{
       0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, std::numeric_limits<double>::infinity()};
 
@@ -31,14 +31,14 @@ class Clock {
     is_paused_ = !is_paused_;
     step_to_s_.reset();
   }
-  /// Goes on to the next moment at which rules decide, and pauses there.
+  /// Continues to the next moment at which rules decide, and pauses there.
   void step(double tick_s) {
     const double from_s = step_to_s_.value_or(time_s_);
     step_to_s_ = (std::floor(from_s / tick_s + 1e-6) + 1.0) * tick_s;
     is_paused_ = true;
   }
 
-  /// `elapsed_s` of the onlooker's time have passed; the run is known up to `newest_s`.
+  /// `elapsed_s` of real time have passed; the run is known up to `newest_s`.
   void advance(double elapsed_s, double newest_s) {
     if (step_to_s_) {
       time_s_ = std::max(time_s_, std::min(*step_to_s_, newest_s));
@@ -49,7 +49,7 @@ class Clock {
     }
   }
 
-  /// How far the run should be by now, so that nobody waits for it.
+  /// The moment that the run should have reached, so that the viewer need not wait.
   [[nodiscard]] double wanted_until_s(double tick_s) const {
     if (is_paused_) return step_to_s_.value_or(time_s_ + tick_s);
     return time_s_ + std::max(tick_s, speed());

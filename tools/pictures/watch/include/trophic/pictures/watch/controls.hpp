@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keys and mouse do to what is shown. Knows no window: whoever has one passes on what was pressed where.
+// Effects of keys and mouse on the view. Independent of the window, which passes on the events.
 #pragma once
 
 #include <algorithm>
@@ -36,10 +36,10 @@ class Controls {
 
   static constexpr const char* help = "space\nright arrow\nup, down\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
   static constexpr const char* help_meanings =
-      "pause, go on\none tick\nfaster, slower\nwho is that\nfollow it\nthe next one\nlet it go\nwhole arena, from above\n"
-      "turn, come nearer\nmove\nthis help\nclose; the run goes on";
+      "pause, resume\none tick\nfaster, slower\nselect a robot\nfollow it\nthe next one\ndeselect\nwhole arena, from above\n"
+      "turn, zoom\nmove\nthis help\nclose; the run continues";
 
-  /// `elapsed_s` of the onlooker's time have passed. Comes before anything is drawn.
+  /// `elapsed_s` of real time have passed. Called before each drawing.
   void advance(const LiveFootage& footage, double elapsed_s, const WindowSize& window) {
     if (!is_begun_) {
       is_begun_ = true;
@@ -109,7 +109,7 @@ class Controls {
   [[nodiscard]] bool shows_help() const { return shows_help_; }
   [[nodiscard]] double wanted_until_s() const { return clock_.wanted_until_s(tick_s_); }
 
-  /// The body of the individual that was chosen; none if nobody was chosen or that one has died.
+  /// The body of the selected individual; `nullopt` if none is selected or it has died.
   [[nodiscard]] std::optional<std::size_t> selected_body(const LiveFootage& footage) const {
     return selected_ && lives(footage) ? std::optional{body_} : std::nullopt;
   }
@@ -133,7 +133,7 @@ class Controls {
     is_following_ = false;
   }
 
-  /// Chooses the robot whose ring is clicked at; a click beside all of them lets go.
+  /// Selects the robot whose ring is clicked; a click elsewhere deselects.
   void click(const LiveFootage& footage, const drawing::PicturePoint& point) {
     const auto at = drawing::floor_at(eye_.camera(), point);
     let_go();

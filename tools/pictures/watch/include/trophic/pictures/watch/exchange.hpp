@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between the thread that simulates and the one that shows: what has happened, and how far ahead of the eye the run may go.
+// Shared between the simulating and the showing thread: past events, and the moment up to which the run may continue.
 #pragma once
 
 #include <atomic>
@@ -13,24 +13,24 @@
 
 namespace trophic::watch {
 
-/// Each call is for any thread.
+/// Each member may be called from any thread.
 class Exchange {
  public:
-  /// Calls `use` with the footage while nobody else has it.
+  /// Calls `use` with the footage while no other thread uses it.
   template <class Use>
   decltype(auto) with_footage(Use&& use) {
     const std::lock_guard lock{mutex_};
     return std::forward<Use>(use)(footage_);
   }
 
-  /// The run need not go further than this until it is told otherwise, ecology seconds.
+  /// The moment up to which the run need go until the next call, ecology seconds.
   void want_until(double time_s) {
     const std::lock_guard lock{mutex_};
     wanted_s_ = time_s;
     changed_.notify_all();
   }
 
-  /// Nobody looks any more: the run goes on as fast as it can.
+  /// The window is closed: the run continues as fast as it can.
   void close() {
     const std::lock_guard lock{mutex_};
     is_open_ = false;
@@ -38,7 +38,7 @@ class Exchange {
   }
   [[nodiscard]] bool is_open() const { return is_open_; }
 
-  /// Holds the run up between two ticks until somebody wants to see more, nobody looks or a signal came.
+  /// Pauses the run between two ticks until the viewer wants to see more, the window is closed or a signal came.
   void wait_until_wanted() {
     std::unique_lock lock{mutex_};
     while (is_open_ && footage_.newest_s() >= wanted_s_ && observe::StopOnSignal::caught() == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where an onlooker stands: turned, moved and brought nearer by a mouse, over the whole arena or beside one robot.
+// The viewpoint of a window: turned, moved and zoomed with a mouse, over the whole arena or next to one robot.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ class Eye {
   void see_whole(const Arena& arena, double aspect) { camera_ = drawing::whole_arena(arena, aspect); }
   void see_from_above(const Arena& arena, double aspect) { camera_ = drawing::from_above(arena, aspect); }
   void come_near(const RobotModel& robot, const Eigen::Vector3d& at_m) { camera_ = drawing::near(robot, at_m); }
-  /// Goes along with a robot.
+  /// Follows a robot.
   void look_at(const Eigen::Vector3d& at_m) { camera_.at_m = {at_m.x(), at_m.y(), 0.0}; }
 
   /// By a part of the window's height, to the right and up.
@@ -27,7 +27,7 @@ class Eye {
     camera_.azimuth_deg = std::remainder(camera_.azimuth_deg - 180.0 * right, 360.0);
     camera_.elevation_deg = std::clamp(camera_.elevation_deg + 120.0 * up, -90.0, -5.0);
   }
-  /// As if the floor was drawn along.
+  /// Moves as if the floor was dragged.
   void shift(double right, double up) {
     const double azimuth = camera_.azimuth_deg * std::numbers::pi / 180.0;
     const double scale_m = 2.0 * drawing::half_height() * camera_.distance_m;

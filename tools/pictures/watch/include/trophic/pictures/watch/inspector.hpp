@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a window says in words: the moment, and what is known of the robot that was chosen.
+// Texts of a window: the moment, and the data of the selected robot.
 #pragma once
 
 #include <numbers>
@@ -26,7 +26,7 @@ struct Columns {
   }
 };
 
-/// "robot 17", "robot 17 (dead)"; empty if none was chosen.
+/// "robot 17", "robot 17 (dead)"; empty if none is selected.
 [[nodiscard]] inline std::string chosen_text(const Controls& controls, const LiveFootage& footage) {
   if (!controls.selected()) return {};
   return "robot " + std::to_string(*controls.selected()) + (controls.selected_body(footage) ? "" : " (dead)");
@@ -40,7 +40,7 @@ struct Columns {
   return chosen.empty() ? text : text + ", " + chosen;
 }
 
-/// All that agents.csv says of the chosen robot, and its parent and age.
+/// The row of the selected robot in agents.csv, and its parent and age.
 [[nodiscard]] inline Columns inspected(const Controls& controls, const LiveFootage& footage) {
   Columns columns;
   if (!controls.selected()) return columns;
@@ -61,7 +61,7 @@ struct Columns {
   if (row.hunger_ticks) columns.add("hunger", std::to_string(*row.hunger_ticks) + " ticks");
   columns.add("origin", row.origin == Origin::random ? "random" : "inherited");
   columns.add("parent", ancestry.parent ? std::to_string(*ancestry.parent) : "none");
-  columns.add("sees", row.adversary ? std::to_string(*row.adversary) : "nobody");
+  columns.add("sees", row.adversary ? std::to_string(*row.adversary) : "none");
   if (row.adversary_distance_m) columns.add("at", observe::short_text(*row.adversary_distance_m) + " m");
   columns.add("turns by", degrees(row.target_angle_rad));
   columns.add("body", std::to_string(row.body));

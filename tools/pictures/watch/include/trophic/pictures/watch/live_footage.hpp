@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a window needs of a run that goes on: the last moments, from the place on where somebody looks.
+// The part of a live run that a window needs: its last moments, from the shown one on.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace trophic::watch {
 
-/// What agents.csv does not say of an individual.
+/// Facts of an individual that are not in agents.csv.
 struct Ancestry {
   std::optional<IndividualId> parent;
   double age_s = 0.0;  ///< since birth
@@ -61,16 +61,16 @@ class LiveFootage {
       tick.ancestries.push_back({.parent = view.robots[body].parent, .age_s = view.time_s - view.robots[body].born_s});
     }
   }
-  /// Drops what no picture from `time_s` on needs.
+  /// Drops frames that no picture from `time_s` on needs.
   void forget_before(double time_s) {
     while (frames_.size() > 2 && frames_[1].time_s <= time_s) frames_.pop_front();
     while (ticks_.size() > 2 && ticks_[1].time_s <= time_s - drawing::trail_s - 2.0 * tick_s_) ticks_.pop_front();
     std::erase_if(deaths_, [&](const drawing::Death& death) { return death.time_s < time_s - drawing::flash_s; });
   }
 
-  /// Whether there is anything to be seen.
+  /// Whether there is a frame to show.
   [[nodiscard]] bool is_ready() const { return !frames_.empty(); }
-  /// From first to newest moment everything is known; before the first there is nothing. Ecology seconds.
+  /// All moments from the first to the newest are kept. Ecology seconds.
   [[nodiscard]] double newest_s() const { return ticks_.back().time_s; }
   [[nodiscard]] double first_s() const { return first_s_; }
   [[nodiscard]] double until_s() const { return until_s_; }  ///< when the run will end
@@ -98,7 +98,7 @@ class LiveFootage {
   [[nodiscard]] int filled_tag() const { return filled_tag_; }
   [[nodiscard]] const std::string& species(Species species) const { return species_.at(species); }
 
-  /// How much is kept.
+  /// Number of kept frames.
   [[nodiscard]] std::size_t frames() const { return frames_.size(); }
   [[nodiscard]] std::size_t ticks() const { return ticks_.size(); }
 
@@ -118,7 +118,7 @@ class LiveFootage {
     const auto after = std::ranges::upper_bound(ticks_, time_s + 1e-9, {}, &Tick::time_s);
     return after == ticks_.begin() ? ticks_.front() : *std::prev(after);
   }
-  /// The frames before and after a moment; the same one outside of what is kept.
+  /// The frames before and after a moment; the same one outside of the kept frames.
   [[nodiscard]] std::pair<const Moment*, const Moment*> frames_at(double time_s) const {
     const auto after = std::ranges::upper_bound(frames_, time_s, {}, &Moment::time_s);
     if (after == frames_.begin()) return {&frames_.front(), &frames_.front()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run in a window: the run in a thread of its own, what is seen of it in this one.
+// A run in a window: the run in its own thread, the window in this one.
 #pragma once
 
 #include <functional>
@@ -14,17 +14,17 @@ class Session {
  public:
   using Spectator = watch::Spectator;
 
-  /// Opens the window. Throws std::invalid_argument, saying what is missing, where none can be opened.
+  /// Opens the window. Throws std::invalid_argument, naming what is missing, if none can be opened.
   explicit Session(const std::string& title);
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
   ~Session();
 
-  /// Who is to watch the run.
+  /// The observer of the run.
   [[nodiscard]] Spectator& spectator();
 
-  /// Calls `simulate` in another thread and shows what the spectator is told, until the run has ended and the window is closed.
-  /// Once the window is closed, the run goes on without it. Returns what `simulate` returns and throws what it throws.
+  /// Calls `simulate` in another thread and shows the run until it has ended and the window is closed. Once the window is closed,
+  /// the run continues without it. Returns the result of `simulate`, and throws its exceptions.
   int show(const std::function<int()>& simulate);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The observer that tells a window what happens in a run. It draws nothing and changes nothing.
+// The observer that passes the events of a run to a window. It draws nothing and changes nothing.
 #pragma once
 
 #include <trophic/observe/event.hpp>
@@ -11,13 +11,13 @@ namespace trophic::watch {
 
 class Exchange;
 
-/// Between two ticks it may hold up the run, as long as who looks wants to see no more of it. Lives no longer than its exchange.
+/// Between two ticks it may pause the run until the viewer wants to see more of it. Must not outlive its exchange.
 class Spectator {
  public:
   /// Frames a simulated second; in between, robots move straight.
   static constexpr double watched_hz = 10.0;
 
-  Spectator() = default;  ///< tells nobody
+  Spectator() = default;  ///< without a window
   explicit Spectator(Exchange& exchange) : exchange_{&exchange} {}
 
   [[nodiscard]] double frame_hz() const;
