@@ -129,7 +129,7 @@ class Killed(InFolder):
                 self.assertLess(time.monotonic() - began, 5.0)
                 self.assertEqual(run.returncode, STOPPED, errors)
                 self.assertIn("stopping: finished work is kept", errors)
-                self.assertIn(f"--resume --out {out} goes on", printed)
+                self.assertIn(f"--resume --out {out} continues it", printed)
                 self.assertEqual(self.manifest(out)["status"], "stopped")
                 again = self.finish(*self.command(out, 7, "--resume"))
                 self.assertEqual(again.returncode, 0, again.stderr)
