@@ -10,8 +10,8 @@
 #include <trophic/observe/run_description.ipp>
 #include <trophic/observe/terminal.ipp>
 #include <trophic/run/checkpoint/checkpoint_file.ipp>
-#include <trophic/run/checkpoint/go_on.ipp>
-#include <trophic/run/checkpoint/keeper.ipp>
+#include <trophic/run/checkpoint/checkpoint_writer.ipp>
+#include <trophic/run/checkpoint/resume.ipp>
 #include <trophic/run/checkpoint/rewind.ipp>
 #include <trophic/run/replicates/run.ipp>
 #include <trophic/run/replicates/run_with_shadow.ipp>

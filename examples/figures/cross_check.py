@@ -73,7 +73,7 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     table = pd.read_csv(folder / "cross_check.csv")
     gait = table[table.part == "gait"]
-    ecology = table[(table.part == "ecology") & table.verdict.notna()]
+    ecology = table[(table.part == "ecology") & table.conclusion.notna()]
     figure, panels = plt.subplots(2, 2, figsize=(7.2, 6.0))
     if gait.empty:
         for panel in (panels[0, 0], panels[0, 1], panels[1, 0]):

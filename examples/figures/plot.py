@@ -192,7 +192,7 @@ def wall_sticking(data):
         if (published := data.published("wall_sticking", species)) is not None:
             ax.plot([1.0], [published], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
                     transform=ax.get_yaxis_transform(), label=f"{species}, published mean")
-    spread = data.values("wall_sticking", data.species[0], "all", "even_spread")[0]
+    spread = data.values("wall_sticking", data.species[0], "all", "uniform_density")[0]
     ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="evenly spread (no null)")
     ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1.15))
     ax.legend(ncol=2, loc="upper left", columnspacing=1)
@@ -201,7 +201,7 @@ def wall_sticking(data):
 
 def tag_symmetry(data):
     fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.6))
-    rows = [("ours", "", "#0072B2"), ("null: dealt tags", "dealt_tags", NULL_COLOUR), ("fair coins", "fair_coins", "#999999")]
+    rows = [("ours", "", "#0072B2"), ("null: permuted tags", "permuted_tags", NULL_COLOUR), ("fair coins", "bernoulli_tags", "#999999")]
     if data.has_shadow:
         rows.insert(1, ("null: nothing\ninherited", "shadow", NULL_COLOUR))
     uniform = data.values("tag_symmetry", group="inherited", baseline="uniform_pairs")[0]
@@ -220,7 +220,7 @@ def tag_symmetry(data):
     ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
     ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
     ax.set_yticklabels([name for name, _, _ in rows] + ["published\nmean"])
-    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Dealt tags: the tags of the same tick, dealt anew.")
+    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Dealt tags: the tags of the same tick, permuted anew.")
 
 
 def population(data):

@@ -69,7 +69,7 @@ class Sweep:
     def __init__(self, folder, axes=None):
         self.cells = pd.read_csv(folder / "cells.csv", dtype=str, keep_default_na=False)
         self.metrics = pd.read_csv(folder / "sweep_metrics.csv", dtype={"unit": str})
-        self.differences = pd.read_csv(folder / "sweep_differences.csv", dtype={"unit": str, "decided": str})
+        self.differences = pd.read_csv(folder / "sweep_differences.csv", dtype={"unit": str, "significant": str})
         summary = json.loads((folder / "summary.json").read_text())["sweep"]
         self.reference = summary["reference"]
         self.cells["cell"] = self.cells.cell.astype(int)
@@ -127,8 +127,8 @@ class Sweep:
         names = ["over_shadow", "over_lower", "over_upper"] if self.over_shadow(key) else ["mean", "lower", "upper"]
         return rows[names].set_axis(["mean", "lower", "upper"], axis=1) * UNITS.get(key.unit, ("", 1.0))[1]
 
-    def is_decided(self, key):
-        return self.rows(self.differences, key).decided == "yes"
+    def is_significant(self, key):
+        return self.rows(self.differences, key).significant == "yes"
 
     def title(self, key):
         unit = UNITS.get(key.unit, (key.unit, 1.0))[0]
@@ -181,8 +181,8 @@ def draw_line(ax, sweep, key, cells, x, shift, style, label):
     errors = np.vstack([means["mean"] - means.lower, means.upper - means["mean"]])
     ax.errorbar(where, means["mean"], np.nan_to_num(errors), fmt="none", color=style["color"], capsize=1.5, linewidth=0.8, alpha=0.8)
     ax.plot(where[order], means["mean"].to_numpy()[order], color=style["color"], linewidth=1, label=label, zorder=3)
-    decided = sweep.is_decided(key).reindex(cells.index, fill_value=False).to_numpy()
-    for chosen, face in ((decided, style["color"]), (~decided, "white")):
+    significant = sweep.is_significant(key).reindex(cells.index, fill_value=False).to_numpy()
+    for chosen, face in ((significant, style["color"]), (~significant, "white")):
         ax.plot(where[chosen], means["mean"].to_numpy()[chosen], style["marker"], ms=4, mfc=face, mec=style["color"], zorder=4)
     for place in where[cells.index == sweep.reference]:
         ax.plot([place], [means["mean"].loc[sweep.reference]], "o", ms=9, mfc="none", mec="black", mew=0.8, zorder=5)
@@ -202,7 +202,7 @@ def response(sweep, keys):
     of_lines = [Line2D([], [], color=s["color"], marker=s["marker"], ms=4, mfc="white", label=f"{lines.title} {lines.text(v)}")
                 for v, s in zip(values, styles)] if lines else []
     marks = [Line2D([], [], linestyle="", marker="o", ms=4, color="black", label="differs (corrected)"),
-                Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="no verdict"),
+                Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="no conclusion"),
                 Line2D([], [], linestyle="", marker="o", ms=9, mfc="none", mec="black", label="reference")]
     size = (max(COLUMN_IN, 1.1 + 1.9 * len(columns)), 0.4 + 1.5 * len(keys))
     fig, _, grid = frame(len(keys), len(columns), size, [of_lines, marks], fixed, sharex=True, sharey="row")
@@ -236,7 +236,7 @@ def draw_map(ax, sweep, key, cells, x, y, limit, with_numbers):
     differences = sweep.rows(sweep.differences, key)
     factor = UNITS.get(key.unit, ("", 1.0))[1]
     values = np.full((len(y.values), len(x.values)), np.nan)
-    decided = sweep.is_decided(key)
+    significant = sweep.is_significant(key)
     for cell, at in cells.iterrows():
         place = y.values.index(at[y.name]), x.values.index(at[x.name])
         if cell == sweep.reference:
@@ -244,7 +244,7 @@ def draw_map(ax, sweep, key, cells, x, y, limit, with_numbers):
             ax.add_patch(Rectangle((place[1] - 0.5, place[0] - 0.5), 1, 1, fill=False, edgecolor="black", linewidth=1.6, zorder=4, clip_on=False))
         elif cell in differences.index:
             values[place] = factor * differences.difference[cell]
-            if not decided[cell]:
+            if not significant[cell]:
                 ax.add_patch(Rectangle((place[1] - 0.5, place[0] - 0.5), 1, 1, fill=False, edgecolor="#777777", hatch="////", linewidth=0, zorder=2))
     image = ax.imshow(values, cmap="RdBu_r", vmin=-limit, vmax=limit, origin="lower", aspect="auto")
     image.cmap.set_bad("#dddddd")
@@ -273,7 +273,7 @@ def heat(sweep, keys, x, y):
     cells, fixed = sweep.at([axis for axis in (x, y, panels) if axis])
     columns = panels_of(sweep, panels)
     size = (max(COLUMN_IN, 1.3 + len(columns) * max(1.3, 0.38 * len(x.values))), 0.4 + len(keys) * max(1.1, 0.3 * len(y.values)))
-    handles = [Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="no verdict"),
+    handles = [Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="no conclusion"),
                Patch(facecolor="#d6604d", label="differs (corrected)"),
                Patch(facecolor="white", edgecolor="black", linewidth=1.6, label="reference")]
     if cells.shape[0] < len(x.values) * len(y.values) * len(columns):

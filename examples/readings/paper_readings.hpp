@@ -58,7 +58,7 @@ struct PaperReadings final {
   using Activation = Either<Paper::Activation, death::activation::FoundersStartActive>;
   using Capture = Paper::Capture;
   using Floor = Either<Paper::Floor, death::floor::ActiveVictimFloor>;
-  using Rescue = Paper::Rescue;
+  using MinimumPredators = Paper::MinimumPredators;
 
   using Starvation =
       death::starvation::Procedure<Paper::Starvation::Part<0>, Paper::Starvation::Part<1>,
@@ -80,7 +80,7 @@ struct PaperReadings final {
         .capture = paper.capture,
         .floor = {.first = paper.floor, .second = {.floor = paper.floor.floor}},
         .starvation = {.interval = paper.starvation.interval, .exemption = paper.starvation.exemption},
-        .rescue = paper.rescue,
+        .minimum_predators = paper.minimum_predators,
     };
   }
   static EcologyParams ecology() { return Paper::ecology(); }

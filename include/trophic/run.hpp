@@ -19,7 +19,7 @@ namespace trophic {
 template <class... Observers>
 std::filesystem::path run_in_new_folder(Simulation& ecology, double until_s, const std::filesystem::path& path,
                                         Observers&... observers) {
-  io::RunFolder folder{io::next_free_folder(path), {}, {}, Opening::made_new, ecology.state_columns()};
+  io::RunFolder folder{io::next_free_folder(path), {}, {}, Opening::created, ecology.state_columns()};
   observe::Progress progress;
   ecology.run_until(until_s, folder, progress, observers...);
   progress.summary(std::cout, ecology.view());

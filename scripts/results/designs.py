@@ -126,10 +126,10 @@ def set_rows(name, summary):
     return rows
 
 
-def flip_rows(flips):
-    """The significant effects of a flips.csv on the metrics of the claims, corrected (Holm) for these metrics and all swaps of a table."""
+def swap_rows(swaps):
+    """The significant effects of a ablations.csv on the metrics of the claims, corrected (Holm) for these metrics and all swaps of a table."""
     compared = {}
-    with open(flips, newline="") as file:
+    with open(swaps, newline="") as file:
         for row in csv.DictReader(file):
             over_shadow = row["compared"] == "over_shadow"
             if (row["metric"], row["species"], row["group"], over_shadow) in SCREENED and row["p"]:
@@ -138,9 +138,9 @@ def flip_rows(flips):
     for table, effects in compared.items():
         for (row, over_shadow), p in zip(effects, holm([float(row["p"]) for row, _ in effects])):
             if p <= 0.05:
-                rows.append({"from": table, "flip": row["flip"], "metric": row["metric"], "species": row["species"], "group": row["group"],
+                rows.append({"from": table, "swap": row["swap"], "metric": row["metric"], "species": row["species"], "group": row["group"],
                              "over_shadow": int(over_shadow),
-                             **{name: number(float(row[name])) for name in ("base", "flipped", "difference", "lower", "upper")}, "p_holm": f"{p:.2g}"})
+                             **{name: number(float(row[name])) for name in ("base", "swapped", "difference", "lower", "upper")}, "p_holm": f"{p:.2g}"})
     return rows
 
 

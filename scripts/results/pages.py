@@ -207,11 +207,11 @@ def reached(rows, claims):
     return table(["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines)
 
 
-def flips(rows, into):
+def swaps(rows, into):
     """Swaps between the two tables that change a metric of the claims significantly."""
     return table([f"put into `{into}`", "metric", "before", "after", "difference", "p (Holm)"],
-                 [[row["flip"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
-                   digits(row, row["flipped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
+                 [[row["swap"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
+                   digits(row, row["swapped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
 
 
 def inheritance(rows):
@@ -244,8 +244,8 @@ def tables(data, choices):
     made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
             "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")), "ranges": lambda: ranges(data("ranges")),
             "bodies": lambda: bodies(data("bodies")), "walls": lambda: bodies(data("walls"), "released"),
-            "ablations paper": lambda: flips(data("ablations"), "paper"),
-            "ablations released": lambda: flips(data("ablations"), "released"),
+            "ablations paper": lambda: swaps(data("ablations"), "paper"),
+            "ablations released": lambda: swaps(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance"))}
     for backend in ("kinematic", "mujoco"):
         for rules in ("paper", "released"):

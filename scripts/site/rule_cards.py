@@ -97,7 +97,7 @@ def snake(slot: str) -> str:
     return re.sub(r"(?<!^)([A-Z])", r"_\1", slot).lower()
 
 
-def flips(root: pathlib.Path) -> list[list[str]]:
+def swaps(root: pathlib.Path) -> list[list[str]]:
     """The rows of RESULTS.md's tables of flips: put into, metric, base, flipped, difference, p."""
     rows = []
     for table in parse(root / "docs/RESULTS.md").tables:
@@ -111,7 +111,7 @@ def escaped(text: str) -> str:
     return re.sub(r"([<>@\\#])", r"\\\1", text)
 
 
-def page(card: Card, used: dict, flipped: list[list[str]], keys: set[str]) -> str:
+def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str]) -> str:
     prose, formula = [], []
     for line in card.doc:
         (formula if line.startswith("  ") else prose).append(line)
@@ -145,10 +145,10 @@ def page(card: Card, used: dict, flipped: list[list[str]], keys: set[str]) -> st
     else:
         lines += ["**Tables that use it.** None that is shipped.", ""]
     slots = {snake(slot) for _, slot in places}
-    told = [row for row in flipped if row[1].split(".")[0] in slots]
-    lines += ["**What flipping its slot or a number of it did** (RESULTS.md; on the kinematic backend, what `trophic flip-table` calls decided):", ""]
+    told = [row for row in swapped if row[1].split(".")[0] in slots]
+    lines += ["**What flipping its slot or a number of it did** (RESULTS.md; on the kinematic backend, what `trophic ablation-table` calls decided):", ""]
     if told:
-        lines += ["| into | flipped | metric | before | after | difference | p |", "|---|---|---|---|---|---|---|"]
+        lines += ["| into | swapped | metric | before | after | difference | p |", "|---|---|---|---|---|---|---|"]
         lines += ["| " + " | ".join(escaped(cell) for cell in row) + " |" for row in told] + [""]
     else:
         lines[-2] = "**What flipping its slot or a number of it did.** Nothing decided; that is no finding of absence (RESULTS.md)."
@@ -160,14 +160,14 @@ def write(root: pathlib.Path, out: pathlib.Path) -> list[Card]:
     include = root / "include"
     headers = [path for kind in KINDS for path in sorted((include / "trophic" / kind).rglob("*.hpp")) if "detail" not in path.parts]
     cards = [card for path in headers if (card := read(path, include))]
-    used, flipped, keys = tables(include), flips(root), set(references.entries(root))
+    used, swapped, keys = tables(include), swaps(root), set(references.entries(root))
     index = ["Rule cards {#rule_cards}", "=" * 20, "", "One page for each policy, made from its doc block.", ""]
     for kind in KINDS:
         index += [f"## {kind} {{#cards_{kind}}}", ""]
         for slot in sorted({card.slot for card in cards if card.kind == kind}):
             index += [f"**{slot}**", ""]
             for card in (card for card in cards if card.kind == kind and card.slot == slot):
-                (out / f"card_{card.slot}_{card.name}.md").write_text(page(card, used, flipped, keys))
+                (out / f"card_{card.slot}_{card.name}.md").write_text(page(card, used, swapped, keys))
                 index.append(f"- @subpage card_{card.slot}_{card.name}")
             index.append("")
     (out / "rule_cards.md").write_text("\n".join(index))

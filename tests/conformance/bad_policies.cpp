@@ -103,13 +103,13 @@ struct CatchesTheFirstBody {
 };
 
 /// Draws whom it gives up, but never from the second half of the bodies.
-struct GivesUpTheFirstHalf {
-  static constexpr std::string_view name = "gives_up_the_first_half";
+struct SacrificesTheFirstHalf {
+  static constexpr std::string_view name = "sacrifices_the_first_half";
   [[nodiscard]] std::vector<death::Sacrifice> sacrifices(const View& view, Rng& rng) const {
     if (view.robots.empty()) return {};
     const BodyIndex victim = rng.index((view.robots.size() + 1) / 2);
-    for (Species heir = 0; heir < view.web.size(); ++heir) {
-      if (view.web.eats(heir, view.robots[victim].species)) return {{victim, heir}};
+    for (Species successor = 0; successor < view.web.size(); ++successor) {
+      if (view.web.eats(successor, view.robots[victim].species)) return {{victim, successor}};
     }
     return {};
   }
@@ -141,7 +141,7 @@ struct ChoosesNowAndThen {
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, ForgetsItsNumber, CountsSecretly, DrawsElsewhere, FavoursOddIds);
 TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, FearsTheEast, FavoursOddBodies);
 TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, CatchesTheFirstBody);
-TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, GivesUpTheFirstHalf);
+TEST_CASE_TEMPLATE_INVOKE(trophic_minimum_predators_suite, SacrificesTheFirstHalf);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_exemption_suite, LikesOneHand);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, StarvesTwice);
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, SensesTheWorld);

@@ -11,7 +11,7 @@
 #include <trophic/death/activation/contract.hpp>
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/floor/contract.hpp>
-#include <trophic/death/rescue/contract.hpp>
+#include <trophic/death/minimum_predators/contract.hpp>
 #include <trophic/death/senescence/contract.hpp>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/contract.hpp>
@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE_DEFINE("captures", Policy, trophic_capture_suite) {
       return captures_in(any, rng);
     };
     conformance::on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK((from_seed(same) == from_seed(robots))); });
-    if constexpr (!requires { Policy::hangs_on_order_of_bodies; }) {
+    if constexpr (!requires { Policy::depends_on_order_of_bodies; }) {
       conformance::check_whom(robots, seed, [&](const test::HandPopulation& any, Rng& rng) {
         std::vector<BodyIndex> caught;
         for (const auto& capture : captures_in(any, rng)) caught.push_back(capture.victim);
@@ -222,9 +222,9 @@ TEST_CASE_TEMPLATE_DEFINE("starvation", Policy, trophic_starvation_suite) {
       });
 }
 
-TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
+TEST_CASE_TEMPLATE_DEFINE("minimum_predators", Policy, trophic_minimum_predators_suite) {
   using namespace trophic;
-  static_assert(death::Rescue<Policy>);
+  static_assert(death::MinimumPredators<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
@@ -248,8 +248,8 @@ TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
     const auto ask = [&](Rng& rng) { return sacrifices_in(robots, rng); };
     for (const auto& sacrifice : conformance::asked_twice(seed, ask)) {
       REQUIRE(sacrifice.victim < view.robots.size());
-      REQUIRE(sacrifice.heir < view.web.size());
-      CHECK(view.web.eats(sacrifice.heir, view.robots[sacrifice.victim].species));
+      REQUIRE(sacrifice.successor < view.web.size());
+      CHECK(view.web.eats(sacrifice.successor, view.robots[sacrifice.victim].species));
       CHECK(victims.insert(sacrifice.victim).second);
     }
   });
@@ -259,7 +259,7 @@ TEST_CASE_TEMPLATE_DEFINE("rescue", Policy, trophic_rescue_suite) {
         const auto kept = conformance::own_states(made, robots, seed);
         const std::span<const StateOf<Policy>> states{kept};
         for (const auto& sacrifice : death::ask::sacrifices(made, states, robots.view(), rng)) {
-          answers.add(std::pair{sacrifice.victim, sacrifice.heir});
+          answers.add(std::pair{sacrifice.victim, sacrifice.successor});
         }
       });
 }

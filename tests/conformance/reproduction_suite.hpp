@@ -108,7 +108,7 @@ TEST_CASE_TEMPLATE_DEFINE("parent", Policy, trophic_parent_suite) {
 }
 
 /// For rules for causes after which the body's next species is fixed: caught, sacrificed, senescence.
-TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_heir_parent_suite) {
+TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_parent_species_suite) {
   using namespace trophic;
   const auto policy = conformance::defaulted<Policy>();
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
@@ -116,14 +116,14 @@ TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_heir_pare
     for (BodyIndex body = 0; body < size; ++body) {
       const BodyIndex killer = (body + 1) % size;
       const Species killers = robots.individuals[killer].species;
-      const reproduction::Vacancy caught{.body = body, .cause = Cause::caught, .killer = killer, .heir = killers};
-      const reproduction::Vacancy sacrificed{.body = body, .cause = Cause::sacrificed, .heir = killers};
-      const reproduction::Vacancy aged{.body = body, .cause = Cause::senescence, .heir = robots.individuals[body].species};
+      const reproduction::Vacancy caught{.body = body, .cause = Cause::caught, .killer = killer, .successor = killers};
+      const reproduction::Vacancy sacrificed{.body = body, .cause = Cause::sacrificed, .successor = killers};
+      const reproduction::Vacancy aged{.body = body, .cause = Cause::senescence, .successor = robots.individuals[body].species};
       const conformance::AnyStates<Policy> states{policy, robots, seed};
       for (const auto& vacancy : {caught, sacrificed, aged}) {
         Rng rng{seed, Stream::user};
         const auto parent = reproduction::ask::parent(policy, states.all(), vacancy, robots.view(), rng);
-        if (parent) CHECK(parent->species == *vacancy.heir);
+        if (parent) CHECK(parent->species == *vacancy.successor);
       }
     }
   });

@@ -14,21 +14,21 @@
 #include <trophic/death/capture/no_capture.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/no_floor.hpp>
-#include <trophic/death/rescue/no_rescue.hpp>
+#include <trophic/death/minimum_predators/no_minimum.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/death/starvation/interval/never_due.hpp>
-#include <trophic/death/starvation/nobody_starves.hpp>
+#include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
-#include <trophic/perception/visibility/everybody.hpp>
+#include <trophic/perception/visibility/all_active.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, initialization::placement::Sc
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxisHeading, perception::heading::RootYawHeading);
 TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::SameTagIfActive,
-                          perception::visibility::Everybody, perception::visibility::WithinRange);
+                          perception::visibility::AllActive, perception::visibility::WithinRange);
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdversary, perception::sensors::SideAwayFromHunter,
                           perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverDiagonal,
                           perception::sensors::DistanceOverScale, perception::sensors::TagRatioOfAll,
@@ -81,9 +81,9 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::Killer, re
                           reproduction::parent::LastSeenVictim, reproduction::parent::NearestConspecific,
                           reproduction::parent::NearestActiveVictim, reproduction::parent::NearestVictim,
                           reproduction::parent::NoParent, rules::Paper::Parent, rules::Released::Parent);
-TEST_CASE_TEMPLATE_INVOKE(trophic_heir_parent_suite, rules::Paper::Parent, rules::Released::Parent, reproduction::parent::Killer,
-                          reproduction::parent::LastKiller, reproduction::parent::NearestConspecific,
-                          reproduction::parent::NoParent);
+TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, rules::Released::Parent,
+                          reproduction::parent::Killer, reproduction::parent::LastKiller,
+                          reproduction::parent::NearestConspecific, reproduction::parent::NoParent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
                           reproduction::heredity::NothingInherited);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
@@ -99,11 +99,12 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_interval_suite, death::starvation::
                           death::starvation::interval::DirectCrowdingInterval, death::starvation::interval::NeverDue);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_exemption_suite, death::starvation::exemption::NearPerceivedVictim,
                           death::starvation::exemption::NearRememberedAdversary, death::starvation::exemption::NoExemption);
-TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_choice_suite, death::starvation::choice::HungriestUnspared,
+TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_choice_suite, death::starvation::choice::HungriestNonexempt,
                           death::starvation::choice::HungriestElseOldest, death::starvation::choice::HungriestShare,
-                          death::starvation::choice::HungriestUnsparedElseHungriest);
+                          death::starvation::choice::HungriestNonexemptElseHungriest);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, rules::Paper::Starvation, rules::Released::Starvation,
-                          death::starvation::NobodyStarves);
-TEST_CASE_TEMPLATE_INVOKE(trophic_rescue_suite, death::rescue::SacrificeRandomVictim, death::rescue::NoRescue);
+                          death::starvation::NoStarvation);
+TEST_CASE_TEMPLATE_INVOKE(trophic_minimum_predators_suite, death::minimum_predators::SacrificeRandomVictim,
+                          death::minimum_predators::NoMinimum);
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge,
                           death::senescence::EnergyStore);

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/io/recording.hpp>
-#include <trophic/run/checkpoint/keeper.hpp>
+#include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

@@ -15,7 +15,7 @@ using test::square;
 
 namespace {
 
-std::vector<Mujoco::Params> all_ways() {
+std::vector<Mujoco::Params> all_modes() {
   return {{.stepping = Mujoco::Stepping::fast, .threads = 2},
           {.stepping = Mujoco::Stepping::islands, .threads = 2},
           {.stepping = Mujoco::Stepping::one_model}};
@@ -39,7 +39,7 @@ bool contains(const std::string& text, std::string_view part) {
 
 TEST_CASE("too large a timestep ends in Diverged with time and robot, the last sound state still there") {
   const std::vector<Pose> starts = test::lattice(spider, 6, 2.0);
-  for (const Mujoco::Params& params : all_ways()) {
+  for (const Mujoco::Params& params : all_modes()) {
     Mujoco backend{spider, square, starts, {.timestep_s = 0.02}, params};
     double diverged_s = -1.0;
     try {
@@ -76,7 +76,7 @@ TEST_CASE("robots that too long a timestep throws about end the run before all o
 }
 
 TEST_CASE("a number that is not finite names its robot") {
-  for (const Mujoco::Params& params : all_ways()) {
+  for (const Mujoco::Params& params : all_modes()) {
     Mujoco backend{spider, square, test::lattice(spider, 4, 0.45), {}, params};
     backend.advance_to(0.1);
     const Mujoco::State sound = backend.save();
@@ -100,7 +100,7 @@ TEST_CASE("a number that is not finite names its robot") {
 
 TEST_CASE("so does one over a height field") {
   const Arena slopes = load_arena("height_field");
-  for (const Mujoco::Params& params : all_ways()) {
+  for (const Mujoco::Params& params : all_modes()) {
     std::vector<Pose> starts = test::lattice(spider, 2, 2.0);
     for (Pose& start : starts) start.position_m.z() += 1.0;
     Mujoco backend{spider, slopes, starts, {}, params};

@@ -75,7 +75,7 @@ class Ablations(InFolderWithSets):
         paper, released = (manifest(self.sets / table) for table in ("paper", "released"))
         return changed_rules(paper, released) - {"ecology.duration_s"}
 
-    def sensor_flips(self, towards):
+    def sensor_swaps(self, towards):
         """The flips that take one sensor of the other table."""
         return {f"sensor_{name}" for name in manifest(self.sets / towards)["rules"]["sensors"].split(" + ")}
 
@@ -84,7 +84,7 @@ class Ablations(InFolderWithSets):
         self.assertGreater(len(differing), 20)
         for table in ("paper", "released"):
             with self.subTest(table=table):
-                sensors = self.sensor_flips("released" if table == "paper" else "paper")
+                sensors = self.sensor_swaps("released" if table == "paper" else "paper")
                 self.assertEqual(len(sensors), 3)
                 self.assertEqual(set(self.listed(table)), differing | sensors | GROUPS | {"base", "brain_with_biases"})
 
@@ -106,30 +106,30 @@ class Ablations(InFolderWithSets):
         for table, other in (("paper", "released"), ("released", "paper")):
             base = manifest(out / f"from_{table}/base/replicate-00")
             there = manifest(self.sets / other)
-            flips = set(self.listed(table)) - {"base"}
-            self.assertEqual({path.name for path in (out / f"from_{table}").iterdir()}, flips - skipped | {"base"})
+            swaps = set(self.listed(table)) - {"base"}
+            self.assertEqual({path.name for path in (out / f"from_{table}").iterdir()}, swaps - skipped | {"base"})
             together = set()
-            for flip in flips - skipped:
-                with self.subTest(table=table, flip=flip):
-                    self.assert_lived(out / f"from_{table}" / flip / "replicate-00")
-                    flipped = manifest(out / f"from_{table}" / flip / "replicate-00")
-                    changed = self.changes(base, flipped)
-                    if flip == "brain_with_biases":
+            for swap in swaps - skipped:
+                with self.subTest(table=table, swap=swap):
+                    self.assert_lived(out / f"from_{table}" / swap / "replicate-00")
+                    swapped = manifest(out / f"from_{table}" / swap / "replicate-00")
+                    changed = self.changes(base, swapped)
+                    if swap == "brain_with_biases":
                         self.assertEqual(changed, {"brain"})
-                        self.assertEqual(flipped["rules"]["brain"], base["rules"]["brain"] + "_with_biases")
-                        self.assertEqual(flipped["params"]["rules"]["brain"], base["params"]["rules"]["brain"])
-                    elif flip.startswith("sensor_"):
+                        self.assertEqual(swapped["rules"]["brain"], base["rules"]["brain"] + "_with_biases")
+                        self.assertEqual(swapped["params"]["rules"]["brain"], base["params"]["rules"]["brain"])
+                    elif swap.startswith("sensor_"):
                         self.assertEqual(changed, {"sensors"})
-                        before, after = (one["rules"]["sensors"].split(" + ") for one in (base, flipped))
-                        self.assertEqual(set(after) - set(before), {flip.removeprefix("sensor_")})
+                        before, after = (one["rules"]["sensors"].split(" + ") for one in (base, swapped))
+                        self.assertEqual(set(after) - set(before), {swap.removeprefix("sensor_")})
                         self.assertEqual(len(set(before) - set(after)), 1)
-                    elif flip in GROUPS:
+                    elif swap in GROUPS:
                         self.assertFalse(together & changed)
-                        self.assertFalse(self.changes(flipped, there) & changed)
+                        self.assertFalse(self.changes(swapped, there) & changed)
                         together |= changed
                     else:
-                        self.assertEqual(changed, {flip})
-                        self.assertNotIn(flip, self.changes(flipped, there))
+                        self.assertEqual(changed, {swap})
+                        self.assertNotIn(swap, self.changes(swapped, there))
             self.assertEqual(together, self.differing())
 
     def test_only_shadow_and_resume(self):
@@ -170,29 +170,29 @@ class Ablations(InFolderWithSets):
     def test_flip_table(self):
         out = self.folder / "out"
         self.run_ok("--only", "base", "floor.floor", *sorted(GROUPS), "--duration", 600, "--replicates", 6, "--shadow", "--out", out)
-        result = call(TROPHIC, "flip-table", out, "--jobs", 2, "--out", self.folder / "table")
+        result = call(TROPHIC, "ablation-table", out, "--jobs", 2, "--out", self.folder / "table")
         self.assertEqual(result.returncode, 0, result.stderr)
-        with open(self.folder / "table/flips.csv", newline="") as file:
+        with open(self.folder / "table/ablations.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual({row["direction"] for row in rows}, {"from_paper", "from_released", "paper_to_released"})
-        self.assertEqual({row["flip"] for row in rows if row["direction"] == "from_paper"}, GROUPS | {"floor.floor"})
+        self.assertEqual({row["swap"] for row in rows if row["direction"] == "from_paper"}, GROUPS | {"floor.floor"})
         for direction in ("from_paper", "from_released"):
             tested = [row for row in rows if row["direction"] == direction and row["p"]]
             smallest = min(float(row["p"]) for row in tested)
             least = min(float(row["p_holm"]) for row in tested)
             self.assertAlmostEqual(least, min(1.0, smallest * len(tested)), delta=1e-9)
             for row in tested:
-                self.assertEqual(row["decided"], "yes" if float(row["p_holm"]) <= 0.05 else "no")
+                self.assertEqual(row["significant"], "yes" if float(row["p_holm"]) <= 0.05 else "no")
         for row in rows:
             over = row["metric"].startswith(("attribution", "velocity"))
             if row["difference"]:
                 self.assertEqual(row["compared"], "over_shadow" if over else "raw")
-        text = (self.folder / "table/flips.md").read_text()
+        text = (self.folder / "table/ablations.md").read_text()
         for title in ("## from_paper", "## from_released", "## Together"):
             self.assertIn(title, text)
 
         (out / "from_paper/floor.floor/replicate-00/manifest.json").unlink()
-        result = call(TROPHIC, "flip-table", out, "--out", self.folder / "broken")
+        result = call(TROPHIC, "ablation-table", out, "--out", self.folder / "broken")
         self.assertEqual(result.returncode, 2)
         self.assertIn("floor.floor", result.stderr)
         self.assertFalse((self.folder / "broken").exists())

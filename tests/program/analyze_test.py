@@ -59,7 +59,7 @@ class Analyze(InFolderWithSets):
         result = self.analyze("paper", "--out", "analysis")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
-        for text in ("6 runs of 1000 s", "attribution_caught prey", "= dealt_tags", "fair_coins", "0.725", "no shadow: "):
+        for text in ("6 runs of 1000 s", "attribution_caught prey", "= permuted_tags", "bernoulli_tags", "0.725", "no shadow: "):
             self.assertIn(text, result.stdout)
         self.assertEqual([r["status"] for r in self.summary()["sets"][0]["runs"]], ["complete"] * 6)
         with open(self.folder / "analysis/metrics.csv", newline="") as table:
@@ -81,9 +81,9 @@ class Analyze(InFolderWithSets):
         for metric in self.summary()["sets"][0]["metrics"]:
             shadow = metric["baselines"][0]
             self.assertEqual((shadow["name"], shadow["role"]), ("shadow", "null"))
-            self.assertIn(shadow["verdict"], ("above", "below", "not distinguishable"))
+            self.assertIn(shadow["conclusion"], ("above", "below", "not significant"))
             self.assertLessEqual(shadow["lower"], shadow["difference"])
-            self.assertTrue(all(b["verdict"] is None for b in metric["baselines"] if b["role"] != "null"))
+            self.assertTrue(all(b["conclusion"] is None for b in metric["baselines"] if b["role"] != "null"))
         with open(self.folder / "analysis/metrics.csv", newline="") as table:
             shadows = [r for r in csv.DictReader(table) if r["baseline"] == "shadow"]
         self.assertEqual({r["set"] for r in shadows}, {"paper"})
@@ -103,7 +103,7 @@ class Analyze(InFolderWithSets):
                 more = [option] if option == "--published" else [option, 1000]
                 result = self.analyze(*arguments, *more, "--out", out)
                 self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertIn(f"too few runs for a verdict: 6 are needed, paper has {count}", result.stdout)
+                self.assertIn(f"too few runs for a conclusion: 6 are needed, paper has {count}", result.stdout)
                 for word in words:
                     self.assertNotIn(word, result.stdout)
                 readings = [r for c in self.summary(out)["sets"][0]["claims"] for r in c["readings"]]

@@ -36,9 +36,9 @@ class CrossCheck(InFolderWithSets):
                   if (r["quantity"], r["settings"], r["timestep_s"], r["target_angle_rad"]) == ("speed_m_s", "default", "0.0012", "0.7")}
         self.assertAlmostEqual(speeds["ode"] / speeds["mujoco"], 1.0, delta=0.1)
         self.assertNotEqual(speeds["ode"], speeds["mujoco"])
-        metrics = [r for r in rows if r["part"] == "ecology" and r["quantity"] == "velocity" and r["verdict"]]
+        metrics = [r for r in rows if r["part"] == "ecology" and r["quantity"] == "velocity" and r["conclusion"]]
         self.assertEqual({float(r["difference"]) for r in metrics}, {0.0})
-        self.assertIn("equivalent", {r["verdict"] for r in metrics})
+        self.assertIn("equivalent", {r["conclusion"] for r in metrics})
         if not figures_python.PYTHON:
             self.skipTest("the figure needs matplotlib and pandas")
         drawn = subprocess.run([figures_python.PYTHON, FIGURE, self.folder / "out"], capture_output=True, text=True)

@@ -29,7 +29,7 @@ COMMANDS = {
     "": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new"],
     "replicates": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new", "--replicates", "2"],
     "analyze": [TROPHIC, "analyze", "run"],
-    "flip-table": [TROPHIC, "flip-table", "set"],
+    "ablation-table": [TROPHIC, "ablation-table", "set"],
     "cross-check": [TROPHIC, "cross-check", "--seconds", "0.2"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
     "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],

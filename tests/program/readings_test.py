@@ -49,11 +49,11 @@ class Readings(InFolder):
                 compare(self.read(name), self.read("first"), "without bodies" if not choice["screen"] else "")
 
     def test_other_readings_are_the_policies_of_the_ablation_study(self):
-        for name, (flip, settings) in AS_ABLATION.items():
+        for name, (swap, settings) in AS_ABLATION.items():
             with self.subTest(choice=name):
-                flips = self.folder / f"ablation-{name}"
-                self.run_ok(ABLATIONS, flips.name, "--from", "paper", "--only", flip, "--replicates", 1)
-                (run,) = flips.glob(f"from_paper/{flip}/replicate-*")
+                swaps = self.folder / f"ablation-{name}"
+                self.run_ok(ABLATIONS, swaps.name, "--from", "paper", "--only", swap, "--replicates", 1)
+                (run,) = swaps.glob(f"from_paper/{swap}/replicate-*")
                 seed = json.loads((run / "manifest.json").read_text())["seed"]
                 self.run_ok(READINGS, f"ours-{name}", *self.settings(self.choices[name]), *settings, seed=seed)
                 self.assertEqual(self.read(f"ours-{name}"), [(run / table).read_bytes() for table in TABLES])

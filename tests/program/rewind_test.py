@@ -133,7 +133,7 @@ class Rewind(InFolder):
                     self.assertEqual(self.table(folder, name), self.table(alone, name), name)
                 self.assertEqual(self.manifest(folder)["origin"], self.manifest(alone)["origin"])
                 self.assertEqual(self.manifest(folder)["status"], "complete")
-        self.assertFalse([*self.folder.glob("**/*.past-*"), *self.folder.glob("**/*.part")])
+        self.assertFalse([*self.folder.glob("**/*.snapshot-*"), *self.folder.glob("**/*.part")])
 
     def test_replicates_are_futures_of_one_moment(self):
         self.run_ok(*self.REPLICATES, "--shadow", "--out", "set")
@@ -144,7 +144,7 @@ class Rewind(InFolder):
 
         before = sorted(path.name for path in self.folder.iterdir())
         again = self.run_ok(*self.REPLICATES, "--shadow", "--resume", "--out", "set")
-        self.assertNotIn("the past", again.stdout)
+        self.assertNotIn("the snapshot", again.stdout)
         done = self.call(*self.REPLICATES, "--out", "set")
         self.assertIn("exists already", done.stderr)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
@@ -163,7 +163,7 @@ class Rewind(InFolder):
         for name in ("checkpoint.bin", "checkpoint.old.bin", "manifest.json"):
             (self.folder / "set/replicate-01" / name).unlink(missing_ok=True)
         again = self.run_ok(*self.REPLICATES, "--resume", "--out", "set")
-        self.assertIn("the past, whole until 700 s, is made there", again.stdout)
+        self.assertIn("the snapshot, whole until 700 s, is made there", again.stdout)
         self.assertIn("kept as replicate-01.incomplete-1, run anew; begins at 700 s of whole", again.stdout)
         self.assert_futures_of_700_s("set")
 
@@ -182,7 +182,7 @@ class Rewind(InFolder):
         self.assertEqual(self.table("seed", "events.csv"), events)
 
     def test_a_past_that_was_cut_off_is_made_again(self):
-        past = self.folder / f"new.past-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
+        past = self.folder / f"new.snapshot-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
         (past / "run").mkdir(parents=True)
         (past / "run" / "events.csv").write_text("a part")
         own = self.folder / "new.origin"
@@ -212,7 +212,7 @@ class Rewind(InFolder):
                 self.assertEqual([path.name for path in self.folder.glob("new*.*")], [])
 
     def test_a_run_that_is_in_the_way_stays_what_it_is(self):
-        there = f"new.past-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
+        there = f"new.snapshot-{self.manifest('whole')['fingerprint']}-seed-7-700-s"
         (self.folder / "whole").rename(self.folder / there)
         events = self.table(there, "events.csv")
         for replicates in ([], ["--replicates", 2]):

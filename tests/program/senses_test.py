@@ -56,23 +56,23 @@ class Senses(InFolder):
         senses = self.rows("run")
         self.assertEqual([(a["tick"], a["body"], a["id"]) for a in agents], [(s["tick"], s["body"], s["id"]) for s in senses])
         switches = {(e["tick"], e["id"]) for e in self.rows("run", "events.csv") if e["event"] == "tag_switch"}
-        self.assertEqual(switches, {(s["tick"], s["id"]) for s in senses if s["tag_wish"] == "switched"})
-        kinds = collections.Counter(s["tag_wish"] for s in senses)
+        self.assertEqual(switches, {(s["tick"], s["id"]) for s in senses if s["tag_outcome"] == "switched"})
+        kinds = collections.Counter(s["tag_outcome"] for s in senses)
         self.assertEqual(set(kinds), {"", "kept", "switched", "denied"})
-        spared = 0
+        exempt = 0
         for agent, sense in zip(agents, senses):
             for bodily in ("height_m", "tilt_rad", "touches_wall", "robots_touched"):
                 self.assertEqual(sense[bodily], "")  # points have none
-            self.assertEqual(sense["spared"] == "", sense["species"] == "prey")
-            spared += sense["spared"] == "1"
-            asked = sense["tag_wish"] != ""
-            for cell in ("wished_tag", "angle_output", "tag_output", "input0", "input1", "input2"):
+            self.assertEqual(sense["exempt"] == "", sense["species"] == "prey")
+            exempt += sense["exempt"] == "1"
+            asked = sense["tag_outcome"] != ""
+            for cell in ("chosen_tag", "angle_output", "tag_output", "input0", "input1", "input2"):
                 self.assertEqual(sense[cell] != "", asked, cell)
             if asked:
-                self.assertEqual(agent["tag"] == sense["wished_tag"], sense["tag_wish"] != "denied")
-                self.assertEqual(float(sense["tag_output"]) > 0, sense["wished_tag"] == "1")
+                self.assertEqual(agent["tag"] == sense["chosen_tag"], sense["tag_outcome"] != "denied")
+                self.assertEqual(float(sense["tag_output"]) > 0, sense["chosen_tag"] == "1")
                 self.assertEqual(float(sense["angle_output"]) > 0, float(agent["target_angle_rad"]) > 0)
-        self.assertGreater(spared, 0)
+        self.assertGreater(exempt, 0)
 
     @unittest.skipUnless("mujoco" in ENGINES, "built without MuJoCo")
     def test_bodies_have_a_height_a_tilt_and_contacts(self):

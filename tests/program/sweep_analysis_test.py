@@ -82,7 +82,7 @@ class SweepAnalysis(InFolderWithSets):
         result = self.analyzed("--jobs", 2)
         self.assertEqual(result.stderr, "")
         for text in ("sweep of 4 cells, 48 runs of 400 s", "axis backend.speed_scale: 1.0, 4.0", "reference: cell 0 (speed_scale 1.0, base_ticks 15)",
-                     "seed by seed; p corrected for all of them (Holm)", "deaths prey", "/3 ", "no verdict on "):
+                     "seed by seed; p corrected for all of them (Holm)", "deaths prey", "/3 ", "no conclusion on "):
             self.assertIn(text, result.stdout)
         self.assertNotIn("no effect", result.stdout)
         self.assertEqual({path.name for path in (self.folder / "analysis").iterdir()}, set(FILES))
@@ -95,17 +95,17 @@ class SweepAnalysis(InFolderWithSets):
         summary = json.loads((self.folder / "analysis/summary.json").read_text())["sweep"]
         self.assertEqual(summary["comparisons"], len(tested))
         self.assertAlmostEqual(summary["level"] * len(tested), 0.05)
-        self.assertEqual(len(summary["decided"]), sum(row["decided"] == "yes" for row in rows))
+        self.assertEqual(len(summary["significant"]), sum(row["significant"] == "yes" for row in rows))
         smallest = min(tested, key=lambda row: float(row["p"]))
         self.assertAlmostEqual(float(smallest["p_holm"]), min(1.0, float(smallest["p"]) * len(tested)))
-        self.assertEqual(smallest["decided"], "yes")
+        self.assertEqual(smallest["significant"], "yes")
         for row in tested:
             self.assertEqual(row["compared"], "over_shadow" if row["metric"].startswith(("attribution", "velocity")) else "raw")
             self.assertEqual((row["design"], row["runs"]), ("paired", row["runs_reference"]))
             self.assertLessEqual(float(row["lower_corrected"]), float(row["lower"]))
             self.assertGreaterEqual(int(row["runs_needed"] or 1_000_001), 6)
             if float(row["lower_corrected"]) > 0 or float(row["upper_corrected"]) < 0:
-                self.assertEqual(row["decided"], "yes")
+                self.assertEqual(row["significant"], "yes")
 
     def test_means_and_differences_follow_from_the_runs(self):
         self.analyzed("--reference", 3)
@@ -163,8 +163,8 @@ class SweepAnalysis(InFolderWithSets):
                          [("6", "6", "6"), ("5", "6", "6"), ("6", "6", "5"), ("6", "6", "6")])
         few = [row for row in table(self.folder / "analysis/sweep_differences.csv") if row["cell"] == "1"]
         self.assertTrue(any(row["difference"] for row in few))
-        self.assertEqual({(row["p"], row["decided"], row["lower"]) for row in few}, {("", "", "")})
-        self.assertIn("too few runs for a verdict in ", result.stdout)
+        self.assertEqual({(row["p"], row["significant"], row["lower"]) for row in few}, {("", "", "")})
+        self.assertIn("too few runs for a conclusion in ", result.stdout)
         self.assertEqual(len(json.loads((self.folder / "analysis/summary.json").read_text())["sweep"]["missing"]), 2)
         shutil.rmtree(self.folder / "sweep/cell-000")
         again = self.analyze("sweep", "--allow-missing", "--out", "none")
@@ -258,7 +258,7 @@ class SweepAnalysis(InFolderWithSets):
     def test_tables_read_in_pandas(self):
         self.analyzed()
         program = ("import pandas as p; d = p.read_csv('analysis/sweep_differences.csv').merge(p.read_csv('analysis/cells.csv'), on='cell');"
-                   "assert (d['backend.speed_scale'] >= 1).all() and d.p.max() <= 1 and set(d.decided.dropna()) <= {'yes', 'no'};"
+                   "assert (d['backend.speed_scale'] >= 1).all() and d.p.max() <= 1 and set(d.significant.dropna()) <= {'yes', 'no'};"
                    "r = p.read_csv('analysis/runs.csv'); assert r.value.notna().all() and r.run.nunique() == 48")
         read = call(figures_python.PYTHON, "-c", program, cwd=self.folder)
         self.assertEqual(read.returncode, 0, read.stderr)

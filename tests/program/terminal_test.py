@@ -89,7 +89,7 @@ class Tool(InFolder):
 
     def test_commands(self):
         text = self.call("--help").stdout
-        for command in ("analyze", "flip-table", "cross-check", "evolve-gait", "measure-gait"):
+        for command in ("analyze", "ablation-table", "cross-check", "evolve-gait", "measure-gait"):
             self.assertIn(command, text)
             inner = self.call(command, "--help")
             self.assertEqual((inner.returncode, inner.stderr), (0, ""))
@@ -98,10 +98,10 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], "trophic: needs a command: analyze, flip-table, cross-check, evolve-gait, measure-gait, show, film or export\n"),
-            (["analyse"], "trophic: analyse: must be analyze, flip-table, cross-check, evolve-gait, measure-gait, show, film or export; did you mean analyze?\n"),
+            ([], "trophic: needs a command: analyze, ablation-table, cross-check, evolve-gait, measure-gait, show, film or export\n"),
+            (["analyse"], "trophic: analyse: must be analyze, ablation-table, cross-check, evolve-gait, measure-gait, show, film or export; did you mean analyze?\n"),
             (["analyze", "--publish"], "trophic analyze: --publish: unknown option; did you mean --published? (--help lists all)\n"),
-            (["flip-table"], "trophic flip-table: runs is required\n"),
+            (["ablation-table"], "trophic ablation-table: runs is required\n"),
         ):
             result = self.call(*arguments)
             self.assertEqual((result.returncode, result.stderr), (2, sentence))

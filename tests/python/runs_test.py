@@ -55,7 +55,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(run.senses), 30 * 31)
         self.assertEqual([name for name in run.senses.columns if name.startswith("input")], [f"input{i}" for i in range(len(run.inputs))])
         self.assertTrue(run.senses.height_m.isna().all())
-        self.assertLessEqual(set(run.senses.tag_wish), {"", "kept", "switched", "denied"})
+        self.assertLessEqual(set(run.senses.tag_outcome), {"", "kept", "switched", "denied"})
         self.assertEqual(run.senses.input2.dtype, float)
 
     def test_a_run_has_its_manifest_and_every_row(self):

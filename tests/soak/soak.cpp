@@ -34,7 +34,7 @@
 #include <trophic/params/archive.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <vector>
 
 namespace {
@@ -50,7 +50,7 @@ double processor_s() {
 class Report {
  public:
   Report(const std::string& path, Opening opening) : csv_{path, opening} {
-    if (opening == Opening::made_new) csv_.append("time_s,resident_mb,least_allocated_mb,wall_s,processor_s\n");
+    if (opening == Opening::created) csv_.append("time_s,resident_mb,least_allocated_mb,wall_s,processor_s\n");
   }
 
   void on_start(const observe::RunDescription&, const View&) { begin(); }
@@ -107,8 +107,8 @@ bool judge(const std::string& path) {
       continue;
     }
     std::cerr << "second half of the run minus first " << *growth.difference << ", 90 % interval [" << growth.interval->lower
-              << ", " << growth.interval->upper << "], margin " << growth.margin << ": " << enum_name(growth.verdict) << "\n";
-    flat = flat && (columns[i] == "processor_s" || growth.verdict == analysis::Equivalence::equivalent);
+              << ", " << growth.interval->upper << "], margin " << growth.margin << ": " << enum_name(growth.conclusion) << "\n";
+    flat = flat && (columns[i] == "processor_s" || growth.conclusion == analysis::Equivalence::equivalent);
   }
   return flat;
 }
@@ -143,23 +143,23 @@ bool run(const Experiment<rules::Paper>& numbers, const BackendChoice& backend, 
   if (wanted.at_rest) habitat = test::at_rest(habitat);
 
   Ecology<rules::Paper> ecology{numbers, backend, habitat};
-  const checkpoint::Standing standing = checkpoint::standing_in(wanted.out, ecology.describe(wanted.duration_s));
-  if (standing.complete) return true;
-  if (!standing.remark.empty()) std::cerr << wanted.out.string() << " " << standing.remark << "\n";
+  const checkpoint::RunState run_state = checkpoint::run_state_in(wanted.out, ecology.describe(wanted.duration_s));
+  if (run_state.complete) return true;
+  if (!run_state.remark.empty()) std::cerr << wanted.out.string() << " " << run_state.remark << "\n";
   observe::StopOnSignal stop;
-  io::RunFolder folder{wanted.out, {}, {.replay_hz = 0.0, .agents_every_ticks = 1000}, standing.opening()};
-  Report report{wanted.out.string() + ".csv", standing.opening()};
+  io::RunFolder folder{wanted.out, {}, {.replay_hz = 0.0, .agents_every_ticks = 1000}, run_state.opening()};
+  Report report{wanted.out.string() + ".csv", run_state.opening()};
   test::Invariants invariants{numbers.rules.floor.floor};
   test::Resting resting;
-  const auto go_on = [&](auto&... more) {
-    checkpoint::run_kept(ecology, wanted.duration_s, wanted.out, {.every_s = 100.0}, standing.from, folder, invariants, report,
-                         stop, more...);
+  const auto keep_running = [&](auto&... more) {
+    checkpoint::run_with_checkpoints(ecology, wanted.duration_s, wanted.out, {.every_s = 100.0}, run_state.from, folder,
+                                     invariants, report, stop, more...);
   };
   if (wanted.at_rest) {
-    go_on(resting);
+    keep_running(resting);
     std::cerr << "at rest: gained at most " << resting.gain_J() << " J, moved at most " << resting.drift_m() << " m\n";
   } else {
-    go_on();
+    keep_running();
   }
   std::cerr << invariants.ticks() << " ticks of " << wanted.robots << " robots, " << invariants.deaths()
             << " deaths: all invariants held\n";

@@ -86,7 +86,7 @@ TEST_CASE("soak: a population that breaks an invariant is found") {
 TEST_CASE("soak: what grows by the margin passes for flat in one run of twenty, what does not grow in most") {
   using analysis::Equivalence;
   // Like the memory of crowds: 600 measurements about a mean of 1, each of which remembers half of the one before.
-  const auto verdicts = [](double growth, double deviation) {
+  const auto conclusions = [](double growth, double deviation) {
     std::array<int, 4> counted{};
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
       Rng rng{seed, Stream::placement};
@@ -96,22 +96,22 @@ TEST_CASE("soak: what grows by the margin passes for flat in one run of twenty, 
         about = 0.5 * about + rng.normal(0.0, deviation);
         measured.push_back(1.0 + about + growth * (i < 330 ? 0.0 : 1.0));  // the middle of what is left of 600 without a tenth
       }
-      ++counted[static_cast<std::size_t>(test::growth_of(measured).verdict)];
+      ++counted[static_cast<std::size_t>(test::growth_of(measured).conclusion)];
     }
     return counted;
   };
-  const auto at = [](Equivalence verdict) { return static_cast<std::size_t>(verdict); };
-  const auto flat = verdicts(0.0, 0.15);
+  const auto at = [](Equivalence conclusion) { return static_cast<std::size_t>(conclusion); };
+  const auto flat = conclusions(0.0, 0.15);
   CHECK(flat[at(Equivalence::equivalent)] > 900);
   CHECK(flat[at(Equivalence::different)] < 80);
-  const auto by_margin = verdicts(test::same_within, 0.2);
+  const auto by_margin = conclusions(test::same_within, 0.2);
   CHECK(by_margin[at(Equivalence::equivalent)] < 80);
   CHECK(by_margin[at(Equivalence::different)] > 700);
-  const auto noise = verdicts(0.0, 2.0);
-  CHECK(noise[at(Equivalence::undecided)] > 900);
-  CHECK(test::growth_of(std::vector<double>(21, 1.0)).verdict == Equivalence::unknown);
-  CHECK(test::growth_of(std::vector<double>(22, 1.0)).verdict == Equivalence::equivalent);
-  CHECK(test::growth_of(std::vector<double>(600, 0.0)).verdict == Equivalence::unknown);
+  const auto noise = conclusions(0.0, 2.0);
+  CHECK(noise[at(Equivalence::inconclusive)] > 900);
+  CHECK(test::growth_of(std::vector<double>(21, 1.0)).conclusion == Equivalence::unknown);
+  CHECK(test::growth_of(std::vector<double>(22, 1.0)).conclusion == Equivalence::equivalent);
+  CHECK(test::growth_of(std::vector<double>(600, 0.0)).conclusion == Equivalence::unknown);
 }
 
 TEST_CASE("soak: a robot at rest that rises, moves or is moved at once is found") {

@@ -47,7 +47,7 @@ def rule_free_backends():
 def simulated_time_only():
     """No wall clock and no entropy outside the progress display and what only decides speed."""
     read = r"(system|steady|high_resolution)_clock|random_device|\bs?rand\(|\btime\((nullptr|NULL|0|&)|\bclock\(\)|clock_gettime|gettimeofday"
-    allowed = {CORE / "trophic/observe/progress.hpp", CORE / "trophic/support/faster_way.hpp"}
+    allowed = {CORE / "trophic/observe/progress.hpp", CORE / "trophic/support/faster_mode.hpp"}
     return lines_with(read, [path for path in sources("include", "backends") if path not in allowed])
 
 

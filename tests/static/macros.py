@@ -30,7 +30,7 @@ REASONS = {
     "TROPHIC_NUMBERS": NAMES + "; members with designated initialisers cannot be inherited",
     "TROPHIC_POLICY": NAMES,
     "TROPHIC_STATES": NAMES,
-    "TROPHIC_TELL_SENSORS": NAMES,
+    "TROPHIC_NOTIFY_SENSORS": NAMES,
     "TROPHIC_PROBE_HOOK": NAMES + ": whether a class has any member of a name",
     "TROPHIC_PROBE": NAMES + ": whether a class has any member of a name",
     "TROPHIC_ANY_HOOK": "joins concepts that TROPHIC_PROBE names",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program that flips the differences between two rule tables, in replicates. `trophic flip-table` reads the result.
+// A program that flips the differences between two rule tables, in replicates. `trophic ablation-table` reads the result.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
-#include <tools/ablations/flips.hpp>
+#include <tools/ablations/swaps.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/provenance.hpp>
@@ -42,9 +42,9 @@ struct Options {
 template <class Base, class Other>
 [[nodiscard]] bool run_from(const Options& options, Study study) {
   study.plan.out /= std::string{direction_prefix} + table_name<Base>();
-  for (const Flip& flip : flips<Base, Other>()) {
-    if (!options.only.empty() && std::ranges::find(options.only, flip.name) == options.only.end()) continue;
-    const auto unfinished = run_flip<Base, Other>(flip.name, study);
+  for (const Swap& swap : swaps<Base, Other>()) {
+    if (!options.only.empty() && std::ranges::find(options.only, swap.name) == options.only.end()) continue;
+    const auto unfinished = run_swap<Base, Other>(swap.name, study);
     for (const std::string& sentence : unfinished) {
       std::cerr << "unfinished: " << direction_prefix << table_name<Base>() << "/" << sentence << "\n";
     }
@@ -55,17 +55,17 @@ template <class Base, class Other>
 
 template <class Base, class Other>
 void list(std::ostream& out) {
-  for (const Flip& flip : flips<Base, Other>()) {
-    out << direction_prefix << table_name<Base>() << "/" << flip.name << "  " << flip.change << "\n";
+  for (const Swap& swap : swaps<Base, Other>()) {
+    out << direction_prefix << table_name<Base>() << "/" << swap.name << "  " << swap.change << "\n";
   }
 }
 
 template <class Base, class Other>
 [[nodiscard]] std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const auto& flips : {flips<Base, Other>(), flips<Other, Base>()}) {
-    for (const Flip& flip : flips) {
-      if (std::ranges::find(all, flip.name) == all.end()) all.push_back(flip.name);
+  for (const auto& swaps : {swaps<Base, Other>(), swaps<Other, Base>()}) {
+    for (const Swap& swap : swaps) {
+      if (std::ranges::find(all, swap.name) == all.end()) all.push_back(swap.name);
     }
   }
   return all;
@@ -92,7 +92,7 @@ template <class Base, class Other>
                              .count = options.replicates.value_or(is_kinematic ? 30 : 10),
                              .jobs = options.jobs,
                              .resume = options.resume,
-                             .extent = {.replay_hz = 0.0}},
+                             .output = {.replay_hz = 0.0}},
                     .backend = chosen->choice(),
                     .duration_s = options.duration_s,
                     .shadow = options.shadow,
@@ -105,8 +105,8 @@ template <class Base, class Other>
 
 }  // namespace detail::ablations
 
-/// The command line of a study of two tables, on every backend that the program is linked with. It needs run_flip in both
-/// directions: include trophic/command/run_flip.hpp and instantiate them explicitly, in files of their own, as they take long to
+/// The command line of a study of two tables, on every backend that the program is linked with. It needs run_swap in both
+/// directions: include trophic/command/run_swap.hpp and instantiate them explicitly, in files of their own, as they take long to
 /// compile.
 template <class Base, class Other>
 [[nodiscard]] int ablations(int argc, const char* const* argv) {
@@ -120,10 +120,10 @@ template <class Base, class Other>
         {.name = {},
          .about = "The tables " + base + " and " + other +
                   ", and each with one rule or number as in the other, or a group of them. Sets of replicates go to OUT/from_" +
-                  base + "/NAME and OUT/from_" + other + "/NAME; trophic flip-table OUT says what each flip changes.",
+                  base + "/NAME and OUT/from_" + other + "/NAME; trophic ablation-table OUT says what each swap changes.",
          .options = {{"--from",
                       &options.from,
-                      "the table whose rules are flipped: " + one_of(std::vector{base, other, std::string{"both"}}) + " (both)",
+                      "the table whose rules are swapped: " + one_of(std::vector{base, other, std::string{"both"}}) + " (both)",
                       {base, other, "both"},
                       Words::demanded},
                      {"--backend", &options.backend, "physics: " + one_of(backends) + " (kinematic)", backends},
@@ -131,7 +131,7 @@ template <class Base, class Other>
                      {"--duration", &options.duration_s, "length of each run, seconds of the ecology's clock (6000)"},
                      {"--replicates", &options.replicates, "runs of each set (30; 10 with an engine)"},
                      {"--jobs", &options.jobs, "replicates at a time (1); results do not depend on it"},
-                     {"--only", &options.only, "these sets only; trophic flip-table needs base",
+                     {"--only", &options.only, "these sets only; trophic ablation-table needs base",
                       detail::ablations::names<Base, Other>(), Words::demanded},
                      {"--shadow", &options.shadow, "run each set's neutral shadow too, into its folder shadow"},
                      {"--resume", &options.resume, "run only what OUT lacks"},

@@ -81,7 +81,7 @@ void measure_sweep(const std::filesystem::path& folder, const std::filesystem::p
   const auto reference = static_cast<std::size_t>(options.reference.value_or(sweep.grid.cells.front().number));
   check_sweep(sweep, reference, options, until_s);
   std::set<std::int64_t> thinnings;
-  for (const sweep::PlannedRun& run : sweep.plan) thinnings.insert(run.extent.agents_every_ticks);
+  for (const sweep::PlannedRun& run : sweep.plan) thinnings.insert(run.output.agents_every_ticks);
   for (const std::int64_t every : thinnings) {
     if (const std::string lost = analysis::lost_to_thinning(every); !lost.empty())
       std::cerr << "trophic analyze: " << lost << "\n";

@@ -11,7 +11,7 @@ namespace trophic::command {
 [[nodiscard]] Command evolve_gait();
 [[nodiscard]] Command export_run();
 [[nodiscard]] Command film();
-[[nodiscard]] Command flip_table();
+[[nodiscard]] Command ablation_table();
 [[nodiscard]] Command measure_gait();
 [[nodiscard]] Command show();
 

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
                         .about = "Gaits for robots, and results, pages and films from runs.",
                         .options = {},
                         .work = {},
-                        .subcommands = {analyze(), flip_table(), cross_check_engines(), evolve_gait(), measure_gait(), show(),
+                        .subcommands = {analyze(), ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), show(),
                                         film(), export_run()},
                         .version = version_text(backend_versions<LinkedBackends>())});
   });

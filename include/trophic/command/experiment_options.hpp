@@ -59,7 +59,7 @@ struct OriginRun {
   checkpoint::Moment moment;
   std::string rule_table;
   std::string engine;
-  io::Extent extent;  ///< how much of it is written down
+  io::OutputOptions output;  ///< how much of it is written down
   toml::table params;
   observe::RunDescription description;  ///< as the program itself makes it of these numbers
   /// Makes in a folder what it was at the moment, as `replay`.

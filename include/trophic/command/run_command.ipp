@@ -50,7 +50,7 @@ namespace detail {
 
 /// "NAME: WHAT" in one line on standard error: control characters, which a file's name may have, are written as \x0a. Takes no
 /// memory.
-TROPHIC_INLINE void complain(std::string_view name, std::string_view what) {
+TROPHIC_INLINE void print_error(std::string_view name, std::string_view what) {
   std::array<char, 1024> line{};
   std::size_t used = 0;
   const auto write_out = [&] { std::fwrite(line.data(), 1, std::exchange(used, 0), stderr); };
@@ -70,7 +70,7 @@ TROPHIC_INLINE void complain(std::string_view name, std::string_view what) {
 
 TROPHIC_INLINE int report_failure(const char* called, const std::exception& error) {
   const char* slash = std::strrchr(called, '/');
-  detail::complain(slash == nullptr ? called : slash + 1, what_of(error));
+  detail::print_error(slash == nullptr ? called : slash + 1, what_of(error));
   return run_error;
 }
 
@@ -213,7 +213,7 @@ inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate
 
 /// Where memory ran out in a place that cannot throw, as in a destructor of a library that needs some: one line and `run_error`,
 /// with everything as a killed program leaves it.
-[[noreturn]] TROPHIC_INLINE void give_up() noexcept {
+[[noreturn]] TROPHIC_INLINE void exit_with_message() noexcept {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc& error) {
@@ -229,11 +229,11 @@ inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate
 
 TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command& command) {
   detail::occupy_closed_streams();
-  if (detail::die_otherwise == nullptr) detail::die_otherwise = std::set_terminate(&detail::give_up);
+  if (detail::die_otherwise == nullptr) detail::die_otherwise = std::set_terminate(&detail::exit_with_message);
   detail::use_installed_models();
   std::string name = program_name(argv[0]);
   const auto report = [&](const std::string& what, int code) {
-    detail::complain(name, what);
+    detail::print_error(name, what);
     return code;
   };
   CLI::App app{command.about, name};

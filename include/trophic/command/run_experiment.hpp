@@ -13,7 +13,7 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/replicates/keeping.hpp>
+#include <trophic/run/replicates/common_options.hpp>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic::command {
@@ -43,8 +43,8 @@ struct PlannedFacts {
 
 /// Runs that, or goes on with it, in a folder.
 void run_planned(const Selection& selection, const Config& config, bool shadow, std::uint64_t seed,
-                 const std::filesystem::path& folder, const replicates::Keeping& keeping, observe::JointProgress::Part progress,
-                 const observe::StopOnSignal& stop);
+                 const std::filesystem::path& folder, const replicates::CommonOptions& common,
+                 observe::JointProgress::Part progress, const observe::StopOnSignal& stop);
 
 }  // namespace trophic::command
 

@@ -64,7 +64,7 @@ namespace detail {
 }
 
 /// What --replay-hz, --agents-every, --senses and --states say.
-[[nodiscard]] inline io::Extent extent_of(const ExperimentOptions& options) {
+[[nodiscard]] inline io::OutputOptions output_options_of(const ExperimentOptions& options) {
   return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : io::default_replay_hz,
           .agents_every_ticks = static_cast<std::int64_t>(options.agents_every),
           .senses = options.senses,
@@ -80,7 +80,7 @@ namespace detail {
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
           .resume = options.resume,
           .checkpoints = {.every_s = options.checkpoint_s},
-          .extent = extent_of(options),
+          .output = output_options_of(options),
           .own_tables = options.own_tables};
 }
 
@@ -163,63 +163,64 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 
 /// What a run was at a moment, and where to make it for those that are to begin there. Throws std::invalid_argument where they
 /// cannot, before anything is made.
-[[nodiscard]] inline checkpoint::Past past_of(const ExperimentOptions& options, const OriginRun& origin,
-                                              const observe::RunDescription& run) {
+[[nodiscard]] inline checkpoint::Snapshot snapshot_of(const ExperimentOptions& options, const OriginRun& origin,
+                                                      const observe::RunDescription& run) {
   checkpoint::check_may_follow(origin.description, run);
   if (!(origin.moment.at_s <= run.until_s)) {
     throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be <= " + number_text(run.until_s) +
                                 ", the duration of the run that begins there"};
   }
   if (!options.resume) io::check_new_folder(options.out);
-  checkpoint::Past past{origin.moment, checkpoint::past_folder(options.out, origin.moment)};
-  for (const std::filesystem::path& place : {past.folder.parent_path(), past.folder}) {
+  checkpoint::Snapshot snapshot{origin.moment, checkpoint::snapshot_folder(options.out, origin.moment)};
+  for (const std::filesystem::path& place : {snapshot.folder.parent_path(), snapshot.folder}) {
     if (std::filesystem::exists(place) && std::filesystem::equivalent(place, origin.moment.run)) {
-      throw std::invalid_argument{place.string() + ": is in the way: there the past of " + options.out + " would be made"};
+      throw std::invalid_argument{place.string() + ": is in the way: there the snapshot of " + options.out + " would be made"};
     }
   }
-  return past;
+  return snapshot;
 }
 
 /// Makes the past of what is to begin at a moment. False where a signal came before it was made.
-[[nodiscard]] inline bool make_past(const checkpoint::Past& past, const OriginRun& origin) {
-  std::cout << past.folder.string() << ": the past, " << origin.moment.run.string() << " until "
+[[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
+  std::cout << snapshot.folder.string() << ": the snapshot, " << origin.moment.run.string() << " until "
             << number_text(origin.moment.at_s) << " s, is made there" << std::endl;
-  return origin.make(past.folder);
+  return origin.make(snapshot.folder);
 }
 
 /// Where the run that the options name is to begin. None where a signal came before its past was made.
-[[nodiscard]] inline std::optional<checkpoint::Standing> standing_of(const ExperimentOptions& options, const Simulation& ecology,
-                                                                     double until_s, const std::optional<OriginRun>& origin) {
+[[nodiscard]] inline std::optional<checkpoint::RunState> run_state_for(const ExperimentOptions& options,
+                                                                       const Simulation& ecology, double until_s,
+                                                                       const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
-  if (!origin) return options.resume ? checkpoint::standing_in(options.out, run) : checkpoint::Standing{};
-  const checkpoint::Past past = past_of(options, *origin, run);
-  if (!checkpoint::needs_past(options.out, run.until_s) && !checkpoint::RoomOfPast::exists(past)) {
-    return checkpoint::standing_in(options.out, run, past);
+  if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run) : checkpoint::RunState{};
+  const checkpoint::Snapshot snapshot = snapshot_of(options, *origin, run);
+  if (!checkpoint::needs_snapshot(options.out, run.until_s) && !checkpoint::SnapshotFolder::exists(snapshot)) {
+    return checkpoint::run_state_in(options.out, run, snapshot);
   }
-  checkpoint::RoomOfPast room{past};
+  checkpoint::SnapshotFolder room{snapshot};
   if (!options.resume) io::check_new_folder(options.out);
-  if (checkpoint::needs_past(options.out, run.until_s) && !make_past(past, *origin)) return std::nullopt;
-  auto standing = checkpoint::standing_in(options.out, run, past);
+  if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin)) return std::nullopt;
+  auto run_state = checkpoint::run_state_in(options.out, run, snapshot);
   room.clear();
-  return standing;
+  return run_state;
 }
 
 /// Runs an ecology into the folder that the options name and returns the exit code. `window`: null for a run that nobody watches.
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
-                                         checkpoint::Standing standing, const std::optional<OriginRun>& origin, Window* window) {
+                                         checkpoint::RunState run_state, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
-  io::RunFolder folder{options.out,        options.provenance,      extent_of(options),
-                       standing.opening(), ecology.state_columns(), options.own_tables};
+  io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
+                       run_state.opening(), ecology.state_columns(), options.own_tables};
   observe::Progress progress;
   try {
-    if (standing.begins) {
-      checkpoint::begin_at(standing, origin->moment, ecology, folder.manifest(), checkpoint::parts_of(folder, progress, stop));
+    if (run_state.begins) {
+      checkpoint::begin_at(run_state, origin->moment, ecology, folder.manifest(), checkpoint::parts_of(folder, progress, stop));
     }
     const checkpoint::Schedule schedule{.every_s = options.checkpoint_s};
     if (window != nullptr) {
-      window->run_kept(ecology, until_s, options.out, schedule, standing.from, folder, progress, stop);
+      window->run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
     } else {
-      checkpoint::run_kept(ecology, until_s, options.out, schedule, standing.from, folder, progress, stop);
+      checkpoint::run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
     }
   } catch (const std::exception& error) {
     const int code = report_failure(options.program.c_str(), error);
@@ -245,19 +246,19 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     if (options.out.empty()) return 0;
   }
   const double until_s = experiment.ecology().duration_s;
-  std::optional<checkpoint::Standing> standing = standing_of(options, *ecology, until_s, origin);
-  if (!standing) return stopped;
-  if (!standing->remark.empty()) std::cout << options.out << " " << standing->remark << std::endl;
-  if (standing->complete) return 0;
-  const auto simulate = [&] { return run_into_folder(options, *ecology, until_s, std::move(*standing), origin, window.get()); };
+  std::optional<checkpoint::RunState> run_state = run_state_for(options, *ecology, until_s, origin);
+  if (!run_state) return stopped;
+  if (!run_state->remark.empty()) std::cout << options.out << " " << run_state->remark << std::endl;
+  if (run_state->complete) return 0;
+  const auto simulate = [&] { return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, window.get()); };
   return window ? window->show(simulate) : simulate();
 }
 
 /// Whether a replicate, or one of its shadow, has nothing to go on from.
-[[nodiscard]] inline bool needs_past(replicates::Plan plan, bool shadow, double until_s) {
+[[nodiscard]] inline bool needs_snapshot(replicates::Plan plan, bool shadow, double until_s) {
   const auto any = [&] {
     return std::ranges::any_of(plan.all(),
-                               [&](const replicates::Replicate& one) { return checkpoint::needs_past(one.folder, until_s); });
+                               [&](const replicates::Replicate& one) { return checkpoint::needs_snapshot(one.folder, until_s); });
   };
   if (any()) return true;
   plan.out /= "shadow";
@@ -270,13 +271,14 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   const MakeSimulation make = experiment.simulations(false);
   const double until_s = experiment.ecology().duration_s;
   replicates::Plan plan = plan_of(options, experiment.seed());
-  std::optional<checkpoint::RoomOfPast> room;
+  std::optional<checkpoint::SnapshotFolder> room;
   if (origin) {
     plan.check();
-    plan.past = past_of(options, *origin, make(plan.master_seed)->describe(until_s));
-    if (needs_past(plan, options.shadow, until_s) || checkpoint::RoomOfPast::exists(*plan.past)) room.emplace(*plan.past);
+    plan.snapshot = snapshot_of(options, *origin, make(plan.master_seed)->describe(until_s));
+    if (needs_snapshot(plan, options.shadow, until_s) || checkpoint::SnapshotFolder::exists(*plan.snapshot))
+      room.emplace(*plan.snapshot);
     if (!options.resume) io::check_new_folder(options.out);
-    if (needs_past(plan, options.shadow, until_s) && !make_past(*plan.past, *origin)) return stopped;
+    if (needs_snapshot(plan, options.shadow, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
   }
   const auto unfinished = replicates::run_with_shadow(make, options.shadow ? experiment.simulations(true) : nullptr, until_s,
                                                       plan, options.provenance, std::cout);
@@ -299,11 +301,11 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.moment.fingerprint = json.at("fingerprint").get<std::string>();
     origin.moment.seed = whole_number<std::uint64_t>(json, "seed");
     if (json.contains("agents_every_ticks")) {
-      origin.extent.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
+      origin.output.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
     }
-    origin.extent.replay_hz = detail::replay_hz_of(origin.moment.run);
-    origin.extent.senses = json.contains("senses");
-    origin.extent.states = std::filesystem::exists(origin.moment.run / io::StateLog::file_name);
+    origin.output.replay_hz = detail::replay_hz_of(origin.moment.run);
+    origin.output.senses = json.contains("senses");
+    origin.output.states = std::filesystem::exists(origin.moment.run / io::StateLog::file_name);
     origin.params = detail::toml_of(json.at("params"));
   } catch (const Json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
@@ -330,12 +332,12 @@ TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, 
     std::filesystem::remove_all(folder);  // a copy that was cut off
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
   }
-  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s));
-  if (standing.complete) return true;
+  const checkpoint::RunState run_state = checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s));
+  if (run_state.complete) return true;
   observe::StopOnSignal stop;
-  io::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns(), own_tables};
+  io::RunFolder files{folder, {}, origin.output, run_state.opening(), ecology->state_columns(), own_tables};
   observe::Progress progress;
-  checkpoint::run_kept(*ecology, origin.moment.at_s, folder, {}, standing.from, files, progress, stop);
+  checkpoint::run_with_checkpoints(*ecology, origin.moment.at_s, folder, {}, run_state.from, files, progress, stop);
   return ecology->time_s() >= origin.moment.at_s;
 }
 
@@ -358,11 +360,11 @@ TROPHIC_INLINE PlannedFacts facts(const Selection& selection, const Config& conf
 }
 
 TROPHIC_INLINE void run_planned(const Selection& selection, const Config& config, bool shadow, std::uint64_t seed,
-                                const std::filesystem::path& folder, const replicates::Keeping& keeping,
+                                const std::filesystem::path& folder, const replicates::CommonOptions& common,
                                 observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
   const auto experiment = detail::planned_experiment(selection, config);
   const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow)(seed);
-  replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, keeping, std::move(progress), stop);
+  replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, std::move(progress), stop);
 }
 
 }  // namespace trophic::command

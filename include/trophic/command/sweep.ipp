@@ -97,7 +97,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
     run.index = plan.size();
     run.replicate = replicate;
     run.seed = replicates::seed_of(master_seed, replicate);
-    run.extent = file.numbers.extent();
+    run.output = file.numbers.output();
     run.folder = like.folder / replicates::name_of(replicate);
     plan.push_back(std::move(run));
   }
@@ -153,9 +153,10 @@ class Runner {
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, run.extent, {}, options_.own_tables};
-    keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
-    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, keeping,
+    replicates::CommonOptions common{
+        options_.provenance, {.every_s = options_.checkpoint_s}, run.output, {}, options_.own_tables};
+    common.provenance.emplace_back("planned_run", std::to_string(run.index));
+    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, common,
                 progress.watch(run.folder.string()), stop_);
   }
 
@@ -353,10 +354,11 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
     return sweep::attempt(options.out, run, lease_s,
                           [&](const std::filesystem::path& folder) { runner.run(run, folder, progress); });
   };
-  const auto go_on = [&] { return stop.keep_running(); };
+  const auto keep_running = [&] { return stop.keep_running(); };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const sweep::Tally tally = team != nullptr ? team->share_out(plan, options.out, lease_s, attempt, go_on)
-                                             : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, go_on);
+  const sweep::Tally tally = team != nullptr
+                                 ? team->distribute(plan, options.out, lease_s, attempt, keep_running)
+                                 : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, keep_running);
   if (!leads) return 0;
   sweep::remove_claims(options.out, plan);
   return detail::sweeps::report(options, tally);

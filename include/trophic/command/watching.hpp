@@ -11,7 +11,7 @@
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 // Who links trophic::watch has this definition.
 #ifdef TROPHIC_WITH_WATCH
 #include <trophic/pictures/watch/session.hpp>
@@ -29,10 +29,10 @@ class Window {
 
   /// Calls `simulate` while the window shows what it is told, and returns what that returns.
   [[nodiscard]] virtual int show(const std::function<int()>& simulate) = 0;
-  /// As checkpoint::run_kept, and the window is told.
-  virtual void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder,
-                        const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
-                        io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
+  /// As checkpoint::run_with_checkpoints, and the window is told.
+  virtual void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
+                                    const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
+                                    io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
 };
 
 /// Opens a window with a title. Throws std::invalid_argument, saying what is missing, where none can be opened.
@@ -44,10 +44,10 @@ using OpenWindow = std::unique_ptr<Window> (*)(const std::string& title);
    public:
     explicit Watched(const std::string& name) : session_{name} {}
     [[nodiscard]] int show(const std::function<int()>& simulate) override { return session_.show(simulate); }
-    void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder, const checkpoint::Schedule& schedule,
-                  const std::optional<checkpoint::Checkpoint>& from, io::RunFolder& files, observe::Progress& progress,
-                  const observe::StopOnSignal& stop) override {
-      checkpoint::run_kept(ecology, until_s, folder, schedule, from, files, progress, stop, session_.spectator());
+    void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
+                              const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
+                              io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) override {
+      checkpoint::run_with_checkpoints(ecology, until_s, folder, schedule, from, files, progress, stop, session_.spectator());
     }
 
    private:

@@ -38,9 +38,9 @@ TROPHIC_INLINE void check_parent(const FoodWeb& web, const reproduction::Vacancy
     throw RuleError{"parent", "individual " + std::to_string(parent.id) + " as a parent: must have a genome of " +
                                   std::to_string(weights) + " weights"};
   }
-  if (!vacancy.heir || parent.species == *vacancy.heir) return;
+  if (!vacancy.successor || parent.species == *vacancy.successor) return;
   throw RuleError{"parent", "individual " + std::to_string(parent.id) + ", a " + web.name(parent.species) +
-                                ", as the parent of a " + web.name(*vacancy.heir) + ": must be of its offspring's species"};
+                                ", as the parent of a " + web.name(*vacancy.successor) + ": must be of its offspring's species"};
 }
 
 }  // namespace trophic::detail

@@ -189,9 +189,10 @@ class Ecology final : public Simulation {
       typename decltype(locomotion_)::State rhythms;
     };
     std::optional<Before> before;
-    if (backend_.has_joints() && audience.may_give_up()) before.emplace(Before{backend_.save(), locomotion_.save()});
-    const auto gives_up = [&] { return before && audience.gives_up_tick(); };
-    if (advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s(), gives_up)) return true;
+    if (backend_.has_joints() && audience.may_cancel()) before.emplace(Before{backend_.save(), locomotion_.save()});
+    const auto is_cancelled = [&] { return before && audience.cancels_tick(); };
+    if (advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s(), is_cancelled))
+      return true;
     backend_.restore(before->bodies);
     locomotion_.restore(before->rhythms);
     return false;
@@ -203,7 +204,7 @@ class Ecology final : public Simulation {
       capture(audience);
       age(audience);
       starve(audience);
-      rescue(audience);
+      minimum_predators(audience);
       decide(audience);
     }
     audience.tick(view());
@@ -234,7 +235,8 @@ class Ecology final : public Simulation {
       if (!death::ask::may_die(rules_.floor, population_[capture.victim].species, view())) continue;
       population_.feed(capture.hunter, capture.victim, view());
       emit(audience, observe::EventKind::capture, capture.hunter, {}, population_[capture.victim].id);
-      hand_on(audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .heir = hunter.species});
+      replace_occupant(audience,
+                       {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .successor = hunter.species});
     }
   }
 
@@ -243,7 +245,7 @@ class Ecology final : public Simulation {
       const Individual& individual = population_[body];
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
       if (!death::ask::dies(rules_.senescence, states().senescence[body], individual, view(), rng)) continue;
-      hand_on(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .heir = individual.species});
+      replace_occupant(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .successor = individual.species});
     }
   }
 
@@ -255,41 +257,42 @@ class Ecology final : public Simulation {
     const IndividualId first_newborn = population_.next_id();
     for (const BodyIndex hunter : starving.exempt) {
       check_index("starvation", "exempt hunter", hunter, poses_.size());
-      audience.reprieve(hunter, now);
+      audience.exemption(hunter, now);
     }
     for (const BodyIndex victim : starving.victims) {
       check_index("starvation", "victim", victim, poses_.size());
       if (population_[victim].id >= first_newborn) continue;
-      hand_on(audience, {.body = victim, .cause = Cause::starved, .killer = {}, .heir = {}});
+      replace_occupant(audience, {.body = victim, .cause = Cause::starved, .killer = {}, .successor = {}});
     }
     if (starving.restarts_clock) starvation_clock_ = death::ask::start(rules_.starvation, view());
   }
 
-  void rescue(observe::Audience& audience) {
+  void minimum_predators(observe::Audience& audience) {
     Rng rng{params_.seed, Stream::sacrifice, 0, static_cast<std::uint64_t>(tick_)};
     const IndividualId first_newborn = population_.next_id();
-    const auto given_up = states().rescue.all();
-    for (const death::Sacrifice& sacrifice : death::ask::sacrifices(rules_.rescue, given_up, view(), rng)) {
-      check_index("rescue", "victim", sacrifice.victim, poses_.size());
-      check_index("rescue", "heir", sacrifice.heir, web_.size());
+    const auto given_up = states().minimum_predators.all();
+    for (const death::Sacrifice& sacrifice : death::ask::sacrifices(rules_.minimum_predators, given_up, view(), rng)) {
+      check_index("minimum_predators", "victim", sacrifice.victim, poses_.size());
+      check_index("minimum_predators", "successor", sacrifice.successor, web_.size());
       if (population_[sacrifice.victim].id >= first_newborn) continue;
       if (!death::ask::may_die(rules_.floor, population_[sacrifice.victim].species, view())) continue;
-      hand_on(audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .heir = sacrifice.heir});
+      replace_occupant(audience,
+                       {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .successor = sacrifice.successor});
     }
   }
 
   /// Death of the occupant and birth of its successor. Where the rules do not fix the heir's species, it is the parent's or, for
   /// want of a parent, the first that the dead one ate.
-  void hand_on(observe::Audience& audience, const reproduction::Vacancy& vacancy) {
-    const Succession succession = population_.succession(vacancy, view());
+  void replace_occupant(observe::Audience& audience, const reproduction::Vacancy& vacancy) {
+    const Parentage parentage = population_.parentage(vacancy, view());
     const Species dead = population_[vacancy.body].species;
     const std::size_t weights = population_[vacancy.body].genome->weights.size();
-    if (succession.parent) detail::check_parent(web_, vacancy, *succession.parent, weights);
-    auto heir = vacancy.heir;
-    if (!heir) heir = succession.parent ? succession.parent->species : web_.first_victim(dead).value_or(dead);
+    if (parentage.parent) detail::check_parent(web_, vacancy, *parentage.parent, weights);
+    auto successor = vacancy.successor;
+    if (!successor) successor = parentage.parent ? parentage.parent->species : web_.first_victim(dead).value_or(dead);
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;
     emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
-    population_.succeed(vacancy.body, *heir, succession, view());
+    population_.replace(vacancy.body, *successor, parentage, view());
     if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) locomotion_.reset(vacancy.body);
     emit(audience, observe::EventKind::birth, vacancy.body);
   }
@@ -299,10 +302,10 @@ class Ecology final : public Simulation {
   void decide(observe::Audience& audience) {
     const SensorValues common = rules_.sensors.sense_common(view());
     choices_.clear();
-    const bool is_told = audience.wants_deliberations();
+    const bool is_observed = audience.wants_decisions();
     const bool in_turn = params_.ecology.decision_order == DecisionOrder::in_turn;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      choices_.push_back(choice(body, common, is_told));
+      choices_.push_back(choice(body, common, is_observed));
       if (in_turn) act(audience, body, choices_[body]);
     }
     if (in_turn) return;
@@ -323,7 +326,7 @@ class Ecology final : public Simulation {
     typename Population<Rules>::Outputs outputs{};  ///< where observers are told
   };
 
-  [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common, bool is_told) {
+  [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common, bool is_observed) {
     const View now = view();
     const auto sighting = perception::adversary(
         body, now, [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); },
@@ -333,7 +336,7 @@ class Ecology final : public Simulation {
     choice.inputs = rules_.sensors.sense(states().sensors[body], body, sighting, now, common, [&](std::size_t sensor) {
       return Rng{params_.seed, Stream::sensors, population_[body].id, static_cast<std::uint64_t>(tick_), sensor};
     });
-    if (is_told) choice.outputs = population_.outputs(body, choice.inputs);
+    if (is_observed) choice.outputs = population_.outputs(body, choice.inputs);
     choice.decision = population_.decide(body, choice.inputs);
     return choice;
   }
@@ -349,14 +352,14 @@ class Ecology final : public Simulation {
     if (may_switch != MaySwitch::no) {
       show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts);
     }
-    audience.deliberation({.body = body,
-                           .inputs = choice.inputs,
-                           .outputs = choice.outputs ? std::span<const double>{*choice.outputs} : std::span<const double>{},
-                           .target_angle_rad = choice.decision->target_angle_rad,
-                           .tag = choice.decision->tag,
-                           .tag_before = tag_before,
-                           .might_switch = may_switch != MaySwitch::no},
-                          view());
+    audience.decision({.body = body,
+                       .inputs = choice.inputs,
+                       .outputs = choice.outputs ? std::span<const double>{*choice.outputs} : std::span<const double>{},
+                       .target_angle_rad = choice.decision->target_angle_rad,
+                       .tag = choice.decision->tag,
+                       .tag_before = tag_before,
+                       .might_switch = may_switch != MaySwitch::no},
+                      view());
   }
 
   void show_tag(observe::Audience& audience, BodyIndex body, int tag, bool restarts_clock) {

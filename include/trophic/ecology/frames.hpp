@@ -45,15 +45,15 @@ inline void show_frame(observe::Audience& audience, const KeptFrame& kept, const
 
 /// Moves the bodies through a whole tick, and shows the audience the frames that it asked for once the tick is over. Bodies move
 /// as without an audience: a backend's steps do not depend on where it is asked to pause. Returns false, with no frame shown and
-/// the bodies somewhere in the tick, if `gives_up()` said true between two control steps.
-template <class Locomotion, class GivesUp>
+/// the bodies somewhere in the tick, if `is_cancelled()` said true between two control steps.
+template <class Locomotion, class IsCancelled>
 [[nodiscard]] bool advance_in_frames(observe::Audience& audience, Locomotion& locomotion, AnyBackend& backend,
                                      std::span<const double> target_angles_rad, const Habitat& habitat,
-                                     const observe::FrameTimes& times, double clock_s, GivesUp&& gives_up) {
+                                     const observe::FrameTimes& times, double clock_s, IsCancelled&& is_cancelled) {
   std::vector<KeptFrame> kept;
   for (std::int64_t step = 0; step < times.steps;) {
     const std::int64_t next = audience.next_frame(times, step);
-    if (!locomotion.advance(backend, next - step, target_angles_rad, gives_up)) return false;
+    if (!locomotion.advance(backend, next - step, target_angles_rad, is_cancelled)) return false;
     step = next;
     if (audience.wants_frame(times, step)) kept.push_back(KeptFrame::of(backend, step));
   }

@@ -42,7 +42,7 @@ using sensors_of = std::conditional_t<perception::SensorList<Sensors>, Sensors, 
 }  // namespace detail
 
 /// Who inherits a vacant body.
-struct Succession {
+struct Parentage {
   reproduction::Descent descent = reproduction::Descent::random;
   std::optional<Ancestor> parent;  ///< none if the genome is random by rule or there is no individual to inherit from
 };
@@ -138,7 +138,7 @@ class Population {
     });
   }
 
-  /// The hunter eats. Its victim is still there, for `succeed` to replace.
+  /// The hunter eats. Its victim is still there, for `replace` to remove.
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
     individuals_[hunter].fed_tick = view.tick;
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
@@ -190,9 +190,9 @@ class Population {
   void restart_tag_clock(BodyIndex body, double time_s) { individuals_[body].tag_since_s = time_s; }
 
   /// Who inherits a vacant body: decides between random and inherited and asks the parent rule. Changes nothing.
-  [[nodiscard]] Succession succession(const reproduction::Vacancy& vacancy, const View& view) const {
+  [[nodiscard]] Parentage parentage(const reproduction::Vacancy& vacancy, const View& view) const {
     Rng source{seed_, Stream::genome_source, next_id_};
-    Succession result{.descent = rules_.genome_source.descent(source), .parent = std::nullopt};
+    Parentage result{.descent = rules_.genome_source.descent(source), .parent = std::nullopt};
     if (result.descent != reproduction::Descent::random) {
       Rng rng{seed_, Stream::parent, next_id_};
       result.parent = reproduction::ask::parent(rules_.parent, states_.parent.all(), vacancy, view, rng);
@@ -201,15 +201,15 @@ class Population {
   }
 
   /// The body's occupant is gone, an offspring or a random newcomer of `species` takes over where it stands.
-  void succeed(BodyIndex body, Species species, const Succession& succession, const View& view) {
+  void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
-    auto genome = succession.parent && !is_shadow_ ? rules_.heredity.inherit(succession.parent->genome) : nullptr;
-    bear_states(born, body, genome ? body_of(succession.parent->id) : std::nullopt);
-    if (succession.parent) {
-      descend(born, body, *succession.parent, std::move(genome));
+    auto genome = parentage.parent && !is_shadow_ ? rules_.heredity.inherit(parentage.parent->genome) : nullptr;
+    create_states(born, body, genome ? body_of(parentage.parent->id) : std::nullopt);
+    if (parentage.parent) {
+      descend(born, body, *parentage.parent, std::move(genome));
     } else {
       born.genome = drawn_genome(born.id);
-      if (succession.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
+      if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
     }
     --members_[individuals_[body].species];
     ++members_[species];
@@ -245,7 +245,7 @@ class Population {
   }
 
   /// What the rules keep for a newborn.
-  void bear_states(const Individual& born, BodyIndex body, std::optional<BodyIndex> parent) {
+  void create_states(const Individual& born, BodyIndex body, std::optional<BodyIndex> parent) {
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
       states[body] =
           for_species(policy, born.species).born(born, parent ? &states[*parent] : nullptr, std::as_const(states)[body]);

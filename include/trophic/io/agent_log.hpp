@@ -37,9 +37,9 @@ namespace trophic::io {
 /// Writes an AgentRow per robot and tick, or only at the ticks whose number is a multiple of `every_ticks`.
 class AgentLog {
  public:
-  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::gone_on_with` `persist` comes next: the file goes on
+  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed` `persist` comes next: the file goes on
   /// with the ticks that it began with.
-  explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::made_new, std::int64_t every_ticks = 1)
+  explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
       : every_ticks_{checked(every_ticks)}, file_{path, opening} {}
 
   void on_tick(const View& view) {

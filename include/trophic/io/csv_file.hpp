@@ -25,9 +25,9 @@ struct TableSum {
 class LineFile {
  public:
   /// Writes the first lines at once into a new file.
-  LineFile(const std::filesystem::path& path, std::string first, Opening opening = Opening::made_new)
+  LineFile(const std::filesystem::path& path, std::string first, Opening opening = Opening::created)
       : file_{path, opening}, buffer_{std::move(first)} {
-    if (opening == Opening::gone_on_with) buffer_.clear();
+    if (opening == Opening::resumed) buffer_.clear();
     flush();
   }
 
@@ -66,7 +66,7 @@ template <TableRow Row>
 class CsvFile {
  public:
   /// Writes the header at once into a new file; `like`: as header_of.
-  explicit CsvFile(const std::filesystem::path& path, const Row& like = {}, Opening opening = Opening::made_new)
+  explicit CsvFile(const std::filesystem::path& path, const Row& like = {}, Opening opening = Opening::created)
       : file_{path, header_of(like), opening} {}
   CsvFile(const std::filesystem::path& path, Opening opening) : CsvFile{path, {}, opening} {}
 

@@ -14,7 +14,7 @@ namespace trophic::io {
 /// Writes an EventRow per event.
 class EventLog {
  public:
-  explicit EventLog(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
+  explicit EventLog(const std::filesystem::path& path, Opening opening = Opening::created) : file_{path, opening} {}
 
   void on_event(const observe::Event& event, const View& view) {
     const Individual& self = event.individual;

@@ -16,8 +16,8 @@ namespace trophic::io {
 /// Writes a GenomeRow per birth. The file begins with the first, which tells how many weights there are.
 class GenomeLog {
  public:
-  explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::made_new) : path_{std::move(path)} {
-    if (opening == Opening::gone_on_with) file_.emplace(path_, opening);
+  explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::created) : path_{std::move(path)} {
+    if (opening == Opening::resumed) file_.emplace(path_, opening);
   }
 
   void on_event(const observe::Event& event, const View& view) {

@@ -11,11 +11,11 @@
 namespace trophic {
 
 /// Whether the files of a run are made new or are those of a run that goes on.
-enum class Opening { made_new, gone_on_with };
+enum class Opening { created, resumed };
 
 /// Appends to a file. Throws std::runtime_error naming the file when the system refuses.
 ///
-/// With `Opening::made_new` nothing of that name may exist. With `Opening::gone_on_with` the file must exist; `persist` then cuts
+/// With `Opening::created` nothing of that name may exist. With `Opening::resumed` the file must exist; `persist` then cuts
 /// it to the length that an archive says. Anything that observes a run and owns such files takes part in checkpoints by a
 /// `persist` of its own that calls theirs.
 class GrowingFile {

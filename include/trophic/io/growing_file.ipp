@@ -20,7 +20,7 @@
 namespace trophic {
 
 TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Opening opening) : path_{path} {
-  const bool is_new = opening == Opening::made_new;
+  const bool is_new = opening == Opening::created;
   // O_NONBLOCK: a pipe in a file's place must not make the program wait for a reader.
   const int flags = O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK | (is_new ? O_CREAT | O_EXCL : 0);
   file_ = ::open(path.c_str(), flags, 0666);

@@ -31,7 +31,7 @@ concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_fro
   { O::file_name } -> std::convertible_to<std::string_view>;
   { table.sum() } -> std::same_as<TableSum>;
 } && !observe::detail::Names_on_frame<O> && !observe::detail::Names_between_ticks<O> && !observe::detail::Names_keep_running<O> &&
-    !observe::detail::Names_gives_up_tick<O>;
+    !observe::detail::Names_cancels_tick<O>;
 
 /// A table of one's own whatever its type.
 class AnyOwnTable {
@@ -75,7 +75,7 @@ template <class... Observers>
   static_assert((OwnTable<Observers> && ...),
                 "a table of one's own is an observer with file_name, a constructor from (const std::filesystem::path&, Opening), "
                 "persist(Archive&) and TableSum sum() const, and without on_frame, between_ticks, "
-                "keep_running and gives_up_tick; see trophic/io/own_table.hpp");
+                "keep_running and cancels_tick; see trophic/io/own_table.hpp");
   return {[](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<AnyOwnTable> {
     return std::make_unique<detail::OwnTableOf<Observers>>(folder, opening);
   }...};

@@ -16,7 +16,7 @@ namespace trophic::io {
 /// Writes a TaxonRow per individual.
 class Phylogeny {
  public:
-  explicit Phylogeny(const std::filesystem::path& path, Opening opening = Opening::made_new) : file_{path, opening} {}
+  explicit Phylogeny(const std::filesystem::path& path, Opening opening = Opening::created) : file_{path, opening} {}
 
   void on_event(const observe::Event& event, const View& view) {
     if (event.kind == observe::EventKind::birth) {

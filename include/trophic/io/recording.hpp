@@ -28,9 +28,9 @@ inline constexpr double default_replay_hz = 5.0;
 class Recording {
  public:
   /// Makes the file at once. `hz`: frames a simulated second, >= 0; at 0 there is no file and nothing is asked of the run.
-  /// Throws std::invalid_argument for another rate. With `Opening::gone_on_with` the file is there, if the run has one, and
+  /// Throws std::invalid_argument for another rate. With `Opening::resumed` the file is there, if the run has one, and
   /// `persist` comes next: the recording goes on at the rate at which it began.
-  Recording(const std::filesystem::path& path, double hz, Opening opening = Opening::made_new);
+  Recording(const std::filesystem::path& path, double hz, Opening opening = Opening::created);
   Recording(Recording&&) noexcept;
   Recording& operator=(Recording&&) noexcept;
   ~Recording();

@@ -68,7 +68,7 @@ TROPHIC_INLINE Recording::Recording(const std::filesystem::path& path, double hz
   if (!(hz >= 0.0 && hz <= 1000.0)) {
     throw std::invalid_argument{"replay_hz = " + number_text(hz) + ": must be >= 0 and <= 1000"};
   }
-  const bool has_file = opening == Opening::made_new ? hz > 0.0 : std::filesystem::exists(path);
+  const bool has_file = opening == Opening::created ? hz > 0.0 : std::filesystem::exists(path);
   if (has_file) file_ = std::make_unique<File>(File{.file = GrowingFile{path, opening}});
 }
 TROPHIC_INLINE Recording::Recording(Recording&&) noexcept = default;

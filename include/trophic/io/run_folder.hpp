@@ -12,7 +12,7 @@
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/state_log.hpp>
-#include <trophic/observe/deliberation.hpp>
+#include <trophic/observe/decision_record.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
@@ -31,12 +31,12 @@ void check_new_folder(const std::filesystem::path& path);
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
 /// How much of a run is written down.
-struct Extent {
+struct OutputOptions {
   double replay_hz = default_replay_hz;  ///< frames of the recording in a simulated second; 0: no recording
   std::int64_t agents_every_ticks = 1;   ///< agents.csv has the ticks whose number is a multiple of it
   bool senses = false;                   ///< senses.csv too, at the ticks of agents.csv
   bool states = false;                   ///< states.csv too, at the ticks of agents.csv
-  friend bool operator==(const Extent&, const Extent&) = default;
+  friend bool operator==(const OutputOptions&, const OutputOptions&) = default;
 };
 
 /// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, where asked for, senses.csv
@@ -49,10 +49,10 @@ class RunFolder {
 
   /// Makes the folder at once: see make_new_folder. The manifest says where agents.csv has not every tick, and with senses.csv
   /// names the brain's inputs. `states`: `ecology.state_columns()`, for states.csv.
-  /// With `Opening::gone_on_with` the folder is one that is there, and is to be read from a checkpoint next, to the extent to
+  /// With `Opening::resumed` the folder is one that is there, and is to be read from a checkpoint next, to the extent to
   /// which it began; throws std::runtime_error if a file is missing or another program works in it.
-  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const Extent& extent = {},
-                     Opening opening = Opening::made_new, StateColumns states = {}, const OwnTables& own_tables = {});
+  explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const OutputOptions& output = {},
+                     Opening opening = Opening::created, StateColumns states = {}, const OwnTables& own_tables = {});
   RunFolder(RunFolder&&) noexcept;
   RunFolder& operator=(RunFolder&&) noexcept;
   ~RunFolder();
@@ -62,9 +62,9 @@ class RunFolder {
   void on_start(const observe::RunDescription& run, const View& view);
   void on_event(const observe::Event& event, const View& view);
   void on_tick(const View& view);
-  [[nodiscard]] bool wants_deliberations();
-  void on_deliberation(const observe::Deliberation& deliberation, const View& view);
-  void on_reprieve(BodyIndex hunter, const View& view);
+  [[nodiscard]] bool wants_decisions();
+  void on_decision(const observe::DecisionRecord& decision, const View& view);
+  void on_exemption(BodyIndex hunter, const View& view);
   void on_frame(const observe::Frame& frame);
   [[nodiscard]] double frame_hz() const;
   void on_end(const View& view);

@@ -68,20 +68,20 @@ struct RunFolder::Tables {
   }
 };
 
-TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, const Extent& extent,
+TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenance provenance, const OutputOptions& output,
                                     Opening opening, StateColumns states, const OwnTables& own_tables)
-    : path_{opening == Opening::made_new ? make_new_folder(path) : path},
+    : path_{opening == Opening::created ? make_new_folder(path) : path},
       lock_{path_},
       states_{std::move(states)},
       tables_{std::make_unique<Tables>(Tables{.events = EventLog{path_ / "events.csv", opening},
-                                              .agents = AgentLog{path_ / "agents.csv", opening, extent.agents_every_ticks},
+                                              .agents = AgentLog{path_ / "agents.csv", opening, output.agents_every_ticks},
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv", opening},
                                               .genomes = GenomeLog{path_ / "genomes.csv", opening},
                                               .senses = std::nullopt,
                                               .states = std::nullopt})},
       manifest_{path_ / "manifest.json", std::move(provenance)},
-      recording_{path_ / "replay.trp", extent.replay_hz, opening} {
-  if (opening == Opening::made_new) open_more(extent.senses, extent.states, opening);
+      recording_{path_ / "replay.trp", output.replay_hz, opening} {
+  if (opening == Opening::created) open_more(output.senses, output.states, opening);
   for (const MakeOwnTable& make : own_tables) own_tables_.push_back(make(path_, opening));
 }
 TROPHIC_INLINE RunFolder::RunFolder(RunFolder&&) noexcept = default;
@@ -93,7 +93,7 @@ TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   bool senses = tables_->senses.has_value();
   bool states = tables_->states.has_value();
   archive(senses, states);
-  if (archive.reads()) open_more(senses, states, Opening::gone_on_with);
+  if (archive.reads()) open_more(senses, states, Opening::resumed);
   if (senses) archive(*tables_->senses);
   if (states) archive(*tables_->states);
   for (const auto& table : own_tables_) {
@@ -135,20 +135,20 @@ TROPHIC_INLINE void RunFolder::on_event(const observe::Event& event, const View&
   for (const auto& table : own_tables_) table->observer().event(event, view);
 }
 
-TROPHIC_INLINE bool RunFolder::wants_deliberations() {
+TROPHIC_INLINE bool RunFolder::wants_decisions() {
   bool any = tables_->senses.has_value();
-  for (const auto& table : own_tables_) any = table->observer().wants_deliberations() || any;
+  for (const auto& table : own_tables_) any = table->observer().wants_decisions() || any;
   return any;
 }
 
-TROPHIC_INLINE void RunFolder::on_deliberation(const observe::Deliberation& deliberation, const View& view) {
-  if (tables_->senses) tables_->senses->on_deliberation(deliberation, view);
-  for (const auto& table : own_tables_) table->observer().deliberation(deliberation, view);
+TROPHIC_INLINE void RunFolder::on_decision(const observe::DecisionRecord& decision, const View& view) {
+  if (tables_->senses) tables_->senses->on_decision(decision, view);
+  for (const auto& table : own_tables_) table->observer().decision(decision, view);
 }
 
-TROPHIC_INLINE void RunFolder::on_reprieve(BodyIndex hunter, const View& view) {
-  if (tables_->senses) tables_->senses->on_reprieve(hunter, view);
-  for (const auto& table : own_tables_) table->observer().reprieve(hunter, view);
+TROPHIC_INLINE void RunFolder::on_exemption(BodyIndex hunter, const View& view) {
+  if (tables_->senses) tables_->senses->on_exemption(hunter, view);
+  for (const auto& table : own_tables_) table->observer().exemption(hunter, view);
 }
 
 TROPHIC_INLINE void RunFolder::on_frame(const observe::Frame& frame) {

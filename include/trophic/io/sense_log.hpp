@@ -17,7 +17,7 @@
 #include <trophic/habitat/touch.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
-#include <trophic/observe/deliberation.hpp>
+#include <trophic/observe/decision_record.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/archive.hpp>
@@ -36,32 +36,32 @@ class SenseLog {
   static constexpr const char* file_name = "senses.csv";
 
   /// `every_ticks` >= 1. The file begins with the run, which says how many inputs a brain has.
-  explicit SenseLog(std::filesystem::path path, Opening opening = Opening::made_new, std::int64_t every_ticks = 1)
+  explicit SenseLog(std::filesystem::path path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
       : path_{std::move(path)}, every_ticks_{every_ticks} {
-    if (opening == Opening::gone_on_with) file_.emplace(path_, opening);
+    if (opening == Opening::resumed) file_.emplace(path_, opening);
   }
 
   void on_start(const observe::RunDescription& run, const View& view) {
     inputs_ = run.inputs.size();
     if (!file_) file_.emplace(path_, SenseRow{.inputs = std::vector<double>(inputs_)});
     rows_.assign(view.robots.size(), unasked());
-    spared_.assign(view.robots.size(), std::nullopt);
+    exempt_.assign(view.robots.size(), std::nullopt);
   }
 
-  [[nodiscard]] bool wants_deliberations() const { return true; }
-  void on_deliberation(const observe::Deliberation& told, const View&) {
-    SenseRow& row = rows_[told.body];
-    row.wished_tag = told.tag;
-    const TagWish changed = told.might_switch ? TagWish::switched : TagWish::denied;
-    row.tag_wish = told.tag == told.tag_before ? TagWish::kept : changed;
-    if (!told.outputs.empty()) {
-      row.angle_output = told.outputs[0];
-      row.tag_output = told.outputs[1];
+  [[nodiscard]] bool wants_decisions() const { return true; }
+  void on_decision(const observe::DecisionRecord& record, const View&) {
+    SenseRow& row = rows_[record.body];
+    row.chosen_tag = record.tag;
+    const TagOutcome changed = record.might_switch ? TagOutcome::switched : TagOutcome::denied;
+    row.tag_outcome = record.tag == record.tag_before ? TagOutcome::kept : changed;
+    if (!record.outputs.empty()) {
+      row.angle_output = record.outputs[0];
+      row.tag_output = record.outputs[1];
     }
-    row.inputs.assign(told.inputs.begin(), told.inputs.end());
+    row.inputs.assign(record.inputs.begin(), record.inputs.end());
   }
 
-  void on_reprieve(BodyIndex hunter, const View& view) { spared_[hunter] = view.robots[hunter].id; }
+  void on_exemption(BodyIndex hunter, const View& view) { exempt_[hunter] = view.robots[hunter].id; }
 
   /// One a tick is enough: that at which rules decide is always the last.
   [[nodiscard]] double frame_hz() const { return once_a_tick_hz; }
@@ -75,7 +75,7 @@ class SenseLog {
   void on_tick(const View& view) {
     if (view.tick % every_ticks_ == 0) write(view);
     std::ranges::fill(rows_, unasked());
-    std::ranges::fill(spared_, std::nullopt);
+    std::ranges::fill(exempt_, std::nullopt);
   }
 
   void persist(Archive& archive) {
@@ -104,7 +104,7 @@ class SenseLog {
       row.body = body;
       row.id = self.id;
       row.species = self.species;
-      if (view.web.hunts(self.species)) row.spared = spared_[body] == self.id;
+      if (view.web.hunts(self.species)) row.exempt = exempt_[body] == self.id;
       file_->write(row, view.web);
     }
     file_->flush();
@@ -140,7 +140,7 @@ class SenseLog {
   std::optional<CsvFile<SenseRow>> file_;
   std::size_t inputs_ = 0;
   std::vector<SenseRow> rows_;                       ///< of the tick at hand, by body
-  std::vector<std::optional<IndividualId>> spared_;  ///< who in each body was
+  std::vector<std::optional<IndividualId>> exempt_;  ///< who in each body was
   std::optional<RobotModel> robot_;                  ///< none on a backend without joints
   std::vector<Pose> roots_;
   std::vector<double> joint_angles_rad_;

@@ -22,7 +22,7 @@ class StateLog {
   static constexpr std::string_view file_name = "states.csv";
 
   /// `every_ticks`: rows of the ticks whose number is a multiple of it.
-  StateLog(const std::filesystem::path& path, StateColumns columns, Opening opening = Opening::made_new,
+  StateLog(const std::filesystem::path& path, StateColumns columns, Opening opening = Opening::created,
            std::int64_t every_ticks = 1)
       : columns_{std::move(columns)}, every_ticks_{every_ticks}, file_{path, header(), opening} {}
 

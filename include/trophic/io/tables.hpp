@@ -95,8 +95,8 @@ struct AgentRow {
 };
 
 /// What became of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules did not let it.
-enum class TagWish { kept, switched, denied };
-[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagWish) {
+enum class TagOutcome { kept, switched, denied };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagOutcome) {
   return {"kept", "switched", "denied"};
 }
 
@@ -111,9 +111,9 @@ struct SenseRow {
   std::optional<double> tilt_rad = {};
   std::optional<bool> touches_wall = {};
   std::optional<std::int64_t> robots_touched = {};
-  std::optional<bool> spared = {};
-  std::optional<int> wished_tag = {};
-  std::optional<TagWish> tag_wish = {};
+  std::optional<bool> exempt = {};
+  std::optional<int> chosen_tag = {};
+  std::optional<TagOutcome> tag_outcome = {};
   std::optional<double> angle_output = {};
   std::optional<double> tag_output = {};
   std::vector<double> inputs = {};
@@ -131,11 +131,12 @@ struct SenseRow {
         column("touches_wall", &SenseRow::touches_wall, "",
                "whether it reaches a wall, or the foot of a slope; empty on a backend without joints"),
         column("robots_touched", &SenseRow::robots_touched, "", "how many others it touches; empty on a backend without joints"),
-        column("spared", &SenseRow::spared, "",
-               "1: it was to starve at this tick and an exemption of the rule Starvation spared it; empty for those who hunt "
+        column("exempt", &SenseRow::exempt, "",
+               "1: it was to starve at this tick and an exemption of the rule Starvation exempt it; empty for those who hunt "
                "nobody"),
-        column("wished_tag", &SenseRow::wished_tag, "", "that its brain chose; empty where the brain was not asked"),
-        column("tag_wish", &SenseRow::tag_wish, "", "what became of it: shown before, a switch, or denied by the rule TagSwitch"),
+        column("chosen_tag", &SenseRow::chosen_tag, "", "that its brain chose; empty where the brain was not asked"),
+        column("tag_outcome", &SenseRow::tag_outcome, "",
+               "what became of it: shown before, a switch, or denied by the rule TagSwitch"),
         column("angle_output", &SenseRow::angle_output, "",
                "of the brain: its first output neuron; empty for a brain that does not show it"),
         column("tag_output", &SenseRow::tag_output, "", "of the brain: its second output neuron"),

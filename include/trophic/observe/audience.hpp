@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <trophic/observe/deliberation.hpp>
+#include <trophic/observe/decision_record.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/hooks.hpp>
@@ -33,13 +33,13 @@ class Audience {
   [[nodiscard]] virtual bool keep_running() = 0;
 
   /// Whether somebody may give up a tick, so that the state before it must be kept.
-  [[nodiscard]] virtual bool may_give_up() const = 0;
-  [[nodiscard]] virtual bool gives_up_tick() = 0;
+  [[nodiscard]] virtual bool may_cancel() const = 0;
+  [[nodiscard]] virtual bool cancels_tick() = 0;
 
   /// Whether somebody wants to know what brains are told and answer.
-  [[nodiscard]] virtual bool wants_deliberations() = 0;
-  virtual void deliberation(const Deliberation& deliberation, const View& view) = 0;
-  virtual void reprieve(BodyIndex hunter, const View& view) = 0;
+  [[nodiscard]] virtual bool wants_decisions() = 0;
+  virtual void decision(const DecisionRecord& decision, const View& view) = 0;
+  virtual void exemption(BodyIndex hunter, const View& view) = 0;
 
   /// The first control step of a tick after `step` after which an observer wants a frame; the tick's last at the latest.
   [[nodiscard]] virtual std::int64_t next_frame(const FrameTimes& times, std::int64_t step) = 0;
@@ -92,31 +92,31 @@ class AudienceOf final : public Audience {
     });
     return all;
   }
-  [[nodiscard]] bool may_give_up() const override { return (detail::Takes_gives_up_tick<Observers> || ...); }
-  [[nodiscard]] bool gives_up_tick() override {
+  [[nodiscard]] bool may_cancel() const override { return (detail::Takes_cancels_tick<Observers> || ...); }
+  [[nodiscard]] bool cancels_tick() override {
     bool any = false;
     each([&](auto& o) {
-      if constexpr (requires { o.gives_up_tick(); }) any = o.gives_up_tick() || any;
+      if constexpr (requires { o.cancels_tick(); }) any = o.cancels_tick() || any;
     });
     return any;
   }
-  [[nodiscard]] bool wants_deliberations() override {
+  [[nodiscard]] bool wants_decisions() override {
     bool any = false;
     each([&](auto& o) {
-      if constexpr (requires { o.wants_deliberations(); }) any = o.wants_deliberations() || any;
+      if constexpr (requires { o.wants_decisions(); }) any = o.wants_decisions() || any;
     });
     return any;
   }
-  void deliberation(const Deliberation& deliberation, const View& view) override {
+  void decision(const DecisionRecord& decision, const View& view) override {
     each([&](auto& o) {
-      if constexpr (requires { o.wants_deliberations(); }) {
-        if (o.wants_deliberations()) o.on_deliberation(deliberation, view);
+      if constexpr (requires { o.wants_decisions(); }) {
+        if (o.wants_decisions()) o.on_decision(decision, view);
       }
     });
   }
-  void reprieve(BodyIndex hunter, const View& view) override {
+  void exemption(BodyIndex hunter, const View& view) override {
     each([&](auto& o) {
-      if constexpr (requires { o.on_reprieve(hunter, view); }) o.on_reprieve(hunter, view);
+      if constexpr (requires { o.on_exemption(hunter, view); }) o.on_exemption(hunter, view);
     });
   }
   [[nodiscard]] std::int64_t next_frame(const FrameTimes& times, std::int64_t step) override {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <string_view>
-#include <trophic/observe/deliberation.hpp>
+#include <trophic/observe/decision_record.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
@@ -20,11 +20,11 @@
   HOOK(on_end, "void on_end(const View&)", std::declval<const View&>())                                                          \
   HOOK(on_failure, "void on_failure(std::string_view what)", std::declval<std::string_view>())                                   \
   HOOK(keep_running, "bool keep_running()")                                                                                      \
-  HOOK(gives_up_tick, "bool gives_up_tick()")                                                                                    \
-  HOOK(on_deliberation, "void on_deliberation(const observe::Deliberation&, const View&)", std::declval<const Deliberation&>(),  \
+  HOOK(cancels_tick, "bool cancels_tick()")                                                                                      \
+  HOOK(on_decision, "void on_decision(const observe::DecisionRecord&, const View&)", std::declval<const DecisionRecord&>(),      \
        std::declval<const View&>())                                                                                              \
-  HOOK(wants_deliberations, "bool wants_deliberations()")                                                                        \
-  HOOK(on_reprieve, "void on_reprieve(BodyIndex, const View&)", BodyIndex{}, std::declval<const View&>())                        \
+  HOOK(wants_decisions, "bool wants_decisions()")                                                                                \
+  HOOK(on_exemption, "void on_exemption(BodyIndex, const View&)", BodyIndex{}, std::declval<const View&>())                      \
   HOOK(between_ticks, "void between_ticks(Simulation&, bool last)", std::declval<Simulation&>(), true)                           \
   HOOK(on_frame, "void on_frame(const observe::Frame&)", std::declval<const Frame&>())                                           \
   HOOK(frame_hz, "double frame_hz()")
@@ -77,9 +77,9 @@ struct CheckObserver {
   static_assert(Names_on_frame<Observer> == Names_frame_hz<Observer>,
                 "an observer with on_frame needs double frame_hz(), how often, and one with frame_hz needs on_frame; see "
                 "trophic/observe/hooks.hpp");
-  static_assert(Names_on_deliberation<Observer> == Names_wants_deliberations<Observer>,
-                "an observer with on_deliberation needs bool wants_deliberations(), whether it is to be told now, and one with "
-                "wants_deliberations needs on_deliberation; see trophic/observe/hooks.hpp");
+  static_assert(Names_on_decision<Observer> == Names_wants_decisions<Observer>,
+                "an observer with on_decision needs bool wants_decisions(), whether it is to be told now, and one with "
+                "wants_decisions needs on_decision; see trophic/observe/hooks.hpp");
   static constexpr bool ok = true;
 };
 
@@ -92,13 +92,13 @@ struct CheckObserver {
 ///   void on_end(const View&)                 after the last tick
 ///   void on_failure(std::string_view what)   instead of on_end, when the simulation or an observer threw
 ///   bool keep_running()                      asked after each tick; false ends the run early, cleanly
-///   bool gives_up_tick()                     asked between the control steps of a tick, which may take seconds; true ends
+///   bool cancels_tick()                     asked between the control steps of a tick, which may take seconds; true ends
 ///                                            the run as it stood after the tick before
 ///   void on_frame(const Frame&)              where the bodies are, at the start and then before the rules of each tick and,
 ///   double frame_hz()                        frames a simulated second, between two ticks; 0: never
-///   void on_deliberation(const Deliberation&, const View&)   what each brain was told and answered, robot by robot,
-///   bool wants_deliberations()               as long as this says true
-///   void on_reprieve(BodyIndex, const View&) whom the Reprieve rule spared from starving, once or more often in a procedure
+///   void on_decision(const DecisionRecord&, const View&)   what each brain was told and answered, robot by robot,
+///   bool wants_decisions()               as long as this says true
+///   void on_exemption(BodyIndex, const View&) whom the Reprieve rule spared from starving, once or more often in a procedure
 ///   void between_ticks(Simulation&, bool last)  for who saves the run itself: after on_tick of each tick, and once more, as the
 ///                                            last, before on_end
 template <class O>

@@ -27,7 +27,7 @@ class StopOnSignal {
   }
 
   [[nodiscard]] bool keep_running() const { return caught() == 0; }
-  [[nodiscard]] bool gives_up_tick() const { return caught() != 0; }
+  [[nodiscard]] bool cancels_tick() const { return caught() != 0; }
 
   /// The signal that came, 0 for none.
   [[nodiscard]] static int caught() { return signal_; }

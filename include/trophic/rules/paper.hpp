@@ -9,8 +9,8 @@
 #include <trophic/death/activation/active_away_from_hunters.hpp>
 #include <trophic/death/capture/catch_within_reach.hpp>
 #include <trophic/death/floor/victim_floor.hpp>
-#include <trophic/death/rescue/sacrifice_random_victim.hpp>
-#include <trophic/death/starvation/choice/hungriest_unspared.hpp>
+#include <trophic/death/minimum_predators/sacrifice_random_victim.hpp>
+#include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <trophic/death/starvation/exemption/near_perceived_victim.hpp>
 #include <trophic/death/starvation/interval/delayed_crowding_interval.hpp>
 #include <trophic/death/starvation/procedure.hpp>
@@ -84,12 +84,12 @@ struct Paper final {
   using Activation = death::activation::ActiveAwayFromHunters;  // silent: founders
   using Capture = death::capture::CatchWithinReach;
   using Floor = death::floor::VictimFloor;  // silent: whether inactive prey count
-  using Rescue = death::rescue::SacrificeRandomVictim;
+  using MinimumPredators = death::minimum_predators::SacrificeRandomVictim;
 
   // Sec. "Predator Death"
   using Starvation = death::starvation::Procedure<death::starvation::interval::DelayedCrowdingInterval,
                                                   death::starvation::exemption::NearPerceivedVictim,
-                                                  death::starvation::choice::HungriestUnspared>;  // "the next oldest"
+                                                  death::starvation::choice::HungriestNonexempt>;  // "the next oldest"
 
   static TableParams<Paper> params() {
     return TableParams<Paper>{
@@ -107,7 +107,7 @@ struct Paper final {
         .floor = {.floor = 7},
         .starvation = {.interval = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 0},
                        .exemption = {.range_m = 5.0}},  // silent: released code
-        .rescue = {.below = 7},
+        .minimum_predators = {.below = 7},
     };
   }
 

@@ -7,7 +7,7 @@
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/capture/catch_closest.hpp>
-#include <trophic/death/starvation/choice/hungriest_unspared_else_hungriest.hpp>
+#include <trophic/death/starvation/choice/hungriest_nonexempt_else_hungriest.hpp>
 #include <trophic/death/starvation/exemption/near_remembered_adversary.hpp>
 #include <trophic/death/starvation/interval/direct_crowding_interval.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
@@ -62,11 +62,11 @@ struct Released final {
   using Activation = death::activation::AgesOnceAwayFromHunters;
   using Capture = death::capture::CatchClosest;
   using Floor = death::floor::VictimFloor;
-  using Rescue = death::rescue::SacrificeRandomVictim;
+  using MinimumPredators = death::minimum_predators::SacrificeRandomVictim;
 
   using Starvation = death::starvation::Procedure<death::starvation::interval::DirectCrowdingInterval,
                                                   death::starvation::exemption::NearRememberedAdversary,
-                                                  death::starvation::choice::HungriestUnsparedElseHungriest>;
+                                                  death::starvation::choice::HungriestNonexemptElseHungriest>;
 
   static TableParams<Released> params() {
     return TableParams<Released>{
@@ -84,7 +84,7 @@ struct Released final {
         .capture = {.reach_m = 1.0, .min_age_s = 20.0},
         .floor = {.floor = 6},
         .starvation = {.interval = {.base_ticks = 25, .min_interval_ticks = 2, .only_above = 7}, .exemption = {.range_m = 5.0}},
-        .rescue = {.below = 8},
+        .minimum_predators = {.below = 8},
     };
   }
 

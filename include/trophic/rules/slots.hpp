@@ -13,12 +13,12 @@
 #include <trophic/death/capture/no_capture.hpp>
 #include <trophic/death/floor/contract.hpp>
 #include <trophic/death/floor/no_floor.hpp>
-#include <trophic/death/rescue/contract.hpp>
-#include <trophic/death/rescue/no_rescue.hpp>
+#include <trophic/death/minimum_predators/contract.hpp>
+#include <trophic/death/minimum_predators/no_minimum.hpp>
 #include <trophic/death/senescence/contract.hpp>
 #include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/starvation/contract.hpp>
-#include <trophic/death/starvation/nobody_starves.hpp>
+#include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/initialization/community/contract.hpp>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/perception/heading/contract.hpp>
@@ -26,8 +26,8 @@
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
+#include <trophic/perception/visibility/all_active.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/perception/visibility/everybody.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
@@ -49,7 +49,7 @@
   SLOT(Community, community, initialization, Community, detail::NoPolicy, false)                                     \
   SLOT(Placement, placement, initialization, Placement, detail::NoPolicy, false)                                     \
   SLOT(Heading, heading, perception, Heading, detail::NoPolicy, false)                                               \
-  SLOT(Visibility, visibility, perception, Visibility, perception::visibility::Everybody, true)                      \
+  SLOT(Visibility, visibility, perception, Visibility, perception::visibility::AllActive, true)                      \
   SLOT(Sensors, sensors, perception, SensorList, detail::NoPolicy, false)                                            \
   SLOT(NewbornTag, newborn_tag, perception, NewbornTag, detail::NoPolicy, false)                                     \
   SLOT(TagSwitch, tag_switch, perception, TagSwitch, perception::tag_switch::FreeTags, true)                         \
@@ -63,8 +63,8 @@
   SLOT(Activation, activation, death, Activation, death::activation::AlwaysActive, true)                             \
   SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, false)                                       \
   SLOT(Floor, floor, death, Floor, death::floor::NoFloor, true)                                                      \
-  SLOT(Starvation, starvation, death, Starvation, death::starvation::NobodyStarves, false)                           \
-  SLOT(Rescue, rescue, death, Rescue, death::rescue::NoRescue, false)                                                \
+  SLOT(Starvation, starvation, death, Starvation, death::starvation::NoStarvation, false)                            \
+  SLOT(MinimumPredators, minimum_predators, death, MinimumPredators, death::minimum_predators::NoMinimum, false)     \
   SLOT(Senescence, senescence, death, Senescence, death::senescence::NoSenescence, true)
 
 namespace trophic {

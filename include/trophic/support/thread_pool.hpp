@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
-#include <trophic/support/faster_way.hpp>
+#include <trophic/support/faster_mode.hpp>
 #include <utility>
 #include <vector>
 
@@ -57,7 +57,7 @@ class ThreadPool {
     if (items <= 1 || helpers_.empty()) {
       run_alone(items, work);
     } else {
-      const FasterWay::Trial trial = ways_.next(items);
+      const FasterMode::Trial trial = modes_.next(items);
       trial.first() ? run_together(items, work) : run_alone(items, work);
     }
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
@@ -163,7 +163,7 @@ class ThreadPool {
   std::atomic<bool> stopping_{false};
   std::mutex failure_mutex_;
   std::exception_ptr failure_;
-  FasterWay ways_;
+  FasterMode modes_;
   std::vector<std::thread> helpers_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A rule about the whole population has no species whose numbers could count.
-// expect: Rules::Rescue asks about no single individual or species, so its policy's numbers cannot differ by_species
+// expect: Rules::MinimumPredators asks about no single individual or species, so its policy's numbers cannot differ by_species
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
 
@@ -8,7 +8,8 @@
 using Rules = trophic::with_floor<trophic::rules::Paper, trophic::rules::by_species<trophic::death::floor::VictimFloor>>;
 #else
 using Rules =
-    trophic::with_rescue<trophic::rules::Paper, trophic::rules::by_species<trophic::death::rescue::SacrificeRandomVictim>>;
+    trophic::with_minimum_predators<trophic::rules::Paper,
+                                    trophic::rules::by_species<trophic::death::minimum_predators::SacrificeRandomVictim>>;
 #endif
 
 int main() {

@@ -29,7 +29,7 @@ struct Table final {
   using Capture = P::Capture;
   using Floor = P::Floor;
   using Starvation = P::Starvation;
-  using Rescue = P::Rescue;
+  using MinimumPredators = P::MinimumPredators;
   static trophic::TableParams<Table> params() {
     return trophic::TableParams<Table>{.floor = {.floor = 5}};
   }

@@ -12,7 +12,7 @@
 using namespace trophic;
 using namespace trophic::analysis;
 
-TEST_CASE("sweep_effects.csv and its summary say what is decided") {
+TEST_CASE("sweep_effects.csv and its summary say what is significant") {
   const auto plan = test::plan_of_two_axes(6);
   const auto values = test::values_of_plan(plan, test::hunger, [](const sweep::PlannedRun& run) {
     return 10.0 * static_cast<double>(run.cell / 2) + static_cast<double>(run.replicate % 2) * static_cast<double>(run.cell);
@@ -26,6 +26,6 @@ TEST_CASE("sweep_effects.csv and its summary say what is decided") {
   CHECK(text.find("\na,1,0,hunger,predator,all,ticks,raw,2,6,11.25,0.25,11,") != std::string::npos);
   std::ostringstream out;
   print_axis_effects(out, effects);
-  CHECK(out.str().find("of 3 effects of an axis are decided (Holm); the largest of each:") != std::string::npos);
+  CHECK(out.str().find("of 3 effects of an axis are significant (Holm); the largest of each:") != std::string::npos);
   CHECK(out.str().find("a 0 -> 2") != std::string::npos);
 }

@@ -177,8 +177,8 @@ std::map<Reproduction, int> called(const ClaimReading& reading, double off) {
   return counts;
 }
 
-bool says_something(Verdict verdict) {
-  return verdict == Verdict::above || verdict == Verdict::below;
+bool is_significant(TestResult result) {
+  return result == TestResult::above || result == TestResult::below;
 }
 
 }  // namespace
@@ -221,7 +221,7 @@ TEST_CASE("runs that are all alike differ in at most 7 % of 1000 analyses, metri
   for (int trial = 0; trial < trials; ++trial) {
     const auto [ours, shadow] = draw_two(pool(), rng);
     for (const SummaryRow& row : summarize(ours, shadow)) {
-      found[row.name] += says_something(row.comparisons.front().verdict()) ? 1 : 0;
+      found[row.name] += is_significant(row.comparisons.front().test_result()) ? 1 : 0;
     }
     ShadowedSet a;
     ShadowedSet b;
@@ -238,25 +238,26 @@ TEST_CASE("runs that are all alike differ in at most 7 % of 1000 analyses, metri
   CHECK(analyses_with_any <= 0.07 * trials);
 }
 
-TEST_CASE("tags that say nothing about the species differ from dealt ones in at most 7 % of 1000 analyses, whatever their bias") {
+TEST_CASE(
+    "tags that say nothing about the species differ from permuted ones in at most 7 % of 1000 analyses, whatever their bias") {
   constexpr int trials = 1000;
-  int from_dealt = 0;
-  int from_coins = 0;
+  int from_permuted = 0;
+  int from_bernoulli = 0;
   for (int trial = 0; trial < trials; ++trial) {
-    std::vector<double> over_dealt;
-    std::vector<double> over_coins;
+    std::vector<double> over_permuted;
+    std::vector<double> over_bernoulli;
     for (std::uint64_t run = 0; run < 10; ++run) {
       Rng rng{static_cast<std::uint64_t>(trial), Stream::user, run};
       const auto symmetry = tag_symmetry(tags_of_one_world(rng), test::prey, test::predator);
-      over_dealt.push_back(*symmetry.observed.mean() - *symmetry.dealt.mean());
-      over_coins.push_back(*symmetry.observed.mean() - *symmetry.fair_coins.mean());
+      over_permuted.push_back(*symmetry.observed.mean() - *symmetry.permuted.mean());
+      over_bernoulli.push_back(*symmetry.observed.mean() - *symmetry.bernoulli_tags.mean());
     }
-    from_dealt += says_something(verdict(interval_of_mean(over_dealt))) ? 1 : 0;
-    from_coins += says_something(verdict(interval_of_mean(over_coins))) ? 1 : 0;
+    from_permuted += is_significant(test_result(interval_of_mean(over_permuted))) ? 1 : 0;
+    from_bernoulli += is_significant(test_result(interval_of_mean(over_bernoulli))) ? 1 : 0;
   }
-  CHECK(from_dealt <= 0.07 * trials);
-  CHECK(from_dealt >= 0.03 * trials);
-  CHECK(from_coins >= 0.9 * trials);  // why fair coins are no null
+  CHECK(from_permuted <= 0.07 * trials);
+  CHECK(from_permuted >= 0.03 * trials);
+  CHECK(from_bernoulli >= 0.9 * trials);  // why fair coins are no null
 }
 
 TEST_CASE("claims: the published system -> not reproduced in at most 7 % of 1000 sets, one a margin away -> reproduced in 5 %") {

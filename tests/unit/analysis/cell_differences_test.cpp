@@ -46,7 +46,7 @@ TEST_CASE("cells that share seeds are compared seed by seed, others as independe
     CHECK(*d.difference.value == doctest::Approx(2.0));
     CHECK(d.difference.differs() == paired);
     CHECK(*d.hedges_g < 0.2);  // runs of one cell are far apart, whatever the pairs say
-    CHECK(*d.runs_needed == (paired ? runs_for_verdict : *d.runs_needed));
+    CHECK(*d.runs_needed == (paired ? min_runs_for_test : *d.runs_needed));
     CHECK((*d.detectable < 2.0) == paired);
     CHECK(d.corrected->lower < d.difference.interval->lower);
     CHECK(d.corrected->upper > d.difference.interval->upper);
@@ -99,14 +99,14 @@ TEST_CASE("what needs a shadow is compared over it, run by run, the rest is raw"
   CHECK(raw.all[0].difference.differs());
 }
 
-TEST_CASE("fewer than six runs have numbers and no verdict, and count as comparisons") {
+TEST_CASE("fewer than six runs have numbers and no conclusion, and count as comparisons") {
   const auto plan = test::plan_of({.cells = 3, .replicates = 5});
   const auto value = [](const PlannedRun& run) { return static_cast<double>(run.cell) * (10.0 + by_seed(run)); };
   const auto differences = compare_cells(grid_of(plan), test::values_of_plan(plan, test::hunger, value), 0, hungers);
   CHECK(differences.comparisons == 2);
   const CellDifference& d = differences.all.front();
   CHECK(*d.difference.value == doctest::Approx(10.2));
-  CHECK(*d.runs_needed == runs_for_verdict);
+  CHECK(*d.runs_needed == min_runs_for_test);
   CHECK_FALSE(d.difference.p);
   CHECK_FALSE(d.difference.adjusted);
   CHECK_FALSE(d.corrected);

@@ -86,8 +86,8 @@ TEST_CASE("judge: inconclusive -> the number of runs that would decide, and they
 
 TEST_CASE("runs_to_decide: the published mean's own error leaves it open -> none") {
   CHECK_FALSE(runs_to_decide(tags, 0.43 + 0.6 * 0.065, 1e-6));
-  CHECK(*runs_to_decide(tags, 0.43, 1e-6) == runs_for_verdict);
-  CHECK(*runs_to_decide(tags, 0.63, 1e-6) == runs_for_verdict);
+  CHECK(*runs_to_decide(tags, 0.43, 1e-6) == min_runs_for_test);
+  CHECK(*runs_to_decide(tags, 0.63, 1e-6) == min_runs_for_test);
 }
 
 TEST_CASE("judge_claims: runs that measured one reading of a claim -> that claim with that reading") {

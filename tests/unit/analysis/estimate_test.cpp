@@ -19,10 +19,10 @@ TEST_CASE("an estimate has what its number of runs allows") {
   CHECK(six.interval->upper > 3.0);
 }
 
-TEST_CASE("a verdict is where the whole interval lies") {
-  CHECK(verdict(std::nullopt) == Verdict::unknown);
-  CHECK(verdict(Interval{0.1, 0.2}) == Verdict::above);
-  CHECK(verdict(Interval{-0.2, -0.1}) == Verdict::below);
-  CHECK(verdict(Interval{-0.1, 0.1}) == Verdict::not_distinguishable);
-  CHECK(verdict(Interval{0.0, 0.1}) == Verdict::not_distinguishable);
+TEST_CASE("a conclusion is where the whole interval lies") {
+  CHECK(test_result(std::nullopt) == TestResult::unknown);
+  CHECK(test_result(Interval{0.1, 0.2}) == TestResult::above);
+  CHECK(test_result(Interval{-0.2, -0.1}) == TestResult::below);
+  CHECK(test_result(Interval{-0.1, 0.1}) == TestResult::not_significant);
+  CHECK(test_result(Interval{0.0, 0.1}) == TestResult::not_significant);
 }

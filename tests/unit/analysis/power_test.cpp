@@ -25,7 +25,7 @@ TEST_CASE("power far away: one, and no step where the formula changes") {
   // One degree of freedom: 200 errors lie in the middle of the curve at this level.
   CHECK(power_of_t(200.0001, 1.0, 0.003) == doctest::Approx(power_of_t(199.9999, 1.0, 0.003)).epsilon(1e-4));
   CHECK(power_of_t(200.0, 1.0, 0.003) < 0.9);
-  CHECK(runs_for_power(1e6, {.variance = 1.0, .freedom = 1.0}, 1e-7) == runs_for_verdict);
+  CHECK(runs_for_power(1e6, {.variance = 1.0, .freedom = 1.0}, 1e-7) == min_runs_for_test);
 }
 
 TEST_CASE("the fewest runs that are enough") {
@@ -33,8 +33,8 @@ TEST_CASE("the fewest runs that are enough") {
   CHECK(runs_for_power(-0.5, {.variance = 2.0, .freedom = 2.0}, 0.05) == 64);
   CHECK(runs_for_power(0.2, {.variance = 2.0, .freedom = 2.0}, 0.05) == 394);
   CHECK(runs_for_power(0.8, {.variance = 2.0, .freedom = 2.0}, 0.05) == 26);
-  CHECK(runs_for_power(100.0, {.variance = 1.0, .freedom = 1.0}, 0.05) == runs_for_verdict);
-  CHECK(runs_for_power(1.0, {.variance = 0.0, .freedom = 1.0}, 0.05) == runs_for_verdict);
+  CHECK(runs_for_power(100.0, {.variance = 1.0, .freedom = 1.0}, 0.05) == min_runs_for_test);
+  CHECK(runs_for_power(1.0, {.variance = 0.0, .freedom = 1.0}, 0.05) == min_runs_for_test);
   CHECK_FALSE(runs_for_power(0.0, {.variance = 1.0, .freedom = 1.0}, 0.05));
   CHECK_FALSE(runs_for_power(1e-4, {.variance = 1.0, .freedom = 1.0}, 0.05));
   for (const double level : {0.05, 1e-3, 1e-6}) {
@@ -43,7 +43,7 @@ TEST_CASE("the fewest runs that are enough") {
       CAPTURE(difference);
       const auto runs = static_cast<double>(*runs_for_power(difference, {.variance = 1.0, .freedom = 1.0}, level));
       CHECK(power_of_t(difference * std::sqrt(runs), runs - 1.0, level) >= 0.8);
-      if (runs > runs_for_verdict) CHECK(power_of_t(difference * std::sqrt(runs - 1.0), runs - 2.0, level) < 0.8);
+      if (runs > min_runs_for_test) CHECK(power_of_t(difference * std::sqrt(runs - 1.0), runs - 2.0, level) < 0.8);
     }
   }
 }

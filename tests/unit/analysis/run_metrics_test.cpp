@@ -36,7 +36,7 @@ TEST_CASE("an empty run has every metric, none with a value but what needs no da
   CHECK(has({"velocity_stored", "predator", "all", "m/s"}));
   CHECK(has({"ticks_at", "predator", "8", "1"}));
   CHECK_FALSE(has({"ticks_at", "prey", "8", "1"}));
-  CHECK(has({"stuck", "everybody", "all", "1"}));
+  CHECK(has({"stuck", "all", "all", "1"}));
   for (const char* group : {"all", "random", "inherited", "active"}) {
     CAPTURE(group);
     for (const char* metric : {"velocity", "velocity_points", "velocity_stored"}) CHECK(has({metric, "prey", group, "m/s"}));
@@ -46,11 +46,11 @@ TEST_CASE("an empty run has every metric, none with a value but what needs no da
   for (const char* group : {"inherited", "inherited_active"}) CHECK(has({"tag_symmetry", "prey+predator", group, "1"}));
 }
 
-TEST_CASE("only dealt tags are a null of the run itself, and what the paper compares with is marked as its own") {
+TEST_CASE("only permuted tags are a null of the run itself, and what the paper compares with is marked as its own") {
   for (const Measurement& measurement : measure_run(empty_run()).measurements) {
     for (const Baseline& baseline : measurement.baselines) {
       CAPTURE(measurement.name.metric);
-      CHECK((baseline.role == Role::null) == (baseline.name == "dealt_tags"));
+      CHECK((baseline.role == Role::null) == (baseline.name == "permuted_tags"));
       const bool is_papers = baseline.name == "two_thirds" || baseline.name == "uniform_pairs" ||
                              (baseline.name == "zero" && measurement.name.unit == "m/s");
       CHECK((baseline.role == Role::paper) == is_papers);

@@ -11,7 +11,7 @@
 using namespace trophic;
 using test::TemporaryFolder;
 
-TEST_CASE("summary.json has null for what could not be computed, and no interval nor verdict of one run") {
+TEST_CASE("summary.json has null for what could not be computed, and no interval nor conclusion of one run") {
   const TemporaryFolder folder;
   const std::vector runs{test::write_run(folder.path() / "one", test::manifest("aa", 5))};
   const auto set = analysis::read_shadowed_set(runs);
@@ -27,7 +27,7 @@ TEST_CASE("summary.json has null for what could not be computed, and no interval
       CHECK(metric["mean"] == 1.0);
       CHECK(metric["published"] == 0.65);
       CHECK(metric["baselines"][0]["role"] == "paper");
-      CHECK(metric["baselines"][0]["verdict"].is_null());
+      CHECK(metric["baselines"][0]["conclusion"].is_null());
     }
   }
   REQUIRE(json["claims"].size() == analysis::claims.size());

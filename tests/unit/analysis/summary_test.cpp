@@ -16,7 +16,7 @@ using namespace trophic::analysis;
 RunMetrics run_with(std::optional<double> value, std::optional<double> null) {
   return {.measurements = {{.name = {"tag_symmetry", "prey+predator", "inherited", "1"},
                             .value = value,
-                            .baselines = {{"dealt_tags", Role::null, null}, {"uniform_pairs", Role::paper, 2.0 / 3.0}}}},
+                            .baselines = {{"permuted_tags", Role::null, null}, {"uniform_pairs", Role::paper, 2.0 / 3.0}}}},
           .curves = {}};
 }
 
@@ -31,24 +31,24 @@ std::vector<RunMetrics> runs_around(double value, double null, std::size_t count
 
 }  // namespace
 
-TEST_CASE("only nulls get a difference and a verdict, and the paper's baseline is shown") {
+TEST_CASE("only nulls get a difference and a conclusion, and the paper's baseline is shown") {
   const auto rows = summarize(runs_around(0.50, 0.40));
   REQUIRE(rows.size() == 1);
   CHECK(*rows[0].ours.mean == doctest::Approx(0.50));
   CHECK(*rows[0].published == 0.43);
   REQUIRE(rows[0].comparisons.size() == 2);
-  CHECK(rows[0].comparisons[0].baseline == "dealt_tags");
-  CHECK(rows[0].comparisons[0].verdict() == Verdict::above);
+  CHECK(rows[0].comparisons[0].baseline == "permuted_tags");
+  CHECK(rows[0].comparisons[0].test_result() == TestResult::above);
   CHECK(*rows[0].comparisons[1].value == doctest::Approx(2.0 / 3.0));
   CHECK_FALSE(rows[0].comparisons[1].difference);
-  CHECK(rows[0].comparisons[1].verdict() == Verdict::unknown);
+  CHECK(rows[0].comparisons[1].test_result() == TestResult::unknown);
 }
 
 TEST_CASE("a run's own null is paired with it: a shift that every run has is seen through their spread") {
   std::vector<RunMetrics> runs;
   for (const double level : {0.2, 0.9, 0.5, 0.7, 0.3, 0.6}) runs.push_back(run_with(level + 0.01, level));
   const auto row = summarize(runs).front();
-  CHECK(row.comparisons[0].verdict() == Verdict::above);
+  CHECK(row.comparisons[0].test_result() == TestResult::above);
   CHECK(row.comparisons[0].interval->lower == doctest::Approx(0.01));
 }
 
@@ -62,21 +62,21 @@ TEST_CASE("the shadow comes first, its runs are a set of their own") {
   CHECK(against.role == Role::null);
   CHECK(*against.value == doctest::Approx(0.40));
   CHECK(*against.difference == doctest::Approx(0.10));
-  CHECK(against.verdict() == Verdict::above);
-  CHECK(summarize(shadow, ours).front().comparisons[0].verdict() == Verdict::below);
-  CHECK(summarize(ours, ours).front().comparisons[0].verdict() == Verdict::not_distinguishable);
+  CHECK(against.test_result() == TestResult::above);
+  CHECK(summarize(shadow, ours).front().comparisons[0].test_result() == TestResult::below);
+  CHECK(summarize(ours, ours).front().comparisons[0].test_result() == TestResult::not_significant);
 }
 
-TEST_CASE("five runs, or five of the shadow, have numbers and no verdict") {
+TEST_CASE("five runs, or five of the shadow, have numbers and no conclusion") {
   const auto few = runs_around(0.5, 0.1, 5);
   const auto row = summarize(few, few).front();
   CHECK(row.ours.runs == 5);
   CHECK(row.ours.mean);
   CHECK(row.ours.deviation);
   CHECK_FALSE(row.ours.interval);
-  for (const Comparison& comparison : row.comparisons) CHECK(comparison.verdict() == Verdict::unknown);
+  for (const Comparison& comparison : row.comparisons) CHECK(comparison.test_result() == TestResult::unknown);
   CHECK(row.comparisons[0].difference);
-  CHECK(summarize(runs_around(0.5, 0.1), few).front().comparisons[0].verdict() == Verdict::unknown);
+  CHECK(summarize(runs_around(0.5, 0.1), few).front().comparisons[0].test_result() == TestResult::unknown);
 }
 
 TEST_CASE("runs without a value are left out") {

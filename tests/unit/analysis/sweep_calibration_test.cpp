@@ -35,7 +35,7 @@ struct Found {
   double any_differs = 0.0;    ///< share of sweeps in which any cell is decided
   double any_misses = 0.0;     ///< share of sweeps in which any corrected interval leaves out the truth
   double single_misses = 0.0;  ///< share of the single comparisons' 95 % intervals that do
-  double decided = 0.0;        ///< share of comparisons that are decided
+  double significant = 0.0;    ///< share of comparisons that are decided
 };
 
 Found simulate(const World& world, int trials, std::uint64_t seed) {
@@ -59,9 +59,9 @@ Found simulate(const World& world, int trials, std::uint64_t seed) {
     const auto share = [&](auto&& is) {
       return static_cast<double>(std::ranges::count_if(differences.all, is)) / static_cast<double>(differences.all.size());
     };
-    const double decided = share([](const CellDifference& d) { return d.difference.differs(); });
-    found.decided += decided / trials;
-    found.any_differs += (decided > 0.0 ? 1.0 : 0.0) / trials;
+    const double significant = share([](const CellDifference& d) { return d.difference.differs(); });
+    found.significant += significant / trials;
+    found.any_differs += (significant > 0.0 ? 1.0 : 0.0) / trials;
     found.any_misses += (share([&](const CellDifference& d) { return misses(d.corrected); }) > 0.0 ? 1.0 : 0.0) / trials;
     found.single_misses += share([&](const CellDifference& d) { return misses(d.difference.interval); }) / trials;
   }
@@ -98,11 +98,11 @@ TEST_CASE("seeds that are alike are worth more in pairs, those that are not cost
   const World alike{.replicates = 10, .shared = 2.0, .effect = 1.6};
   World apart = alike;
   apart.paired = false;
-  CHECK(simulate(alike, 150, 21).decided > simulate(apart, 150, 21).decided + 0.3);
+  CHECK(simulate(alike, 150, 21).significant > simulate(apart, 150, 21).significant + 0.3);
   const World nothing_shared{.replicates = 10, .shared = 0.0, .effect = 1.6};
   World sets = nothing_shared;
   sets.paired = false;
-  CHECK(simulate(nothing_shared, 200, 22).decided < simulate(sets, 200, 22).decided);
+  CHECK(simulate(nothing_shared, 200, 22).significant < simulate(sets, 200, 22).significant);
 }
 
 TEST_CASE("as many runs as are asked for find the difference in 80 % of comparisons at the corrected level") {
@@ -117,9 +117,9 @@ TEST_CASE("as many runs as are asked for find the difference in 80 % of comparis
       const double variance = paired ? 2.0 * own * own : 2.0 * (own * own + world.shared * world.shared);
       world.replicates = *runs_for_power(effect, {.variance = variance, .freedom = paired ? 1.0 : 2.0}, level);
       // Holm's correction finds more than one comparison at this level, where many cells differ.
-      const double decided = simulate(world, 200, 31).decided;
-      CHECK(decided >= 0.78);
-      CHECK(decided <= 0.97);
+      const double significant = simulate(world, 200, 31).significant;
+      CHECK(significant >= 0.78);
+      CHECK(significant <= 0.97);
       Rng rng{32, Stream::user};
       int found = 0;
       constexpr int trials = 3000;

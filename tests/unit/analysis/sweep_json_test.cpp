@@ -9,7 +9,7 @@
 using namespace trophic;
 using namespace trophic::analysis;
 
-TEST_CASE("the summary has the grid, what is missing, the correction, what is decided and what was asked") {
+TEST_CASE("the summary has the grid, what is missing, the correction, what is significant and what was asked") {
   SweepRuns sweep;
   sweep.plan = test::plan_of({.cells = 3, .replicates = 6});
   sweep.grid = grid_of(sweep.plan);
@@ -26,9 +26,9 @@ TEST_CASE("the summary has the grid, what is missing, the correction, what is de
   CHECK(json["missing"].size() == 1);
   CHECK(json["comparisons"] == 1);
   CHECK(json["level"] == 0.05);
-  REQUIRE(json["decided"].size() == 1);
-  CHECK(json["decided"][0]["cell"] == 1);
-  CHECK(json["decided"][0]["metric"] == "hunger");
-  CHECK(json["decided"][0]["value"] == 12.5);
+  REQUIRE(json["significant"].size() == 1);
+  CHECK(json["significant"][0]["cell"] == 1);
+  CHECK(json["significant"][0]["metric"] == "hunger");
+  CHECK(json["significant"][0]["value"] == 12.5);
   CHECK(json["asked"][0]["runs"] == 6);
 }

@@ -9,7 +9,7 @@
 using namespace trophic;
 using namespace trophic::analysis;
 
-TEST_CASE("a difference as a row, decided, undecided and untested") {
+TEST_CASE("a difference as a row, significant, inconclusive and untested") {
   CellDifference of;
   of.cell = 3;
   of.name = test::velocity;
@@ -31,12 +31,12 @@ TEST_CASE("a difference as a row, decided, undecided and untested") {
       text ==
       "3,1,velocity,prey,all,m/s,over_shadow,paired,8,8,0.5,0.25,0.25,0.125,0.375,0.0625,0.4375,0.001,0.04,yes,1.5,12,0.3125\n");
   of.difference.adjusted = 0.06;
-  CHECK(row_of(of, 1).decided == "no");
+  CHECK(row_of(of, 1).significant == "no");
   of.difference = {.value = 0.25, .interval = {}, .p = {}, .adjusted = {}};
   of.paired = false;
   of.over_shadow = false;
   row = row_of(of, 1);
-  CHECK(row.decided.empty());
+  CHECK(row.significant.empty());
   CHECK_FALSE(row.lower);
   CHECK(row.design == "independent");
   CHECK(row.compared == "raw");

@@ -13,8 +13,8 @@ namespace {
 using namespace trophic;
 using namespace trophic::test;
 using analysis::AgentRow;
-using analysis::dealt_symmetry;
-using analysis::fair_coin_symmetry;
+using analysis::bernoulli_symmetry;
+using analysis::permuted_symmetry;
 using analysis::tag_symmetry;
 
 AgentRow tagged(std::int64_t tick, IndividualId id, Species species, int tag, Origin origin = Origin::inherited) {
@@ -32,8 +32,8 @@ TEST_CASE("tag symmetry is |sum of the mean tags| of the inherited") {
   const auto symmetry = tag_symmetry(agents, prey, predator);
   CHECK(*symmetry.observed.mean() == doctest::Approx((2.0 / 3.0 + 2.0) / 2.0));
   // 3 of 5 positive, then none of 2
-  CHECK(*symmetry.dealt.mean() == doctest::Approx((dealt_symmetry(2, 3, 3) + 2.0) / 2.0));
-  CHECK(*symmetry.fair_coins.mean() == doctest::Approx((fair_coin_symmetry(2, 3) + fair_coin_symmetry(1, 1)) / 2.0));
+  CHECK(*symmetry.permuted.mean() == doctest::Approx((permuted_symmetry(2, 3, 3) + 2.0) / 2.0));
+  CHECK(*symmetry.bernoulli_tags.mean() == doctest::Approx((bernoulli_symmetry(2, 3) + bernoulli_symmetry(1, 1)) / 2.0));
 }
 
 TEST_CASE("tag symmetry: inactive or random members -> not in group inherited_active") {
@@ -50,32 +50,32 @@ TEST_CASE("a species with no inherited member leaves the tick out, or the whole 
   CHECK(*tag_symmetry(agents, prey, predator).observed.mean() == 0.0);
   const std::vector<AgentRow> first{agents[0], agents[1]};
   CHECK_FALSE(tag_symmetry(first, prey, predator).observed.mean());
-  CHECK_FALSE(tag_symmetry(first, prey, predator).fair_coins.mean());
+  CHECK_FALSE(tag_symmetry(first, prey, predator).bernoulli_tags.mean());
   CHECK_FALSE(tag_symmetry({}, prey, predator).observed.mean());
 }
 
-TEST_CASE("dealt tags: small cases by hand") {
-  CHECK(dealt_symmetry(1, 1, 1) == doctest::Approx(0.0));
-  CHECK(dealt_symmetry(1, 1, 2) == doctest::Approx(2.0));
-  CHECK(dealt_symmetry(3, 4, 0) == doctest::Approx(2.0));
-  CHECK(dealt_symmetry(1, 2, 1) == doctest::Approx((1.0 * 0.0 + 2.0 * 1.0) / 3.0));  // |1 - 1| or |-1 + 0|
-  CHECK(dealt_symmetry(9, 21, 13) == doctest::Approx(dealt_symmetry(21, 9, 13)));
-  CHECK(dealt_symmetry(9, 21, 13) == doctest::Approx(dealt_symmetry(9, 21, 17)));  // the other tag
+TEST_CASE("permuted tags: small cases by hand") {
+  CHECK(permuted_symmetry(1, 1, 1) == doctest::Approx(0.0));
+  CHECK(permuted_symmetry(1, 1, 2) == doctest::Approx(2.0));
+  CHECK(permuted_symmetry(3, 4, 0) == doctest::Approx(2.0));
+  CHECK(permuted_symmetry(1, 2, 1) == doctest::Approx((1.0 * 0.0 + 2.0 * 1.0) / 3.0));  // |1 - 1| or |-1 + 0|
+  CHECK(permuted_symmetry(9, 21, 13) == doctest::Approx(permuted_symmetry(21, 9, 13)));
+  CHECK(permuted_symmetry(9, 21, 13) == doctest::Approx(permuted_symmetry(9, 21, 17)));  // the other tag
 }
 
-TEST_CASE("dealt tags keep everybody's bias, over all numbers of positive ones they are fair coins") {
-  CHECK(dealt_symmetry(10, 10, 19) > 1.7);
+TEST_CASE("permuted tags keep all's bias, over all numbers of positive ones they are fair coins") {
+  CHECK(permuted_symmetry(10, 10, 19) > 1.7);
   double expectation = 0.0;
   for (std::size_t plus = 0; plus <= 12; ++plus) {
     const auto k = static_cast<double>(plus);
     const double probability =
         std::exp(std::lgamma(13.0) - std::lgamma(k + 1.0) - std::lgamma(13.0 - k) - 12.0 * std::numbers::ln2);
-    expectation += probability * dealt_symmetry(5, 7, plus);
+    expectation += probability * permuted_symmetry(5, 7, plus);
   }
-  CHECK(expectation == doctest::Approx(fair_coin_symmetry(5, 7)));
+  CHECK(expectation == doctest::Approx(bernoulli_symmetry(5, 7)));
 }
 
-TEST_CASE("dealt tags agree with a shuffled deck") {
+TEST_CASE("permuted tags agree with a shuffled deck") {
   Rng rng{8, Stream::null_model};
   std::vector<int> deck{1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1};
   analysis::Mean sampled;
@@ -86,18 +86,18 @@ TEST_CASE("dealt tags agree with a shuffled deck") {
     for (std::size_t i = 0; i < deck.size(); ++i) (i < 4 ? first : second) += deck[i];
     sampled.add(std::abs(first / 4.0 + second / 7.0));
   }
-  CHECK(*sampled.value() == doctest::Approx(dealt_symmetry(4, 7, 7)).epsilon(0.01));
+  CHECK(*sampled.value() == doctest::Approx(permuted_symmetry(4, 7, 7)).epsilon(0.01));
 }
 
 TEST_CASE("fair coins: small cases by hand") {
-  CHECK(fair_coin_symmetry(1, 1) == doctest::Approx(1.0));   // 2, 0, 0, 2
-  CHECK(fair_coin_symmetry(1, 2) == doctest::Approx(1.0));   // |1 + {1, 0, 0, -1}| = 2, 1, 1, 0
-  CHECK(fair_coin_symmetry(2, 2) == doctest::Approx(0.75));  // sums of two of {1, 0, 0, -1}: 2/16*2 + 8/16*1
-  CHECK(fair_coin_symmetry(9, 21) == doctest::Approx(fair_coin_symmetry(21, 9)));
+  CHECK(bernoulli_symmetry(1, 1) == doctest::Approx(1.0));   // 2, 0, 0, 2
+  CHECK(bernoulli_symmetry(1, 2) == doctest::Approx(1.0));   // |1 + {1, 0, 0, -1}| = 2, 1, 1, 0
+  CHECK(bernoulli_symmetry(2, 2) == doctest::Approx(0.75));  // sums of two of {1, 0, 0, -1}: 2/16*2 + 8/16*1
+  CHECK(bernoulli_symmetry(9, 21) == doctest::Approx(bernoulli_symmetry(21, 9)));
 }
 
 TEST_CASE("fair coins in the numbers of a whole population give about 0.32") {
-  CHECK(fair_coin_symmetry(9, 21) == doctest::Approx(0.32).epsilon(0.01));
+  CHECK(bernoulli_symmetry(9, 21) == doctest::Approx(0.32).epsilon(0.01));
 }
 
 TEST_CASE("the exact sum agrees with sampled coins and meets the limit that is used beyond it") {
@@ -112,16 +112,16 @@ TEST_CASE("the exact sum agrees with sampled coins and meets the limit that is u
     const double first = mean_tag(5);
     sampled.add(std::abs(first + mean_tag(13)));
   }
-  CHECK(*sampled.value() == doctest::Approx(fair_coin_symmetry(5, 13)).epsilon(0.01));
-  CHECK(fair_coin_symmetry(400, 600) ==
+  CHECK(*sampled.value() == doctest::Approx(bernoulli_symmetry(5, 13)).epsilon(0.01));
+  CHECK(bernoulli_symmetry(400, 600) ==
         doctest::Approx(std::sqrt(2.0 * (1.0 / 400 + 1.0 / 600) / std::numbers::pi)).epsilon(1e-3));
-  CHECK(fair_coin_symmetry(401, 600) == doctest::Approx(fair_coin_symmetry(400, 600)).epsilon(2e-3));
-  CHECK(fair_coin_symmetry(1, 999) == doctest::Approx(1.0));
-  CHECK(fair_coin_symmetry(1000, 1) == doctest::Approx(1.0));  // whatever the thousand show, it is as likely above as below -1
+  CHECK(bernoulli_symmetry(401, 600) == doctest::Approx(bernoulli_symmetry(400, 600)).epsilon(2e-3));
+  CHECK(bernoulli_symmetry(1, 999) == doctest::Approx(1.0));
+  CHECK(bernoulli_symmetry(1000, 1) == doctest::Approx(1.0));  // whatever the thousand show, it is as likely above as below -1
   for (const std::size_t few : {std::size_t{2}, std::size_t{7}, std::size_t{40}, std::size_t{248}}) {
-    CHECK(fair_coin_symmetry(few, 1002 - few) == doctest::Approx(fair_coin_symmetry(few, 1000 - few)).epsilon(5e-4));
+    CHECK(bernoulli_symmetry(few, 1002 - few) == doctest::Approx(bernoulli_symmetry(few, 1000 - few)).epsilon(5e-4));
   }
-  CHECK(fair_coin_symmetry(251, 751) == doctest::Approx(fair_coin_symmetry(249, 749)).epsilon(5e-3));
+  CHECK(bernoulli_symmetry(251, 751) == doctest::Approx(bernoulli_symmetry(249, 749)).epsilon(5e-3));
 }
 
 TEST_CASE("the paper's baseline: 100,000 pairs of uniform numbers give 2/3") {

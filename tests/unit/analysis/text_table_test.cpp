@@ -40,7 +40,7 @@ bool has(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("the table shows ours with its interval, the paper's value, nulls with a verdict, references without") {
+TEST_CASE("the table shows ours with its interval, the paper's value, nulls with a conclusion, references without") {
   const test::TemporaryFolder folder;
   const ShadowedSet set{runs_of(folder, "aa", 6), runs_of(folder, "bb", 6, "random")};
   const auto rows = summarize(set.ours.runs, set.shadow_runs());
@@ -49,7 +49,7 @@ TEST_CASE("the table shows ours with its interval, the paper's value, nulls with
   CHECK(has(text, "attribution_caught prey                   1.000 [1.000, 1.000]          0.650\n"));
   CHECK(has(text,
             "    = shadow                              1.000                                     "
-            "+0.000 [+0.000, +0.000]     not distinguishable\n"));
+            "+0.000 [+0.000, +0.000]     not significant\n"));
   CHECK(has(text, "    * two_thirds                          0.667\n"));
   CHECK(has(text,
             "    = shadow                              0.000                                     "
@@ -61,21 +61,21 @@ TEST_CASE("the table shows ours with its interval, the paper's value, nulls with
   CHECK_FALSE(has(text, "too few"));
 }
 
-TEST_CASE("of one run, two or five there are numbers, no verdict, and a sentence that says so") {
+TEST_CASE("of one run, two or five there are numbers, no conclusion, and a sentence that says so") {
   for (const std::size_t count : {1UL, 2UL, 5UL}) {
     const test::TemporaryFolder folder;
     const ShadowedSet set{runs_of(folder, "aa", count), {}};
     const std::string text = printed([&](auto& out) { print_table(out, set, summarize(set.ours.runs)); });
-    CHECK(has(text, "too few runs for a verdict: 6 are needed, paper has " + std::to_string(count) + "\n"));
+    CHECK(has(text, "too few runs for a conclusion: 6 are needed, paper has " + std::to_string(count) + "\n"));
     CHECK(has(text, "no shadow: attribution and velocity have no null"));
     CHECK(has(text, count == 1 ? "attribution_caught prey                   1.000   " : "1.000 (sd 0.000)"));
     for (const char* word : {"above", "below", "distinguishable"}) CHECK_FALSE(has(text, word));
     const std::string claims = printed([&](auto& out) { print_claims(out, set.ours, judge_claims(set.ours.runs)); });
     CHECK(has(claims, "no conclusion\n"));
-    CHECK(has(claims, "too few runs for a verdict: 6 are needed"));
+    CHECK(has(claims, "too few runs for a conclusion: 6 are needed"));
     CHECK_FALSE(has(claims, "  reproduced\n"));
     const std::string compared = printed([&](auto& out) { print_differences(out, set, set, compare_sets(set, set)); });
-    CHECK(has(compared, "too few runs for a verdict: 6 are needed"));
+    CHECK(has(compared, "too few runs for a conclusion: 6 are needed"));
     CHECK(has(compared, "corrected for 0 comparisons"));
   }
 }

@@ -37,13 +37,13 @@ TEST_CASE("a file that is gone on with is cut to its length at the checkpoint, a
   const auto path = folder.path() / "table.csv";
   Archive archive;
   {
-    GrowingFile file{path, Opening::made_new};
+    GrowingFile file{path, Opening::created};
     file.append("one\n");
     file.persist(archive);
     file.append("two, half of it");
   }
   CHECK(content(path) == "one\ntwo, half of it");
-  GrowingFile file{path, Opening::gone_on_with};
+  GrowingFile file{path, Opening::resumed};
   CHECK(file.length() == 19);
   Archive back{archive.bytes()};
   file.persist(back);
@@ -60,19 +60,19 @@ TEST_CASE("a file is never overwritten, and one that is too short, missing or a 
   const auto path = folder.path() / "table.csv";
   Archive archive;
   {
-    GrowingFile file{path, Opening::made_new};
+    GrowingFile file{path, Opening::created};
     file.append("some bytes");
     file.persist(archive);
   }
   CHECK(message_of<std::runtime_error>([&] {
-          GrowingFile{path, Opening::made_new};
+          GrowingFile{path, Opening::created};
         }) == "cannot create " + path.string() + ": File exists");
   std::filesystem::resize_file(path, 4);
-  GrowingFile file{path, Opening::gone_on_with};
+  GrowingFile file{path, Opening::resumed};
   Archive back{archive.bytes()};
   CHECK(message_of<std::runtime_error>([&] { file.persist(back); }) ==
         "cannot go on with " + path.string() + ": it has 4 bytes: must be >= 10, as many as it had at the checkpoint");
-  CHECK_THROWS_AS((GrowingFile{folder.path() / "none", Opening::gone_on_with}), std::runtime_error);
+  CHECK_THROWS_AS((GrowingFile{folder.path() / "none", Opening::resumed}), std::runtime_error);
   REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
-  CHECK_THROWS_AS((GrowingFile{folder.path() / "pipe", Opening::gone_on_with}), std::runtime_error);
+  CHECK_THROWS_AS((GrowingFile{folder.path() / "pipe", Opening::resumed}), std::runtime_error);
 }

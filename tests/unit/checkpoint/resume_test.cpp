@@ -90,11 +90,11 @@ TEST_CASE("so does a run that was stopped, and one that is made longer") {
   run_in_parts(brief<rules::Paper>(3), backend::Kinematic::Params{}, folder.path() / "whole", {}, 100.0, unchanged);
   const auto part = [&](double until_s, std::int64_t stop_tick) {
     Ecology<rules::Paper> ecology{brief<rules::Paper>(3, until_s), backend::Kinematic::Params{}};
-    const auto standing = checkpoint::standing_in(folder.path() / "parts", ecology.describe(until_s));
-    io::RunFolder files{folder.path() / "parts", {}, {}, standing.opening()};
+    const auto run_state = checkpoint::run_state_in(folder.path() / "parts", ecology.describe(until_s));
+    io::RunFolder files{folder.path() / "parts", {}, {}, run_state.opening()};
     StopAt stop{.tick = stop_tick};
-    checkpoint::run_kept(ecology, until_s, folder.path() / "parts", {.every_s = 0.0}, standing.from, files, stop);
-    return standing;
+    checkpoint::run_with_checkpoints(ecology, until_s, folder.path() / "parts", {.every_s = 0.0}, run_state.from, files, stop);
+    return run_state;
   };
   CHECK(part(400.0, 37).remark.empty());
   CHECK(checkpoint::status_of(folder.path() / "parts") == "stopped");
@@ -184,7 +184,7 @@ TEST_CASE("a checkpoint of another run, seed or number is refused, and nothing i
   const auto refusal = [&]<class Rules>(const Experiment<Rules>& experiment) {
     return message_of<std::invalid_argument>([&] {
       const Ecology<Rules> ecology{experiment, backend::Kinematic::Params{}};
-      static_cast<void>(checkpoint::standing_in(run, ecology.describe(experiment.ecology.duration_s)));
+      static_cast<void>(checkpoint::run_state_in(run, ecology.describe(experiment.ecology.duration_s)));
     });
   };
   CHECK(refusal(brief<rules::Paper>(4)).find("seed = 3: must be 4") != std::string::npos);
@@ -200,14 +200,14 @@ TEST_CASE("a folder in which nothing can go on is set aside, one that another pr
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
   const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
-  const auto standing = [&] { return checkpoint::standing_in(run, ecology.describe(600.0)); };
-  CHECK(standing().remark.empty());
+  const auto run_state = [&] { return checkpoint::run_state_in(run, ecology.describe(600.0)); };
+  CHECK(run_state().remark.empty());
   {
     const io::RunFolder files{run};
-    CHECK(message_of<std::runtime_error>([&] { static_cast<void>(standing()); }) ==
+    CHECK(message_of<std::runtime_error>([&] { static_cast<void>(run_state()); }) ==
           run.string() + ": another program is running in it");
   }
-  CHECK(standing().remark == "was incomplete (status \"unreadable\"; it has no checkpoint): kept as run.incomplete-1, run anew");
+  CHECK(run_state().remark == "was incomplete (status \"unreadable\"; it has no checkpoint): kept as run.incomplete-1, run anew");
   CHECK_FALSE(fs::exists(run));
   CHECK(fs::exists(folder.path() / "run.incomplete-1/events.csv"));
 }
@@ -228,9 +228,9 @@ TEST_CASE("files that lost what they had at the checkpoint are refused") {
   run_part(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, 150, 50.0);
   fs::resize_file(run / "agents.csv", 1000);
   Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
-  const auto standing = checkpoint::standing_in(run, ecology.describe(600.0));
-  io::RunFolder files{run, {}, {}, standing.opening()};
+  const auto run_state = checkpoint::run_state_in(run, ecology.describe(600.0));
+  io::RunFolder files{run, {}, {}, run_state.opening()};
   CHECK(message_of<std::runtime_error>([&] {
-          checkpoint::restore(*standing.from, ecology, checkpoint::parts_of(files));
+          checkpoint::restore(*run_state.from, ecology, checkpoint::parts_of(files));
         }).find("agents.csv: it has 1000 bytes: must be >= ") != std::string::npos);
 }

@@ -16,7 +16,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>
 
@@ -57,15 +57,15 @@ inline constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 /// Begins or goes on with a run in a folder, with a checkpoint every so many seconds of its clock, until it ends or crashes.
 template <class Rules>
 void run_part(const Experiment<Rules>& experiment, const BackendChoice& backend, const std::filesystem::path& folder,
-              std::int64_t crash_tick, double every_s, const io::Extent& extent = {}) {
+              std::int64_t crash_tick, double every_s, const io::OutputOptions& output = {}) {
   Ecology<Rules> ecology{experiment, backend};
   const double until_s = experiment.ecology.duration_s;
-  const auto standing = checkpoint::standing_in(folder, ecology.describe(until_s));
+  const auto run_state = checkpoint::run_state_in(folder, ecology.describe(until_s));
   Crash crash{.at_tick = crash_tick};
-  io::RunFolder files{folder, {}, extent, standing.opening(), ecology.state_columns()};
+  io::RunFolder files{folder, {}, output, run_state.opening(), ecology.state_columns()};
   const checkpoint::Schedule schedule{.every_s = every_s, .most_share = std::numeric_limits<double>::infinity()};
   try {
-    checkpoint::run_kept(ecology, until_s, folder, schedule, standing.from, files, crash);
+    checkpoint::run_with_checkpoints(ecology, until_s, folder, schedule, run_state.from, files, crash);
   } catch (const std::runtime_error& error) {
     REQUIRE(std::string{error.what()} == "crash");
   }

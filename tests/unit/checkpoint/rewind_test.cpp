@@ -29,29 +29,29 @@ void write_manifest(const std::filesystem::path& folder, const std::string& stat
 
 }  // namespace
 
-TEST_CASE("a run needs the past that it begins with until it has something of its own to go on from") {
+TEST_CASE("a run needs the snapshot that it begins with until it has something of its own to go on from") {
   const TemporaryFolder folder;
-  CHECK(checkpoint::needs_past(folder.path() / "none", 100.0));
-  CHECK(checkpoint::needs_past(folder.path(), 100.0));
+  CHECK(checkpoint::needs_snapshot(folder.path() / "none", 100.0));
+  CHECK(checkpoint::needs_snapshot(folder.path(), 100.0));
 
   write_manifest(folder.path(), "running", 100);
-  CHECK(checkpoint::needs_past(folder.path(), 100.0));
+  CHECK(checkpoint::needs_snapshot(folder.path(), 100.0));
   write_manifest(folder.path(), "complete", 100);
-  CHECK_FALSE(checkpoint::needs_past(folder.path(), 100.0));
-  CHECK(checkpoint::needs_past(folder.path(), 200.0));
+  CHECK_FALSE(checkpoint::needs_snapshot(folder.path(), 100.0));
+  CHECK(checkpoint::needs_snapshot(folder.path(), 200.0));
 
   write_moment(folder.path(), 100.0, "0.0.0");
-  CHECK(checkpoint::needs_past(folder.path(), 200.0));
+  CHECK(checkpoint::needs_snapshot(folder.path(), 200.0));
   write_moment(folder.path(), 100.0);
-  CHECK_FALSE(checkpoint::needs_past(folder.path(), 200.0));
+  CHECK_FALSE(checkpoint::needs_snapshot(folder.path(), 200.0));
 
   std::filesystem::remove(folder.path() / checkpoint::predecessor_name);
   std::filesystem::resize_file(folder.path() / checkpoint::file_name, 30);
-  CHECK(checkpoint::needs_past(folder.path(), 200.0));
+  CHECK(checkpoint::needs_snapshot(folder.path(), 200.0));
   CHECK(checkpoint::exists(folder.path()));  // what it cannot use it leaves alone
 }
 
-TEST_CASE("the past is copied as far as the latest checkpoint of this version that is not too late") {
+TEST_CASE("the snapshot is copied as far as the latest checkpoint of this version that is not too late") {
   const TemporaryFolder folder;
   const std::filesystem::path run = folder.path() / "run";
   std::filesystem::create_directory(run);

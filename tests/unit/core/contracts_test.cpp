@@ -103,7 +103,8 @@ TROPHIC_REFUSES(exemption, death::starvation::Exemption, TROPHIC_ALONE, bool, is
                 const perception::Perceives&)
 TROPHIC_REFUSES(choice, death::starvation::Choice, TROPHIC_ALONE, std::vector<BodyIndex>, victims, const View&,
                 const death::starvation::IsExempt&)
-TROPHIC_REFUSES(rescue, death::Rescue, TROPHIC_ALONE, std::vector<death::Sacrifice>, sacrifices, const View&, Rng&)
+TROPHIC_REFUSES(minimum_predators, death::MinimumPredators, TROPHIC_ALONE, std::vector<death::Sacrifice>, sacrifices, const View&,
+                Rng&)
 TROPHIC_REFUSES(senescence, death::Senescence, TROPHIC_ALONE, bool, dies, const Individual&, const View&, Rng&)
 
 TEST_CASE("contracts: what is refused is refused when this compiles") {

@@ -87,7 +87,7 @@ typename Kinematics<Rules>::Params scene(std::vector<GroundPose> poses) {
   params.ecology.robots = Places::poses.size();
   params.rules.activation.distance_m = 0.1;
   params.rules.floor.floor = 0;
-  if constexpr (requires { params.rules.rescue.below; }) params.rules.rescue.below = 0;
+  if constexpr (requires { params.rules.minimum_predators.below; }) params.rules.minimum_predators.below = 0;
   return params;
 }
 
@@ -121,10 +121,10 @@ TEST_CASE("ecology: births, then at tick 0 activation before catches, each with 
                                             "0 death body 0 id 0 species 0 caught other 1", "0 birth body 0 id 2 species 1"});
 }
 
-TEST_CASE("ecology: starvation, then rescue, then perception in the same tick") {
+TEST_CASE("ecology: starvation, then minimum_predators, then perception in the same tick") {
   auto params = scene<Scene>({{.x_m = 9.0, .y_m = 9.0}, {.x_m = -9.0, .y_m = -9.0}, {.x_m = -9.0, .y_m = 9.0}});
   params.rules.community.predators = 2;
-  params.rules.rescue.below = 2;
+  params.rules.minimum_predators.below = 2;
   struct Perception {
     void on_tick(const View& view) {
       for (BodyIndex body = 0; body < view.robots.size(); ++body) {
@@ -298,7 +298,7 @@ struct TwiceTheSame {
   static constexpr std::string_view name = "twice_the_same";
   [[nodiscard]] std::vector<death::Sacrifice> sacrifices(const View& view, Rng&) const {
     if (view.tick > 0) return {};
-    return {{.victim = 0, .heir = test::predator}, {.victim = 0, .heir = test::predator}};
+    return {{.victim = 0, .successor = test::predator}, {.victim = 0, .successor = test::predator}};
   }
 };
 
@@ -319,8 +319,8 @@ struct Nobody {
 
 }  // namespace
 
-TEST_CASE("ecology: nobody is given up who was born of the same rescue") {
-  using Rules = with_rescue<Scene, TwiceTheSame>;
+TEST_CASE("ecology: nobody is given up who was born of the same minimum_predators") {
+  using Rules = with_minimum_predators<Scene, TwiceTheSame>;
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
   params.rules.community.predators = 1;
   const Lines lines = at_tick(0, events<Rules>(params, 0.0));
@@ -400,7 +400,7 @@ TEST_CASE("ecology: the floor stops catches within a tick") {
 TEST_CASE("ecology: the floor stops sacrifices") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}, {.x_m = 0.0}});
   params.rules.community.predators = 0;
-  params.rules.rescue.below = 3;
+  params.rules.minimum_predators.below = 3;
   params.rules.floor.floor = 1;
   Kinematics<Scene> ecology{params, still};
   ecology.run_until(0.0);
@@ -531,7 +531,7 @@ TEST_CASE("ecology: death of old age leaves the body to its species") {
 TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species or none") {
   using Ageing = with_senescence<Scene, death::senescence::OldAge>;
   using Nearest = with_parent_after<Ageing, Cause::senescence, reproduction::parent::NearestConspecific>;
-  const auto heir = [](auto rules) {
+  const auto successor = [](auto rules) {
     using Rules = typename decltype(rules)::type;
     auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 5.0}, {.x_m = 0.0}});
     params.rules.community.predators = 1;
@@ -546,11 +546,11 @@ TEST_CASE("ecology: ageing prey leave prey, with a parent of their own species o
     CHECK(robots[2].species == test::predator);
     return robots[0].parent;
   };
-  CHECK_FALSE(heir(std::type_identity<Ageing>{}));
-  CHECK(heir(std::type_identity<Nearest>{}) == 1);
+  CHECK_FALSE(successor(std::type_identity<Ageing>{}));
+  CHECK(successor(std::type_identity<Nearest>{}) == 1);
 }
 
-TEST_CASE("ecology: a parent of another species than the heir is refused") {
+TEST_CASE("ecology: a parent of another species than the successor is refused") {
   using Rules = with_parent_after<with_senescence<Scene, death::senescence::OldAge>, Cause::senescence,
                                   reproduction::parent::NearestVictim>;
   auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 0.0}});
@@ -585,7 +585,7 @@ TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey o
   }
 }
 
-TEST_CASE("ecology: who is spared lives, and the next procedure comes an interval later") {
+TEST_CASE("ecology: who is exempt lives, and the next procedure comes an interval later") {
   auto params = scene<Scene>({{.x_m = 3.0}, {.x_m = 0.0}});
   params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 1e6;

@@ -39,8 +39,8 @@ struct Row {
   }
   /// The predator in body 2 catches the prey in body 0.
   void catch_first(std::int64_t tick) {
-    const auto succession = population.succession({.body = 0, .cause = Cause::caught, .killer = 2}, view(tick));
-    population.succeed(0, predator, succession, view(tick));
+    const auto parentage = population.parentage({.body = 0, .cause = Cause::caught, .killer = 2}, view(tick));
+    population.replace(0, predator, parentage, view(tick));
   }
 
   FoodWeb web = test::predator_prey_web();
@@ -153,10 +153,10 @@ TEST_CASE("population: a random newcomer has a genome of its own and no parent")
 TEST_CASE("population: who should inherit but finds no parent is random, labelled as the rule says") {
   const auto orphan = [](auto row) {
     const reproduction::Vacancy vacancy{.body = 2, .cause = Cause::starved, .killer = {}};
-    const auto succession = row.population.succession(vacancy, row.view(3));
-    CHECK(succession.descent != reproduction::Descent::random);
-    CHECK_FALSE(succession.parent);
-    row.population.succeed(2, prey, succession, row.view(3));
+    const auto parentage = row.population.parentage(vacancy, row.view(3));
+    CHECK(parentage.descent != reproduction::Descent::random);
+    CHECK_FALSE(parentage.parent);
+    row.population.replace(2, prey, parentage, row.view(3));
     CHECK(row.population[2].parent == std::nullopt);
     CHECK(row.population[2].genome->id == 4);
     return row.population[2].origin;
@@ -171,7 +171,7 @@ TEST_CASE("population: a newborn's clocks start now, it keeps the body's tag and
   row.population.restart_tag_clock(2, 3.0);
   row.population.turn(2, -0.7);
   row.population.sight(2, Sighting{.self = 2, .adversary = 1, .distance_m = 1.0}, row.view(20));
-  row.population.succeed(2, prey, {.descent = reproduction::Descent::random, .parent = {}}, row.view(21));
+  row.population.replace(2, prey, {.descent = reproduction::Descent::random, .parent = {}}, row.view(21));
   const Individual& born = row.population[2];
   CHECK(born.born_s == 42.0);
   CHECK(born.age_from_s == 42.0);
@@ -210,11 +210,11 @@ TEST_CASE("population: each named change changes what it says and nothing else")
   CHECK(row.population[3].id == 3);
 }
 
-TEST_CASE("population: succession changes nobody and gives the same answer again") {
+TEST_CASE("population: parentage changes nobody and gives the same answer again") {
   Row<rules::Paper> row;
   const reproduction::Vacancy vacancy{.body = 0, .cause = Cause::caught, .killer = 3};
-  const auto first = row.population.succession(vacancy, row.view(1));
-  const auto second = row.population.succession(vacancy, row.view(1));
+  const auto first = row.population.parentage(vacancy, row.view(1));
+  const auto second = row.population.parentage(vacancy, row.view(1));
   CHECK(first.descent == second.descent);
   CHECK(row.population.next_id() == 4);
   CHECK(row.population[0].id == 0);

@@ -84,7 +84,9 @@ TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
 
 TEST_CASE("print table: the numbers that an experiment runs with") {
   RuleParams<rules::Released> params;
-  params.rescue.below = 9;
-  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | rescue |").find("below = 8") != std::string::npos);
-  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | rescue |").find("below = 9") != std::string::npos);
+  params.minimum_predators.below = 9;
+  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | minimum\\_predators |").find("below = 8") !=
+        std::string::npos);
+  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | minimum\\_predators |").find("below = 9") !=
+        std::string::npos);
 }

@@ -63,7 +63,7 @@ struct WastefulCapture : death::capture::CatchClosest {
     return drawn;
   }
 };
-struct WastefulRescue : death::rescue::SacrificeRandomVictim {
+struct WastefulMinimum : death::minimum_predators::SacrificeRandomVictim {
   [[nodiscard]] std::vector<death::Sacrifice> sacrifices(const View& view, Rng& rng) const {
     auto drawn = SacrificeRandomVictim::sacrifices(view, rng);
     draw_three(rng);
@@ -106,8 +106,9 @@ using Frugal = with_visibility<
     Haze>;
 
 using WastefulLife = with_visibility<
-    with_placement<with_newborn_tag<with_capture<with_rescue<rules::Paper, WastefulRescue>, WastefulCapture>, WastefulTag>,
-                   WastefulPlacement>,
+    with_placement<
+        with_newborn_tag<with_capture<with_minimum_predators<rules::Paper, WastefulMinimum>, WastefulCapture>, WastefulTag>,
+        WastefulPlacement>,
     WastefulHaze>;
 using Wasteful = with_initial_genome<
     with_genome_source<with_parent_after<with_mutation<WastefulLife, WastefulMutation>, Cause::starved, WastefulParent>,
@@ -118,7 +119,7 @@ using Other = with_mutation<Frugal, OtherMutation>;
 template <class Rules>
 test::Recorder record(double until_s) {
   typename Ecology<Rules>::Params params{.seed = 21};
-  params.rules.rescue.below = 12;  // many sacrifices
+  params.rules.minimum_predators.below = 12;  // many sacrifices
   params.rules.capture.min_age_s = 4.0;
   Ecology<Rules> ecology{std::move(params), backend::Kinematic::Params{}};
   test::Recorder recorder;

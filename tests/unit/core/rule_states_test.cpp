@@ -175,10 +175,10 @@ TEST_CASE("rule states: a sensor's state is kept for each body, told to its brai
   using Rules = with_senescence<with_sensors<rules::Paper, Sensors>, Diary>;
   static_assert(detail::has_states<Rules>());
   struct Told {
-    [[nodiscard]] bool wants_deliberations() const { return true; }
-    void on_deliberation(const observe::Deliberation& deliberation, const View&) {
-      CHECK(deliberation.inputs[1] == ecology.states().sensors[deliberation.body].get<1>().walked_m);
-      CHECK(deliberation.inputs[1] == ecology.states().senescence[deliberation.body].walked_m);
+    [[nodiscard]] bool wants_decisions() const { return true; }
+    void on_decision(const observe::DecisionRecord& decision, const View&) {
+      CHECK(decision.inputs[1] == ecology.states().sensors[decision.body].get<1>().walked_m);
+      CHECK(decision.inputs[1] == ecology.states().senescence[decision.body].walked_m);
       ++decisions;
     }
     const Ecology<Rules>& ecology;

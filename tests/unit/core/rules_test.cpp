@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <trophic/death/rescue/no_rescue.hpp>
+#include <trophic/death/minimum_predators/no_minimum.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
@@ -76,7 +76,7 @@ TEST_CASE("rules: the paper's numbers") {
   CHECK(numbers.starvation.interval.base_ticks == 25);
   CHECK(numbers.starvation.interval.only_above == 0);
   CHECK(numbers.starvation.exemption.range_m == 5.0);
-  CHECK(numbers.rescue.below == 7);
+  CHECK(numbers.minimum_predators.below == 7);
   const EcologyParams ecology = rules::Paper::ecology();
   CHECK(ecology.robots == 30);
   CHECK(ecology.duration_s == 6000.0);
@@ -105,7 +105,7 @@ TEST_CASE("rules: the released code's numbers") {
   CHECK(numbers.starvation.interval.base_ticks == 25);
   CHECK(numbers.starvation.interval.only_above == 7);
   CHECK(numbers.starvation.exemption.range_m == 5.0);
-  CHECK(numbers.rescue.below == 8);
+  CHECK(numbers.minimum_predators.below == 8);
   CHECK(rules::Released::ecology().duration_s == 6500.0);
   CHECK(rules::Released::ecology().first_tick_s == 2.0);
   CHECK(rules::Released::ecology().clock_scale == 1.2);
@@ -204,11 +204,12 @@ TEST_CASE("rules: a table of other numbers has the rules and the name of the one
   static_assert(std::same_as<Lower::Floor, rules::Released::Floor>);
   const RuleParams<Lower> numbers;
   CHECK(numbers.floor.floor == 3);
-  CHECK(numbers.rescue.below == 8);
+  CHECK(numbers.minimum_predators.below == 8);
   CHECK(Lower::ecology().clock_scale == 1.2);
   CHECK(Lower::physics().timestep_s == 0.012);
   CHECK(table_name<Lower>() == "released");
-  using Swapped = with_rescue<with_params<Lower, [](auto& params) { params.capture.reach_m = 2.0; }>, death::rescue::NoRescue>;
+  using Swapped = with_minimum_predators<with_params<Lower, [](auto& params) { params.capture.reach_m = 2.0; }>,
+                                         death::minimum_predators::NoMinimum>;
   CHECK(RuleParams<Swapped>{}.floor.floor == 3);
   CHECK(RuleParams<Swapped>{}.capture.reach_m == 2.0);
 }
@@ -220,12 +221,13 @@ TEST_CASE("rules: a table under its own name keeps rules and numbers, and tells 
   CHECK(table_name<Ageing>() == "ageing");
   CHECK(RuleParams<Ageing>{}.floor.floor == 6);
   CHECK(Ageing::ecology().first_tick_s == 2.0);
-  CHECK(table_name<with_rescue<Ageing, death::rescue::NoRescue>>() == "ageing with rescue = no_rescue");
+  CHECK(table_name<with_minimum_predators<Ageing, death::minimum_predators::NoMinimum>>() ==
+        "ageing with minimum_predators = no_minimum");
 }
 
 TEST_CASE("rules: numbers given in a program start at the table's, not at the policies'") {
-  const RuleParams<rules::Released> numbers{.rescue = {.below = 9}};
-  CHECK(numbers.rescue.below == 9);
+  const RuleParams<rules::Released> numbers{.minimum_predators = {.below = 9}};
+  CHECK(numbers.minimum_predators.below == 9);
   CHECK(numbers.floor.floor == 6);
   CHECK(numbers.capture.min_age_s == 20.0);
 }
@@ -253,7 +255,7 @@ TEST_CASE("rules: every slot that is not neutral once, in the order of the list,
   REQUIRE(slots.size() == 19);  // all but senescence
   CHECK(rules::slot_names.size() == 20);
   CHECK(slots.front() == std::pair<std::string, std::string>{"community", "predator_prey"});
-  CHECK(slots.back() == std::pair<std::string, std::string>{"rescue", "sacrifice_random_victim"});
+  CHECK(slots.back() == std::pair<std::string, std::string>{"minimum_predators", "sacrifice_random_victim"});
   for (std::size_t i = 0; i < slots.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) CHECK(slots[i].first != slots[j].first);
   }

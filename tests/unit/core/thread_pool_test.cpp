@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <thread>
-#include <trophic/support/faster_way.hpp>
+#include <trophic/support/faster_mode.hpp>
 #include <trophic/support/thread_pool.hpp>
 #include <vector>
 
@@ -65,12 +65,12 @@ TEST_CASE("a pool finishes the other items of a job in which one fails, alone or
 namespace {
 
 /// How many of so many jobs go the first way, if the ways take so long; what they take is noted so often.
-int first_of(FasterWay& ways, int jobs, double first_s, double second_s, int notes = 8) {
+int first_of(FasterMode& ways, int jobs, double first_s, double second_s, int notes = 8) {
   int firsts = 0;
   for (int i = 0; i < jobs; ++i) {
     bool first = false;
     {
-      const FasterWay::Trial trial = ways.next(1'000'000'000);  // what the clock says counts for nothing beside what is noted
+      const FasterMode::Trial trial = ways.next(1'000'000'000);  // what the clock says counts for nothing beside what is noted
       first = trial.first();
     }
     for (int k = 0; k < notes; ++k) ways.note(first, first ? first_s : second_s);
@@ -82,7 +82,7 @@ int first_of(FasterWay& ways, int jobs, double first_s, double second_s, int not
 }  // namespace
 
 TEST_CASE("the faster way is taken, the slower one is tried rarely, and a change is noticed") {
-  FasterWay ways;
+  FasterMode ways;
   CHECK(first_of(ways, 1000, 1.0, 3.0) > 950);
   CHECK(first_of(ways, 10'000, 1.0, 3.0) > 9'800);
   CHECK(first_of(ways, 10'000, 9.0, 3.0) < 500);
@@ -94,7 +94,7 @@ TEST_CASE("a job in which the clock stood still, or went back, is soon forgotten
     for (const bool first : {true, false}) {
       CAPTURE(seconds);
       CAPTURE(first);
-      FasterWay ways;
+      FasterMode ways;
       ways.note(first, seconds);
       first_of(ways, 100, first ? 3.0 : 1.0, first ? 1.0 : 3.0);
       const int firsts = first_of(ways, 1000, first ? 3.0 : 1.0, first ? 1.0 : 3.0);
@@ -106,7 +106,7 @@ TEST_CASE("a job in which the clock stood still, or went back, is soon forgotten
 TEST_CASE("a pause of an hour in one job, the first or a later one, is soon forgotten") {
   for (const bool at_once : {true, false}) {
     CAPTURE(at_once);
-    FasterWay ways;
+    FasterMode ways;
     if (!at_once) first_of(ways, 1000, 0.5, 1.0, 1);
     ways.note(true, 3600.0 * 1e6);
     first_of(ways, 10'000, 0.5, 1.0, 1);

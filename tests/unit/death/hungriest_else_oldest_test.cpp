@@ -11,19 +11,19 @@ using namespace trophic::test;
 using death::starvation::choice::HungriestElseOldest;
 using Bodies = std::vector<BodyIndex>;
 
-TEST_CASE("hungriest else oldest: which predators are spared -> who dies") {
+TEST_CASE("hungriest else oldest: which predators are exempt -> who dies") {
   // hungriest: body 2; in order of birth: bodies 3, 1, 2; the prey, older and hungrier than all, never
   const HandPopulation robots{{{.species = prey, .fed_tick = 0, .id = 1},
                                {.species = predator, .fed_tick = 20, .id = 6},
                                {.species = predator, .fed_tick = 10, .id = 9},
                                {.species = predator, .fed_tick = 30, .id = 5}}};
   struct Case {
-    std::set<BodyIndex> spared;
+    std::set<BodyIndex> exempt;
     Bodies dies;
   };
-  for (const auto& [spared, dies] : {Case{{}, {2}}, Case{{1, 3}, {2}}, Case{{2}, {3}}, Case{{2, 3}, {1}}, Case{{1, 2, 3}, {}}}) {
-    CAPTURE(spared.size());
-    CHECK(HungriestElseOldest{}.victims(robots.view(), [&](BodyIndex body) { return spared.contains(body); }) == dies);
+  for (const auto& [exempt, dies] : {Case{{}, {2}}, Case{{1, 3}, {2}}, Case{{2}, {3}}, Case{{2, 3}, {1}}, Case{{1, 2, 3}, {}}}) {
+    CAPTURE(exempt.size());
+    CHECK(HungriestElseOldest{}.victims(robots.view(), [&](BodyIndex body) { return exempt.contains(body); }) == dies);
   }
 }
 

@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
+#include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
-#include <trophic/death/starvation/choice/hungriest_unspared.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -43,7 +43,7 @@ TEST_CASE("hungriest share: one of up to 14 predators by default, as hungriest u
     CAPTURE(predators);
     const HandPopulation robots = with_predators(predators);
     CHECK(HungriestShare{}.victims(robots.view(), none_exempt) ==
-          death::starvation::choice::HungriestUnspared{}.victims(robots.view(), none_exempt));
+          death::starvation::choice::HungriestNonexempt{}.victims(robots.view(), none_exempt));
   }
   CHECK(HungriestShare{}.victims(with_predators(15).view(), none_exempt).size() == 2);
 }

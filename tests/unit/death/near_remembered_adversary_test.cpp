@@ -12,14 +12,14 @@ using death::starvation::exemption::NearRememberedAdversary;
 TEST_CASE("near remembered adversary: the stored distance decides, not where anybody stands now") {
   const NearRememberedAdversary rule;
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 0.1}}};
-  const auto spared = [&](const NearRememberedAdversary& any, double stored_m) {
+  const auto exempt = [&](const NearRememberedAdversary& any, double stored_m) {
     return any.is_exempt(0, robots.view(), robots.perceives(), {.adversary_distance_m = stored_m});
   };
-  CHECK(spared(rule, 4.9));
-  CHECK_FALSE(spared(rule, 5.0));
+  CHECK(exempt(rule, 4.9));
+  CHECK_FALSE(exempt(rule, 5.0));
   robots.poses[1].x_m = 50.0;
-  CHECK(spared(rule, 4.9));
-  CHECK(spared({{.range_m = 6.0}}, 5.0));
+  CHECK(exempt(rule, 4.9));
+  CHECK(exempt({{.range_m = 6.0}}, 5.0));
 }
 
 TEST_CASE("near remembered adversary: a body that never perceived anybody is exempt") {

@@ -3,7 +3,7 @@
 
 #include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation/choice/hungriest_unspared.hpp>
+#include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <trophic/death/starvation/exemption/near_perceived_victim.hpp>
 #include <trophic/death/starvation/exemption/near_remembered_adversary.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
@@ -18,7 +18,7 @@ using namespace trophic;
 using namespace trophic::test;
 using namespace death::starvation;
 using Bodies = std::vector<BodyIndex>;
-using PaperProcedure = Procedure<interval::DelayedCrowdingInterval, exemption::NearPerceivedVictim, choice::HungriestUnspared>;
+using PaperProcedure = Procedure<interval::DelayedCrowdingInterval, exemption::NearPerceivedVictim, choice::HungriestNonexempt>;
 
 static_assert(death::Starvation<PaperProcedure>);
 static_assert(death::KeepsClock<PaperProcedure>);
@@ -53,12 +53,13 @@ TEST_CASE("procedure: exempt hunters are named and passed over, those who are no
 
 TEST_CASE("procedure: never due -> nothing happens") {
   const HandPopulation robots = HandPopulation{{{.species = predator}}}.at_tick(1'000'000);
-  const Procedure<interval::NeverDue, exemption::NoExemption, choice::HungriestUnspared> rule;
+  const Procedure<interval::NeverDue, exemption::NoExemption, choice::HungriestNonexempt> rule;
   CHECK(rule.starving(robots.view(), robots.perceives(), {}, rule.start(robots.view())) == death::Starving{});
 }
 
 TEST_CASE("procedure: an exemption reads the state of the hunter that it is asked about") {
-  using Remembering = Procedure<interval::DelayedCrowdingInterval, exemption::NearRememberedAdversary, choice::HungriestUnspared>;
+  using Remembering =
+      Procedure<interval::DelayedCrowdingInterval, exemption::NearRememberedAdversary, choice::HungriestNonexempt>;
   const HandPopulation robots =
       HandPopulation{{{.species = predator, .fed_tick = 1}, {.species = predator, .fed_tick = 2}}}.at_tick(100);
   const std::vector<exemption::NearRememberedAdversary::State> remembered{{.adversary_distance_m = 1.0},
@@ -71,7 +72,7 @@ TEST_CASE("procedure: an exemption reads the state of the hunter that it is aske
 
 TEST_CASE("procedure: its name lists its parts, and each number has the name of its part") {
   CHECK(PaperProcedure::name ==
-        "interval: delayed_crowding_interval, exemption: near_perceived_victim, choice: hungriest_unspared");
+        "interval: delayed_crowding_interval, exemption: near_perceived_victim, choice: hungriest_nonexempt");
   std::vector<std::string> paths;
   for (const NamedParam& param : named_params_of(PaperProcedure::Params{})) paths.push_back(param.path);
   CHECK(paths == std::vector<std::string>{"interval.base_ticks", "interval.min_interval_ticks", "interval.only_above",

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <support/hand_population.hpp>
 #include <support/statistics.hpp>
-#include <trophic/death/rescue/sacrifice_random_victim.hpp>
+#include <trophic/death/minimum_predators/sacrifice_random_victim.hpp>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
 using death::Sacrifice;
-using death::rescue::SacrificeRandomVictim;
+using death::minimum_predators::SacrificeRandomVictim;
 
 namespace {
 
@@ -32,7 +32,7 @@ TEST_CASE("sacrifice random victim: below 7 predators one prey, at 7 none") {
   CHECK(sacrifices(with(7, 23)).empty());
   const auto one = sacrifices(with(6, 24));
   REQUIRE(one.size() == 1);
-  CHECK(one[0].heir == predator);
+  CHECK(one[0].successor == predator);
   CHECK(one[0].victim >= 6);
   CHECK(sacrifices(with(0, 30)).size() == 1);
   CHECK(sacrifices(with(7, 23), {{.below = 8}}).size() == 1);
@@ -53,8 +53,8 @@ TEST_CASE("sacrifice random victim: uniform over all prey, inactive newborn incl
 
 TEST_CASE("sacrifice random victim: in a food chain one for each species that is short") {
   const HandPopulation robots{{{.species = plant}, {.species = grazer}, {.species = hunter}, {.species = hunter}}, chain_web()};
-  CHECK(sacrifices(robots) == std::vector<Sacrifice>{{.victim = 0, .heir = grazer}, {.victim = 1, .heir = hunter}});
-  CHECK(sacrifices(robots, {{.below = 2}}) == std::vector<Sacrifice>{{.victim = 0, .heir = grazer}});
+  CHECK(sacrifices(robots) == std::vector<Sacrifice>{{.victim = 0, .successor = grazer}, {.victim = 1, .successor = hunter}});
+  CHECK(sacrifices(robots, {{.below = 2}}) == std::vector<Sacrifice>{{.victim = 0, .successor = grazer}});
   CHECK(sacrifices(robots, {{.below = 1}}).empty());
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("sacrifice random victim: two species that are short of the same food 
     CHECK(both[0].victim != both[1].victim);
   }
   const HandPopulation last{{{.species = 0}, {.species = 1}, {.species = 2}}, rivals};
-  CHECK(sacrifices(last) == std::vector<Sacrifice>{{.victim = 0, .heir = 1}});
+  CHECK(sacrifices(last) == std::vector<Sacrifice>{{.victim = 0, .successor = 1}});
 }
 
 TEST_CASE("sacrifice random victim: one draw for a sacrifice, none without") {

@@ -26,11 +26,11 @@ TEST_CASE("agents: thinned, the ticks that are multiples, the start among them")
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "agents.csv";
   test::HandPopulation robots{{{}}};
-  io::AgentLog log{path, Opening::made_new, 3};
+  io::AgentLog log{path, Opening::created, 3};
   for (std::int64_t tick = 0; tick <= 7; ++tick) log.on_tick(robots.at_tick(tick).view());
   CHECK(log.sum().rows == 3);
   const std::string text = test::content(path);
   for (const char* row : {"\n0,0,0,", "\n6,3,0,", "\n12,6,0,"}) CHECK(text.find(row) != std::string::npos);
-  CHECK_THROWS_WITH_AS(io::AgentLog(folder.path() / "none.csv", Opening::made_new, 0), "agents_every_ticks = 0: must be >= 1",
+  CHECK_THROWS_WITH_AS(io::AgentLog(folder.path() / "none.csv", Opening::created, 0), "agents_every_ticks = 0: must be >= 1",
                        std::invalid_argument);
 }

@@ -15,13 +15,13 @@ namespace {
 
 struct Everything {
   std::string& told;
-  bool go_on = true;
+  bool is_running = true;
   void on_start(const observe::RunDescription& run, const View&) { told += "start " + run.rules + "\n"; }
   void on_event(const observe::Event& event, const View&) { told += "event " + std::to_string(event.body) + "\n"; }
   void on_tick(const View& view) { told += "tick " + std::to_string(view.tick) + "\n"; }
   void on_end(const View&) { told += "end\n"; }
   void on_failure(std::string_view what) { told += "failure " + std::string{what} + "\n"; }
-  bool keep_running() { return go_on; }
+  bool keep_running() { return is_running; }
 };
 
 struct TicksOnly {
@@ -70,7 +70,7 @@ TEST_CASE("audience: each observer is told by the hooks that it has, in order") 
   audience.event({.kind = observe::EventKind::birth, .body = 1, .individual = view.robots[1], .cause = {}, .other = {}}, view);
   audience.tick(view);
   CHECK(audience.keep_running());
-  third.go_on = false;
+  third.is_running = false;
   CHECK_FALSE(audience.keep_running());  // any of them may say stop
   audience.failure("broken");
   audience.end(view);
@@ -92,9 +92,9 @@ TEST_CASE("audience: brains are told of to whom wants to know, as long as it doe
   struct Listens {
     bool wants = true;
     std::string told = {};
-    bool wants_deliberations() const { return wants; }
-    void on_deliberation(const observe::Deliberation& one, const View&) { told += std::to_string(one.body); }
-    void on_reprieve(BodyIndex hunter, const View&) { told += "r" + std::to_string(hunter); }
+    bool wants_decisions() const { return wants; }
+    void on_decision(const observe::DecisionRecord& one, const View&) { told += std::to_string(one.body); }
+    void on_exemption(BodyIndex hunter, const View&) { told += "r" + std::to_string(hunter); }
   };
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
@@ -102,13 +102,13 @@ TEST_CASE("audience: brains are told of to whom wants to know, as long as it doe
   Listens second{.wants = false};
   TicksOnly third;
   observe::AudienceOf audience{first, second, third};
-  CHECK(audience.wants_deliberations());
-  audience.deliberation({.body = 2, .inputs = {}, .outputs = {}}, view);
-  audience.reprieve(1, view);
+  CHECK(audience.wants_decisions());
+  audience.decision({.body = 2, .inputs = {}, .outputs = {}}, view);
+  audience.exemption(1, view);
   CHECK(first.told == "2r1");
   CHECK(second.told == "r1");
   first.wants = false;
-  CHECK_FALSE(audience.wants_deliberations());
+  CHECK_FALSE(audience.wants_decisions());
 }
 
 TEST_CASE("audience: who saves the run is given it between two ticks") {
@@ -124,18 +124,18 @@ TEST_CASE("audience: who saves the run is given it between two ticks") {
 
 TEST_CASE("audience: a tick can be given up if somebody has that hook, and is if anybody says so") {
   struct Impatient {
-    bool gives_up = false;
-    bool gives_up_tick() const { return gives_up; }
+    bool is_cancelled = false;
+    bool cancels_tick() const { return is_cancelled; }
   };
   TicksOnly patient;
   observe::AudienceOf nobody{patient};
-  CHECK_FALSE(nobody.may_give_up());
-  CHECK_FALSE(nobody.gives_up_tick());
+  CHECK_FALSE(nobody.may_cancel());
+  CHECK_FALSE(nobody.cancels_tick());
   Impatient first;
   Impatient second;
   observe::AudienceOf somebody{first, patient, second};
-  CHECK(somebody.may_give_up());
-  CHECK_FALSE(somebody.gives_up_tick());
-  second.gives_up = true;
-  CHECK(somebody.gives_up_tick());
+  CHECK(somebody.may_cancel());
+  CHECK_FALSE(somebody.cancels_tick());
+  second.is_cancelled = true;
+  CHECK(somebody.cancels_tick());
 }

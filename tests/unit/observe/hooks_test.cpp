@@ -15,10 +15,10 @@ struct AllHooks {
   void on_end(const View&) {}
   void on_failure(std::string_view) {}
   bool keep_running() { return true; }
-  bool gives_up_tick() { return false; }
-  void on_deliberation(const observe::Deliberation&, const View&) {}
-  bool wants_deliberations() { return true; }
-  void on_reprieve(BodyIndex, const View&) {}
+  bool cancels_tick() { return false; }
+  void on_decision(const observe::DecisionRecord&, const View&) {}
+  bool wants_decisions() { return true; }
+  void on_exemption(BodyIndex, const View&) {}
   void between_ticks(Simulation&, bool) {}
   void on_frame(const observe::Frame&) {}
   double frame_hz() { return 5.0; }

@@ -89,7 +89,7 @@ TEST_CASE("a checkpoint that tells of a recording that cannot be is refused") {
   } kept{recording};
   ecology.run_until(10.0, recording, kept);
   const auto goes_on = [&](const std::string& bytes) {
-    Recording again{path, 5.0, Opening::gone_on_with};
+    Recording again{path, 5.0, Opening::resumed};
     Archive archive{bytes};
     again.persist(archive);
   };

@@ -16,7 +16,7 @@ using namespace trophic;
 namespace {
 
 const std::string header =
-    "time_s,tick,body,id,species,height_m,tilt_rad,touches_wall,robots_touched,spared,wished_tag,tag_wish,angle_output,tag_"
+    "time_s,tick,body,id,species,height_m,tilt_rad,touches_wall,robots_touched,exempt,chosen_tag,tag_outcome,angle_output,tag_"
     "output,"
     "input0,input1\n";
 
@@ -52,18 +52,18 @@ TEST_CASE("senses: what each brain was told and answered, empty where it was not
   log.on_start(run_of_two_inputs(), view);
   const std::array<double, 2> told{0.25, -1.0};
   const std::array<double, 2> answered{0.5, -0.125};
-  log.on_reprieve(0, view);
-  log.on_deliberation({.body = 0,
-                       .inputs = told,
-                       .outputs = answered,
-                       .target_angle_rad = 0.7,
-                       .tag = 1,
-                       .tag_before = -1,
-                       .might_switch = false},
-                      view);
-  log.on_deliberation({.body = 1, .inputs = told, .outputs = {}, .tag = -1, .tag_before = 1, .might_switch = true}, view);
+  log.on_exemption(0, view);
+  log.on_decision({.body = 0,
+                   .inputs = told,
+                   .outputs = answered,
+                   .target_angle_rad = 0.7,
+                   .tag = 1,
+                   .tag_before = -1,
+                   .might_switch = false},
+                  view);
+  log.on_decision({.body = 1, .inputs = told, .outputs = {}, .tag = -1, .tag_before = 1, .might_switch = true}, view);
   log.on_tick(view);
-  log.on_deliberation({.body = 2, .inputs = told, .outputs = {}, .tag = 1, .tag_before = 1, .might_switch = true}, view);
+  log.on_decision({.body = 2, .inputs = told, .outputs = {}, .tag = 1, .tag_before = 1, .might_switch = true}, view);
   log.on_tick(view);
   CHECK(test::content(path) == header +
                                    "6,3,0,7,predator,,,,,1,1,denied,0.5,-0.125,0.25,-1\n"
@@ -75,13 +75,13 @@ TEST_CASE("senses: what each brain was told and answered, empty where it was not
   CHECK(log.sum().rows == 6);
 }
 
-TEST_CASE("senses: who was spared and yet died was not spared, nor is who lives in its body now") {
+TEST_CASE("senses: who was exempt and yet died was not exempt, nor is who lives in its body now") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;
   test::HandPopulation robots{{{.species = test::predator, .id = 4}}};
   io::SenseLog log{path};
   log.on_start(run_of_two_inputs(), robots.view());
-  log.on_reprieve(0, robots.view());
+  log.on_exemption(0, robots.view());
   robots.individuals[0].id = 5;
   log.on_tick(robots.view());
   CHECK(test::content(path) == header + "0,0,0,5,predator,,,,,0,,,,,,\n");
@@ -97,7 +97,7 @@ TEST_CASE("senses: height, tilt and contacts by the bodies of the last frame, at
       {{9.95, 0.0, 0.125}, Eigen::Quaterniond::Identity()},
       {{0.0, 0.0, 0.5}, Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi / 2.0, Eigen::Vector3d::UnitX()}}},
       {{0.0, 0.21, 0.5}, Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi, Eigen::Vector3d::UnitX()}}}};
-  io::SenseLog log{path, Opening::made_new, 3};
+  io::SenseLog log{path, Opening::created, 3};
   log.on_start(run_of_two_inputs(), robots.view());
   const auto show = [&] {
     log.on_frame(

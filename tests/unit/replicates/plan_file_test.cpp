@@ -128,13 +128,13 @@ TEST_CASE("the runs of a cell are those of one cell") {
   CHECK(refused([](auto& runs) { runs[3].settings["a.switch"] = false; }).starts_with("plan.jsonl:4: settings = {"));
   CHECK(refused([](auto& runs) { runs[7].until_s = 5.0; }) ==
         "plan.jsonl:8: until_s = 5.0: must be 6000.0, as in the other runs of cell 1");
-  CHECK(refused([](auto& runs) { runs[6].extent.agents_every_ticks = 3; }) ==
+  CHECK(refused([](auto& runs) { runs[6].output.agents_every_ticks = 3; }) ==
         "plan.jsonl:7: agents_every = 3: must be 1, as in the other runs of cell 1");
-  CHECK(refused([](auto& runs) { runs[7].extent.senses = true; }) ==
+  CHECK(refused([](auto& runs) { runs[7].output.senses = true; }) ==
         "plan.jsonl:8: senses = true: must be false, as in the other runs of cell 1");
-  CHECK(refused([](auto& runs) { runs[7].extent.states = true; }) ==
+  CHECK(refused([](auto& runs) { runs[7].output.states = true; }) ==
         "plan.jsonl:8: states = true: must be false, as in the other runs of cell 1");
-  CHECK(refused([](auto& runs) { runs[7].extent.replay_hz = 5.0; }) ==
+  CHECK(refused([](auto& runs) { runs[7].output.replay_hz = 5.0; }) ==
         "plan.jsonl:8: replay_hz = 5.0: must be 0.0, as in the other runs of cell 1");
   CHECK(refused([](auto& runs) { runs[7].fingerprint = "f0o"; }) ==
         "plan.jsonl:8: fingerprint = \"f0o\": must be \"f1s\", as in the other runs of cell 1");

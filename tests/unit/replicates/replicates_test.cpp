@@ -14,7 +14,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/replicates/folder.hpp>
 #include <trophic/run/replicates/parallel.hpp>
 #include <trophic/run/replicates/run.hpp>

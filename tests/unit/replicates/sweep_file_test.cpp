@@ -74,7 +74,7 @@ TEST_CASE("What a file leaves out has its default") {
   CHECK_FALSE(file.numbers.senses);
   CHECK(read("senses = true\n[grid]\na = [1]\n").numbers.senses);
   CHECK_FALSE(file.numbers.states);
-  CHECK(read("states = true\n[grid]\na = [1]\n").numbers.extent() == io::Extent{.replay_hz = 0.0, .states = true});
+  CHECK(read("states = true\n[grid]\na = [1]\n").numbers.output() == io::OutputOptions{.replay_hz = 0.0, .states = true});
 }
 
 TEST_CASE("A file that is no sweep is refused in one line") {

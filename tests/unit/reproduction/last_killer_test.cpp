@@ -20,8 +20,8 @@ TEST_CASE("last killer: whoever last caught somebody in this body, dead by now o
   CHECK(parent->id == 77);
   CHECK(parent->genome == states[0].killer->genome);
   CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .killer = {}}, robots.view(), rng, empty));
-  CHECK(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = predator}, robots.view(), rng, states));
-  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .heir = prey}, robots.view(), rng, states));
+  CHECK(rule.parent({.body = 0, .cause = Cause::sacrificed, .successor = predator}, robots.view(), rng, states));
+  CHECK_FALSE(rule.parent({.body = 0, .cause = Cause::sacrificed, .successor = prey}, robots.view(), rng, states));
 }
 
 TEST_CASE("last killer: a catch is remembered in the caught body, whoever is born there") {

@@ -14,9 +14,9 @@ TEST_CASE("nearest conspecific: the closest of the dying one's species, tags and
                                {.species = predator, .x_m = 0.5},
                                {.species = prey, .x_m = 8.0},
                                {.species = prey, .x_m = 7.0, .tag = -1, .active = false, .id = 70}}};
-  const auto parent = rule.parent({.body = 0, .cause = Cause::senescence, .heir = prey}, robots.view(), rng);
+  const auto parent = rule.parent({.body = 0, .cause = Cause::senescence, .successor = prey}, robots.view(), rng);
   REQUIRE(parent);
   CHECK(parent->id == 70);
   CHECK(parent->species == prey);
-  CHECK_FALSE(rule.parent({.body = 1, .cause = Cause::senescence, .heir = predator}, robots.view(), rng));
+  CHECK_FALSE(rule.parent({.body = 1, .cause = Cause::senescence, .successor = predator}, robots.view(), rng));
 }

@@ -20,12 +20,12 @@ TEST_CASE("a clock goes at its speed and never ahead of the run") {
 TEST_CASE("paused, the clock stands and wants a tick, until it goes on") {
   Clock clock;
   clock.set(6.0);
-  clock.pause_or_go_on();
+  clock.pause_or_continue();
   clock.advance(5.0, 100.0);
   CHECK(clock.time_s() == 6.0);
   CHECK(clock.text() == "6.0 s, paused");
   CHECK(clock.wanted_until_s(2.0) == 8.0);
-  clock.pause_or_go_on();
+  clock.pause_or_continue();
   clock.advance(0.1, 100.0);
   CHECK(clock.time_s() == doctest::Approx(7.0));
   CHECK(clock.text() == "7.0 s, 10x");

@@ -21,8 +21,8 @@ struct Scene {
   watch::Controls controls;
 
   Scene() {
-    written.go_on();
-    written.go_on();
+    written.advance();
+    written.advance();
     look();
     press(watch::Key::pause);
   }
@@ -85,7 +85,7 @@ TEST_CASE("who is followed stays in the middle, until it is let go") {
   scene.press(watch::Key::next);
   scene.press(watch::Key::follow);
   for (int i = 0; i < 3; ++i) {
-    scene.written.go_on();
+    scene.written.advance();
     scene.press(watch::Key::step);
     scene.look();
     const Eigen::Vector3d at = scene.footage.root(scene.controls.clock().time_s(), 0).position_m;
@@ -106,7 +106,7 @@ TEST_CASE("the next one goes round, and who dies stays chosen as a dead one") {
   }
   scene.press(watch::Key::follow);
   scene.written.population.individuals[0].id = 20;
-  scene.written.go_on();
+  scene.written.advance();
   CHECK(watch::moment_text(scene.controls, scene.footage, false) == "0.0 s, paused, robot 17");
   for (int i = 0; i < 3; ++i) {
     scene.press(watch::Key::step);
@@ -124,7 +124,7 @@ TEST_CASE("what is known of a robot") {
   scene.written.population.individuals[0].parent = 3;
   scene.written.population.individuals[0].adversary = 1;
   scene.written.population.individuals[0].adversary_distance_m = 2.5;
-  scene.written.go_on();
+  scene.written.advance();
   for (int i = 0; i < 3; ++i) {
     scene.press(watch::Key::step);
     scene.look();

@@ -26,7 +26,7 @@ class WrittenFootage {
   }
 
   /// Four frames, then the tick.
-  void go_on() {
+  void advance() {
     const double from_s = population.time_s;
     for (int i = 1; i <= 4; ++i) add_frame(from_s + 0.5 * i);
     population.at_tick(population.tick + 1);

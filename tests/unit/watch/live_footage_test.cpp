@@ -9,7 +9,7 @@ using namespace trophic;
 
 TEST_CASE("between two frames robots move straight, at their ends they stand") {
   test::WrittenFootage written{{{.x_m = -3}, {.x_m = 2, .y_m = 1}}};
-  for (int i = 0; i < 5; ++i) written.go_on();
+  for (int i = 0; i < 5; ++i) written.advance();
   CHECK(written.footage.newest_s() == 10.0);
   for (const double time_s : {0.0, 0.25, 0.5, 3.9, 9.99, 10.0}) {
     CAPTURE(time_s);
@@ -27,7 +27,7 @@ TEST_CASE("between two frames robots move straight, at their ends they stand") {
 TEST_CASE("a row holds from its tick to the next") {
   test::WrittenFootage written{{{.id = 5}}};
   written.population.individuals[0].id = 6;
-  written.go_on();
+  written.advance();
   CHECK(written.footage.rows_at(0.0)[0].id == 5);
   CHECK(written.footage.rows_at(1.99)[0].id == 5);
   CHECK(written.footage.rows_at(2.0)[0].id == 6);
@@ -39,7 +39,7 @@ TEST_CASE("what nobody will see again is forgotten, and pictures stay the same")
   test::WrittenFootage written{{{.x_m = -3}, {.x_m = 2}}};
   for (int i = 0; i < 100; ++i) {
     written.footage.add_death(written.population.view(), 0);
-    written.go_on();
+    written.advance();
   }
   const auto lines = [&] { return drawing::picture_of(written.footage, 190.3, 1, "now"); };
   const drawing::Picture before = lines();

@@ -77,7 +77,7 @@ void measure_walls(Agents agents, const FoodWeb& web, double half_side_m, RunMet
       const MetricName metric{"wall_sticking", web.name(species), std::string{enum_name(group)}, "1"};
       const WindowMean sticking = wall_sticking(agents, species, group, half_side_m);
       result.measurements.push_back(
-          {metric, sticking.mean(), {{"even_spread", Role::reference, wall_share_of_floor(half_side_m)}}});
+          {metric, sticking.mean(), {{"uniform_density", Role::reference, wall_share_of_floor(half_side_m)}}});
       result.curves.push_back({metric, "", sticking.series()});
       if (group == Group::all) of_all.push_back(sticking.mean());
       if (group == Group::active) of_active.push_back(sticking.mean());
@@ -102,12 +102,12 @@ void measure_tags(Agents agents, const FoodWeb& web, RunMetrics& result) {
       const TagSymmetry symmetry = tag_symmetry(agents, victim, hunter, group);
       result.measurements.push_back({metric,
                                      symmetry.observed.mean(),
-                                     {{"dealt_tags", Role::null, symmetry.dealt.mean()},
+                                     {{"permuted_tags", Role::null, symmetry.permuted.mean()},
                                       {"uniform_pairs", Role::paper, uniform_pairs},
-                                      {"fair_coins", Role::reference, symmetry.fair_coins.mean()}}});
+                                      {"bernoulli_tags", Role::reference, symmetry.bernoulli_tags.mean()}}});
       result.curves.push_back({metric, "", symmetry.observed.series()});
-      result.curves.push_back({metric, "dealt_tags", symmetry.dealt.series()});
-      result.curves.push_back({metric, "fair_coins", symmetry.fair_coins.series()});
+      result.curves.push_back({metric, "permuted_tags", symmetry.permuted.series()});
+      result.curves.push_back({metric, "bernoulli_tags", symmetry.bernoulli_tags.series()});
     }
   }
 }
@@ -134,7 +134,7 @@ void measure_stuck(Agents agents, const FoodWeb& web, RunMetrics& result) {
     result.curves.push_back({metric, "", mean.series()});
   };
   for (Species species = 0; species < web.size(); ++species) add(web.name(species), stuck(agents, species));
-  add("everybody", stuck(agents, std::nullopt));
+  add("all", stuck(agents, std::nullopt));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace trophic::analysis {
 
-double fair_coin_symmetry(std::size_t a, std::size_t b) {
+double bernoulli_symmetry(std::size_t a, std::size_t b) {
   if (a > b) std::swap(a, b);
   const auto count_a = static_cast<double>(a);
   const auto count_b = static_cast<double>(b);
@@ -56,7 +56,7 @@ double uniform_pair_symmetry(Rng& rng, std::size_t pairs) {
   return mean.value().value_or(0.0);
 }
 
-double dealt_symmetry(std::size_t a, std::size_t b, std::size_t plus) {
+double permuted_symmetry(std::size_t a, std::size_t b, std::size_t plus) {
   const auto log_choose = [](std::size_t n, std::size_t k) {
     return std::lgamma(static_cast<double>(n) + 1.0) - std::lgamma(static_cast<double>(k) + 1.0) -
            std::lgamma(static_cast<double>(n - k) + 1.0);
@@ -95,13 +95,13 @@ TagSymmetry tag_symmetry(Agents agents, Species a, Species b, Group group, doubl
     }
     if (in_a.all == 0 || in_b.all == 0) continue;
     const auto [coin, new_coin] = coins.try_emplace({in_a.all, in_b.all});
-    if (new_coin) coin->second = fair_coin_symmetry(in_a.all, in_b.all);
+    if (new_coin) coin->second = bernoulli_symmetry(in_a.all, in_b.all);
     const auto [deal, new_deal] = deals.try_emplace({in_a.all, in_b.all, in_a.plus + in_b.plus});
-    if (new_deal) deal->second = dealt_symmetry(in_a.all, in_b.all, in_a.plus + in_b.plus);
+    if (new_deal) deal->second = permuted_symmetry(in_a.all, in_b.all, in_a.plus + in_b.plus);
     const double time_s = now.front().time_s;
     symmetry.observed.add(time_s, std::abs(in_a.mean() + in_b.mean()));
-    symmetry.dealt.add(time_s, deal->second);
-    symmetry.fair_coins.add(time_s, coin->second);
+    symmetry.permuted.add(time_s, deal->second);
+    symmetry.bernoulli_tags.add(time_s, coin->second);
   }
   return symmetry;
 }

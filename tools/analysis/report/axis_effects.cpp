@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <tools/analysis/report/flips.hpp>
+#include <tools/analysis/report/swaps.hpp>
 #include <tools/analysis/statistics/interval.hpp>
 #include <utility>
 

@@ -30,7 +30,7 @@ AxisEffectRow row_of(const AxisEffect& of) {
           .upper = upper_of(d.interval),
           .p = d.p,
           .p_holm = d.adjusted,
-          .decided = decided_text(d)};
+          .significant = significance_text(d)};
 }
 
 void write_axis_effects(const std::filesystem::path& path, std::span<const AxisEffect> effects) {
@@ -41,11 +41,11 @@ void write_axis_effects(const std::filesystem::path& path, std::span<const AxisE
 
 void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects) {
   if (effects.empty()) return;
-  std::size_t decided = 0;
+  std::size_t significant = 0;
   std::vector<const AxisEffect*> largest;
   for (const AxisEffect& effect : effects) {
     if (!effect.difference.differs()) continue;
-    ++decided;
+    ++significant;
     const auto found = std::ranges::find_if(
         largest, [&](const AxisEffect* other) { return other->axis == effect.axis && other->name == effect.name; });
     if (found == largest.end()) {
@@ -54,7 +54,8 @@ void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects) 
       *found = &effect;
     }
   }
-  out << "averaged over the other axes, " << decided << " of " << effects.size() << " effects of an axis are decided (Holm)";
+  out << "averaged over the other axes, " << significant << " of " << effects.size()
+      << " effects of an axis are significant (Holm)";
   if (largest.empty()) {
     out << "\n";
     return;
@@ -68,7 +69,7 @@ void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects) 
         << padded(reading.with_interval(effect.difference.value, effect.difference.interval, true), 28) << effect.axis << " "
         << effect.reference << " -> " << effect.value << "\n";
   }
-  if (largest.size() > shown) out << "and " << largest.size() - shown << " more: decided in sweep_effects.csv\n";
+  if (largest.size() > shown) out << "and " << largest.size() - shown << " more: significant in sweep_effects.csv\n";
 }
 
 }  // namespace trophic::analysis

@@ -33,7 +33,7 @@ struct AxisEffectRow {
   std::optional<double> upper = {};
   std::optional<double> p = {};
   std::optional<double> p_holm = {};
-  std::string decided = {};
+  std::string significant = {};
 
   static constexpr auto columns() {
     using io::column;
@@ -55,7 +55,7 @@ struct AxisEffectRow {
         column("upper", &AxisEffectRow::upper, "", "of this effect's own 95 % interval"),
         column("p", &AxisEffectRow::p, "", "of this effect alone"),
         column("p_holm", &AxisEffectRow::p_holm, "", "corrected for all effects of the analysis"),
-        column("decided", &AxisEffectRow::decided, "", "yes where p_holm <= 0.05, else no; empty without a p value")};
+        column("significant", &AxisEffectRow::significant, "", "yes where p_holm <= 0.05, else no; empty without a p value")};
   }
 };
 

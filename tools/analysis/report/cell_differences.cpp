@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <tools/analysis/report/flips.hpp>
+#include <tools/analysis/report/swaps.hpp>
 #include <tools/analysis/statistics/holm.hpp>
 
 namespace trophic::analysis::detail {

@@ -19,12 +19,12 @@ Contrast less_published(const Contrast& ours, const ClaimReading& reading) {
 
 Reproduction conclusion_on(const Contrast& difference, const std::optional<double>& margin) {
   if (!margin) return Reproduction::none;
-  switch (test_equivalence(difference, *margin).verdict) {
+  switch (test_equivalence(difference, *margin).conclusion) {
     case Equivalence::equivalent:
       return Reproduction::reproduced;
     case Equivalence::different:
       return Reproduction::not_reproduced;
-    case Equivalence::undecided:
+    case Equivalence::inconclusive:
       return Reproduction::inconclusive;
     case Equivalence::unknown:
       break;
@@ -39,7 +39,7 @@ std::optional<std::size_t> runs_to_decide(const ClaimReading& reading, double me
     const Reproduction conclusion = conclusion_on(less_published(ours, reading), margin_of(reading));
     return conclusion == Reproduction::reproduced || conclusion == Reproduction::not_reproduced;
   };
-  for (std::size_t runs = runs_for_verdict; runs <= 1000; ++runs) {
+  for (std::size_t runs = min_runs_for_test; runs <= 1000; ++runs) {
     if (decides(runs)) return runs;
   }
   return std::nullopt;

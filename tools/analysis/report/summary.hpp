@@ -22,7 +22,7 @@ struct Comparison {
   std::optional<double> value;       ///< the baseline's mean over the runs
   std::optional<double> difference;  ///< ours - null
   std::optional<Interval> interval;  ///< of the difference
-  [[nodiscard]] Verdict verdict() const { return analysis::verdict(interval); }
+  [[nodiscard]] TestResult test_result() const { return analysis::test_result(interval); }
 };
 
 struct SummaryRow {

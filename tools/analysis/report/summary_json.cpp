@@ -87,7 +87,7 @@ Json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows) {
   json["set"] = set.ours.label;
   json["backend"] = set.ours.manifests.front().backend;
   json["fingerprint"] = set.ours.manifests.front().fingerprint;
-  json["runs_for_verdict"] = runs_for_verdict;
+  json["min_runs_for_test"] = min_runs_for_test;
   json["runs"] = detail::runs_json(set.ours);
   json["shadow_runs"] = set.shadow ? detail::runs_json(*set.shadow) : Json::array();
   for (const SummaryRow& row : rows) {
@@ -103,7 +103,7 @@ Json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows) {
       baseline["value"] = detail::to_json(comparison.value);
       baseline["difference"] = detail::to_json(comparison.difference);
       detail::put(baseline, comparison.interval);
-      baseline["verdict"] = comparison.role == Role::null ? Json(enum_name(comparison.verdict())) : Json();
+      baseline["conclusion"] = comparison.role == Role::null ? Json(enum_name(comparison.test_result())) : Json();
       metric["baselines"].push_back(baseline);
     }
     json["metrics"].push_back(metric);

@@ -19,11 +19,11 @@ Json sweep_json(const SweepRuns& sweep, const CellDifferences& differences, std:
   json["axes"] = Json::array();
   for (const Axis& axis : sweep.grid.axes) json["axes"].push_back({{"name", axis.name}, {"values", axis.values}});
   json["reference"] = reference;
-  json["runs_for_verdict"] = runs_for_verdict;
+  json["min_runs_for_test"] = min_runs_for_test;
   json["comparisons"] = differences.comparisons;
   json["level"] = differences.level();
   json["power"] = usual_power;
-  json["decided"] = Json::array();
+  json["significant"] = Json::array();
   for (const CellDifference& d : differences.all) {
     if (!d.difference.differs()) continue;
     Json entry{{"cell", d.cell}};
@@ -31,7 +31,7 @@ Json sweep_json(const SweepRuns& sweep, const CellDifferences& differences, std:
     entry["over_shadow"] = d.over_shadow;
     detail::put(entry, d.difference);
     entry["hedges_g"] = detail::to_json(d.hedges_g);
-    json["decided"].push_back(entry);
+    json["significant"].push_back(entry);
   }
   json["asked"] = Json::array();
   for (const RunsForDifference& answer : answers) {

@@ -27,7 +27,7 @@ SweepDifferenceRow row_of(const CellDifference& of, std::size_t reference) {
           .upper_corrected = upper_of(of.corrected),
           .p = d.p,
           .p_holm = d.adjusted,
-          .decided = decided_text(d),
+          .significant = significance_text(d),
           .hedges_g = of.hedges_g,
           .runs_needed = of.runs_needed,
           .smallest_detectable = of.detectable};

@@ -123,7 +123,7 @@ struct SweepDifferenceRow {
   std::optional<double> upper_corrected = {};
   std::optional<double> p = {};
   std::optional<double> p_holm = {};
-  std::string decided = {};
+  std::string significant = {};
   std::optional<double> hedges_g = {};
   std::optional<std::size_t> runs_needed = {};
   std::optional<double> smallest_detectable = {};
@@ -152,7 +152,7 @@ struct SweepDifferenceRow {
         column("upper_corrected", &SweepDifferenceRow::upper_corrected, "", "of the same interval"),
         column("p", &SweepDifferenceRow::p, "", "of this comparison alone"),
         column("p_holm", &SweepDifferenceRow::p_holm, "", "corrected for all comparisons of the analysis"),
-        column("decided", &SweepDifferenceRow::decided, "", "yes where p_holm <= 0.05, else no; empty without a p value"),
+        column("significant", &SweepDifferenceRow::significant, "", "yes where p_holm <= 0.05, else no; empty without a p value"),
         column("hedges_g", &SweepDifferenceRow::hedges_g, "",
                "the difference over the pooled standard deviation between runs of both cells, corrected for small numbers"),
         column("runs_needed", &SweepDifferenceRow::runs_needed, "",

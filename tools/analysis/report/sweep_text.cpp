@@ -56,29 +56,29 @@ std::string compared_title(const CellDifference& d) {
   return metric_title(d.name) + (d.over_shadow ? ", over shadow" : "");
 }
 
-std::vector<DecidedMetric> decided_metrics(const CellDifferences& differences) {
-  std::vector<DecidedMetric> metrics;
+std::vector<SignificantMetric> significant_metrics(const CellDifferences& differences) {
+  std::vector<SignificantMetric> metrics;
   for (const CellDifference& d : differences.all) {
     if (!d.difference.differs()) continue;
-    auto found = std::ranges::find_if(metrics, [&](const DecidedMetric& other) { return other.largest->name == d.name; });
+    auto found = std::ranges::find_if(metrics, [&](const SignificantMetric& other) { return other.largest->name == d.name; });
     if (found == metrics.end()) found = metrics.insert(found, {&d, 0});
     ++found->cells;
     if (std::abs(*d.difference.value) > std::abs(*found->largest->difference.value)) found->largest = &d;
   }
-  std::ranges::stable_sort(metrics, std::ranges::greater{}, &DecidedMetric::cells);
+  std::ranges::stable_sort(metrics, std::ranges::greater{}, &SignificantMetric::cells);
   return metrics;
 }
 
-void print_decided_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences) {
-  const std::vector<DecidedMetric> metrics = decided_metrics(differences);
+void print_significant_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences) {
+  const std::vector<SignificantMetric> metrics = significant_metrics(differences);
   if (metrics.empty()) {
-    out << "no comparison is decided\n";
+    out << "no comparison is significant\n";
     return;
   }
-  out << padded("decided metric", 44) << padded("cells", 9) << padded("largest difference [corrected]", 34) << padded("g", 8)
+  out << padded("significant metric", 44) << padded("cells", 9) << padded("largest difference [corrected]", 34) << padded("g", 8)
       << "in cell\n";
   constexpr std::size_t shown = 20;
-  for (const DecidedMetric& metric : std::span{metrics}.first(std::min(shown, metrics.size()))) {
+  for (const SignificantMetric& metric : std::span{metrics}.first(std::min(shown, metrics.size()))) {
     const CellDifference& d = *metric.largest;
     const std::string of = std::to_string(metric.cells) + "/" + std::to_string(grid.cells.size() - 1);
     out << padded(compared_title(d), 44) << padded(of, 9)
@@ -86,8 +86,8 @@ void print_decided_metrics(std::ostream& out, const SweepGrid& grid, const CellD
         << padded(d.hedges_g ? decimals(*d.hedges_g, 1, true) : "-", 8) << d.cell << " (" << cell_title(grid, d.cell) << ")\n";
   }
   if (metrics.size() > shown)
-    out << "and " << counted(metrics.size() - shown, "metric") << " more: decided in sweep_differences.csv\n";
-  out << "decided: p <= 0.05, corrected (Holm), which finds a little more than intervals that hold all at once; g: Hedges'\n";
+    out << "and " << counted(metrics.size() - shown, "metric") << " more: significant in sweep_differences.csv\n";
+  out << "significant: p <= 0.05, corrected (Holm), which finds a little more than intervals that hold all at once; g: Hedges'\n";
 }
 
 }  // namespace trophic::analysis::detail
@@ -120,37 +120,37 @@ void print_sweep(std::ostream& out, const SweepRuns& sweep, const CellDifference
 
 void print_cell_differences(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences) {
   if (differences.all.empty()) return;
-  detail::print_decided_metrics(out, grid, differences);
-  std::size_t decided = 0;
+  detail::print_significant_metrics(out, grid, differences);
+  std::size_t significant = 0;
   std::size_t too_few = 0;
   std::vector<std::string> open;
-  std::set<std::string> with_verdict;
+  std::set<std::string> tested;
   for (const CellDifference& d : differences.all) {
     if (detail::is_comparison(d) && !d.difference.p) ++too_few;
     if (!d.difference.differs()) continue;
-    ++decided;
-    with_verdict.insert(metric_title(d.name));
+    ++significant;
+    tested.insert(metric_title(d.name));
   }
   for (const CellDifference& d : differences.all) {
     const std::string title = metric_title(d.name);
-    if (!detail::is_comparison(d) || with_verdict.contains(title)) continue;
+    if (!detail::is_comparison(d) || tested.contains(title)) continue;
     if (std::ranges::find(open, title) == open.end()) open.push_back(title);
   }
-  const std::size_t undecided = differences.comparisons - decided;
-  if (undecided > 0) {
-    out << "no verdict on " << undecided << " of " << differences.comparisons
+  const std::size_t inconclusive = differences.comparisons - significant;
+  if (inconclusive > 0) {
+    out << "no conclusion on " << inconclusive << " of " << differences.comparisons
         << " comparisons: a difference is not shown, and neither is its absence\n";
   }
   if (!open.empty()) {
     constexpr std::size_t shown = 6;
-    out << "no verdict in any cell on " << detail::counted(open.size(), "metric") << ": ";
+    out << "no conclusion in any cell on " << detail::counted(open.size(), "metric") << ": ";
     for (std::size_t i = 0; i < std::min(shown, open.size()); ++i) out << (i > 0 ? "; " : "") << open[i];
     out << (open.size() > shown ? "; ...\n" : "\n");
   }
   if (too_few > 0) {
-    out << "too few runs for a verdict in " << too_few << " of them: " << runs_for_verdict << " in each cell are needed\n";
+    out << "too few runs for a conclusion in " << too_few << " of them: " << min_runs_for_test << " in each cell are needed\n";
   }
-  if (undecided > 0) {
+  if (inconclusive > 0) {
     out << "runs_needed and smallest_detectable in sweep_differences.csv say what more runs would show; fewer metrics "
            "(--metric), "
            "chosen before looking, need fewer runs\n";

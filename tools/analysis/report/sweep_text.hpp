@@ -34,16 +34,16 @@ namespace detail {
 [[nodiscard]] std::string compared_title(const CellDifference& d);
 
 /// A metric that is decided in some cells.
-struct DecidedMetric {
+struct SignificantMetric {
   const CellDifference* largest = nullptr;
   std::size_t cells = 0;
 };
 
 /// Those that are decided in most cells first.
-[[nodiscard]] std::vector<DecidedMetric> decided_metrics(const CellDifferences& differences);
+[[nodiscard]] std::vector<SignificantMetric> significant_metrics(const CellDifferences& differences);
 
 /// One line a metric: in how many cells it is decided, and where it differs most.
-void print_decided_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
+void print_significant_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
 
 }  // namespace detail
 

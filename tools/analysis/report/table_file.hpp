@@ -18,7 +18,7 @@ namespace trophic::analysis {
 template <io::TableRow Row>
 class TableFile {
  public:
-  explicit TableFile(const std::filesystem::path& path) : file_{path}, lines_{file_.part(), {}, Opening::gone_on_with} {
+  explicit TableFile(const std::filesystem::path& path) : file_{path}, lines_{file_.part(), {}, Opening::resumed} {
     lines_.buffer() = io::header_of<Row>();
   }
 

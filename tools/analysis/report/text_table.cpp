@@ -16,8 +16,9 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 void print_too_few(std::ostream& out, const RunSet& set) {
-  if (set.runs.size() >= runs_for_verdict) return;
-  out << "too few runs for a verdict: " << runs_for_verdict << " are needed, " << set.label << " has " << set.runs.size() << "\n";
+  if (set.runs.size() >= min_runs_for_test) return;
+  out << "too few runs for a conclusion: " << min_runs_for_test << " are needed, " << set.label << " has " << set.runs.size()
+      << "\n";
 }
 
 std::string described(const RunSet& set) {
@@ -57,14 +58,14 @@ void print_table(std::ostream& out, const ShadowedSet& set, std::span<const Summ
       out << padded("    " + mark + other.baseline, 42) << reading(other.value);
       if (other.role == Role::null) {
         out << std::string(42 - std::min<std::size_t>(41, reading(other.value).size()), ' ')
-            << padded(reading.with_interval(other.difference, other.interval, true), 28) << enum_name(other.verdict());
+            << padded(reading.with_interval(other.difference, other.interval, true), 28) << enum_name(other.test_result());
       }
       out << "\n";
     }
   }
   out << "= a null: what the rules give without the effect   * the paper's own baseline, shown for reference: no null, no "
-         "verdict\n";
-  out << "verdicts are of single metrics: one in twenty finds something where there is nothing\n";
+         "conclusion\n";
+  out << "conclusions are of single metrics: one in twenty finds something where there is nothing\n";
   print_too_few(out, set.ours);
   if (set.shadow) print_too_few(out, *set.shadow);
 }

@@ -8,7 +8,7 @@
 
 namespace trophic::analysis {
 
-std::string decided_text(const Difference& difference) {
+std::string significance_text(const Difference& difference) {
   if (!difference.adjusted) return "";
   return difference.differs() ? "yes" : "no";
 }

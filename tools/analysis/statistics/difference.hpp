@@ -20,7 +20,7 @@ struct Difference {
 };
 
 /// As tables have it: yes or no; empty without a p value.
-[[nodiscard]] std::string decided_text(const Difference& difference);
+[[nodiscard]] std::string significance_text(const Difference& difference);
 
 /// `value` is given by the caller, as a contrast needs more runs than a difference does.
 [[nodiscard]] Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of);

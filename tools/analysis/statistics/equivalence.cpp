@@ -18,7 +18,7 @@ EquivalenceTest test_equivalence(const std::optional<Contrast>& difference, doub
   const Interval wide = *interval_of(difference, 1.0 - alpha);
   const bool within = test.interval->lower > -margin && test.interval->upper < margin;
   const bool apart = wide.lower > 0.0 || wide.upper < 0.0;
-  test.verdict = within ? Equivalence::equivalent : apart ? Equivalence::different : Equivalence::undecided;
+  test.conclusion = within ? Equivalence::equivalent : apart ? Equivalence::different : Equivalence::inconclusive;
   return test;
 }
 

@@ -11,17 +11,17 @@
 namespace trophic::analysis {
 
 /// `equivalent`: the difference is smaller than the margin. `different`: it is larger than zero, and not shown to be smaller than
-/// the margin. `undecided`: too scattered runs for either. `unknown`: fewer than `runs_for_verdict` values in a set.
-enum class Equivalence { unknown, equivalent, different, undecided };
+/// the margin. `undecided`: too scattered runs for either. `unknown`: fewer than `min_runs_for_test` values in a set.
+enum class Equivalence { unknown, equivalent, different, inconclusive };
 [[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Equivalence) {
-  return {"unknown", "equivalent", "different", "undecided"};
+  return {"unknown", "equivalent", "different", "inconclusive"};
 }
 
 struct EquivalenceTest {
   std::optional<double> difference;
   std::optional<Interval> interval;  ///< of the difference, at 1 - 2 alpha
   double margin = 0.0;
-  Equivalence verdict = Equivalence::unknown;
+  Equivalence conclusion = Equivalence::unknown;
 };
 
 /// Two one-sided tests [schuirmann1987], each at level `alpha`: equivalent iff the interval of the difference at 1 - 2 alpha

@@ -13,17 +13,17 @@ namespace trophic::analysis {
 
 /// Where the interval of a difference lies: all of it on one side of zero, or not. `unknown`: too few runs for an interval. Not
 /// distinguishable is no finding of absence.
-enum class Verdict { unknown, below, not_distinguishable, above };
-[[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Verdict) {
-  return {"no verdict", "below", "not distinguishable", "above"};
+enum class TestResult { unknown, below, not_significant, above };
+[[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(TestResult) {
+  return {"not tested", "below", "not significant", "above"};
 }
-[[nodiscard]] constexpr Verdict verdict(const std::optional<Interval>& difference) {
-  if (!difference) return Verdict::unknown;
-  if (difference->lower > 0.0) return Verdict::above;
-  return difference->upper < 0.0 ? Verdict::below : Verdict::not_distinguishable;
+[[nodiscard]] constexpr TestResult test_result(const std::optional<Interval>& difference) {
+  if (!difference) return TestResult::unknown;
+  if (difference->lower > 0.0) return TestResult::above;
+  return difference->upper < 0.0 ? TestResult::below : TestResult::not_significant;
 }
 
-/// A mean over runs, their spread and, from `runs_for_verdict` runs on, the mean's 95 % interval.
+/// A mean over runs, their spread and, from `min_runs_for_test` runs on, the mean's 95 % interval.
 struct Estimate {
   std::size_t runs = 0;  ///< those in which it could be computed
   std::optional<double> mean;

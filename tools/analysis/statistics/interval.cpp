@@ -40,7 +40,7 @@ std::optional<Contrast> contrast(std::initializer_list<Term> terms) {
   double variance = 0.0;
   double squares = 0.0;
   for (const auto& [weight, values] : terms) {
-    if (values.size() < runs_for_verdict) return std::nullopt;
+    if (values.size() < min_runs_for_test) return std::nullopt;
     const auto count = static_cast<double>(values.size());
     const double part = weight * weight * std::pow(*deviation_of(values), 2.0) / count;
     sum.value += weight * *mean_of(values);

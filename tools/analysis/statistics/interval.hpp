@@ -10,7 +10,7 @@
 namespace trophic::analysis {
 
 /// A set of fewer runs gets its mean and spread, but no interval and no verdict.
-inline constexpr std::size_t runs_for_verdict = 6;
+inline constexpr std::size_t min_runs_for_test = 6;
 
 struct Interval {
   double lower = 0.0;
@@ -44,7 +44,7 @@ struct Contrast {
 };
 
 /// Of one set: Student's t (n - 1 degrees of freedom). Of several: Welch's approximation [welch1947], which lets every set have
-/// its own spread. None if a set has fewer than `runs_for_verdict` values.
+/// its own spread. None if a set has fewer than `min_runs_for_test` values.
 [[nodiscard]] std::optional<Contrast> contrast(std::initializer_list<Term> terms);
 
 /// The interval that holds the true value of a contrast with probability `level`; a point where no set has any spread.

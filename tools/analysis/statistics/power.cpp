@@ -73,7 +73,7 @@ std::optional<std::size_t> runs_for_power(double difference, const Scatter& scat
   check("level", level);
   check("power", power);
   if (difference == 0.0) return std::nullopt;
-  if (is_rounding(std::sqrt(scatter.variance), difference)) return runs_for_verdict;
+  if (is_rounding(std::sqrt(scatter.variance), difference)) return min_runs_for_test;
   const double spreads = std::abs(difference) / std::sqrt(scatter.variance);
   const auto suffices = [&](std::size_t runs) {
     const auto count = static_cast<double>(runs);
@@ -84,7 +84,7 @@ std::optional<std::size_t> runs_for_power(double difference, const Scatter& scat
   const double wanted = student_t_quantile(1.0 - level / 2.0, as_good_as_normal) + student_t_quantile(power, as_good_as_normal);
   const double fewest = std::pow(std::max(wanted, 0.0) / spreads, 2.0);
   if (fewest > static_cast<double>(most_runs)) return std::nullopt;
-  std::size_t enough = std::max(runs_for_verdict, static_cast<std::size_t>(fewest));
+  std::size_t enough = std::max(min_runs_for_test, static_cast<std::size_t>(fewest));
   std::size_t few = enough - 1;
   for (std::size_t step = 1; !suffices(enough); step *= 2) {
     few = enough;

@@ -39,10 +39,10 @@ struct Scatter {
 /// The smallest difference that a comparison with this error and freedom would find with `power` at `level`, two-sided.
 [[nodiscard]] double detectable_difference(const Contrast& of, double level, double power = usual_power);
 
-/// The fewest runs in each set (or pairs), `runs_for_verdict` at least, with which a difference is found with `power` at `level`,
-/// two-sided, if it and the scatter are what they are said to be. None for no difference, and where `most_runs` are too few.
-/// Asked of a difference that was observed this says no more than its p value does [hoenig2001]: it is for the next study. Throws
-/// std::invalid_argument unless level and power lie between 0 and 1.
+/// The fewest runs in each set (or pairs), `min_runs_for_test` at least, with which a difference is found with `power` at
+/// `level`, two-sided, if it and the scatter are what they are said to be. None for no difference, and where `most_runs` are too
+/// few. Asked of a difference that was observed this says no more than its p value does [hoenig2001]: it is for the next study.
+/// Throws std::invalid_argument unless level and power lie between 0 and 1.
 [[nodiscard]] std::optional<std::size_t> runs_for_power(double difference, const Scatter& scatter, double level,
                                                         double power = usual_power);
 

@@ -14,7 +14,7 @@ import pandas
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Ids and counts may be absent; what is empty in a text column is an empty text.
-_TEXT = ("event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "flip", "tag_wish")
+_TEXT = ("event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "swap", "tag_outcome")
 
 
 class RunError(ValueError):

@@ -42,7 +42,7 @@ void compare_ecologies(const Ecologies& sets, Csv& csv) {
             << " s each\n"
             << std::left << std::setw(40) << "metric" << std::setw(26) << "first [95 %]" << std::setw(26) << "second [95 %]"
             << std::setw(9) << "margin" << std::setw(26) << "difference [90 %]"
-            << "verdict\n";
+            << "conclusion\n";
   for (const analysis::Measurement& measured : sets.first.runs.front().measurements) {
     const analysis::MetricName& name = measured.name;
     const auto margin =
@@ -66,7 +66,7 @@ void compare_ecologies(const Ecologies& sets, Csv& csv) {
       csv.add(subject, estimate, i == 0 ? std::nullopt : std::optional{test});
     }
     std::cout << std::setw(9) << text(unit * allowed, decimals) << std::setw(26)
-              << text(test.difference, test.interval, unit, decimals) << enum_name(test.verdict) << "\n";
+              << text(test.difference, test.interval, unit, decimals) << enum_name(test.conclusion) << "\n";
   }
   for (const auto* set : {&sets.first, &sets.second}) {
     for (const std::string& remark : set->remarks) std::cout << "remark: " << remark << "\n";

@@ -38,7 +38,7 @@ const Outcome& finest(std::span<const Outcome> outcomes, std::string_view engine
 GaitReport::GaitReport(const std::filesystem::path& folder, Csv& csv) : csv_{csv}, paths_{folder / "trajectories.csv"} {
   std::cout << std::left
             << "one gait: mean over robots [95 %]; difference to mujoco in % of its value at target angle 0.7, with "
-               "verdict for a margin of 10 %;\ndistance after 10 s to the same robot at mujoco's and at the engine's "
+               "conclusion for a margin of 10 %;\ndistance after 10 s to the same robot at mujoco's and at the engine's "
                "own finest step\n"
             << std::setw(7) << "engine" << std::setw(13) << "settings" << std::setw(8) << "step ms" << std::setw(6) << "angle"
             << std::setw(22) << "speed cm/s" << std::setw(23) << "turning rad/min" << std::setw(9) << "power W" << std::setw(10)
@@ -78,7 +78,7 @@ void GaitReport::add(const Outcome& outcome, const Outcome& reference, const Out
     if (!is_judged || c.engine == reference.condition.engine) continue;
     std::ostringstream cell;
     cell << std::left << std::setw(20)
-         << text(100.0 * *test.difference / scales_[i], 1) + " % " + std::string{enum_name(test.verdict)};
+         << text(100.0 * *test.difference / scales_[i], 1) + " % " + std::string{enum_name(test.conclusion)};
     differences += cell.str();
   }
   for (const auto& [name, other] : {std::pair{"distance_to_mujoco_m", &mujoco}, std::pair{"distance_to_own_m", &own}}) {

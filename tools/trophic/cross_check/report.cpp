@@ -29,7 +29,7 @@ void Csv::add(const Subject& subject, const analysis::Estimate& estimate,
                .difference = test.difference,
                .difference_lower = lower(test.interval),
                .difference_upper = upper(test.interval),
-               .verdict = std::string{against_mujoco ? trophic::enum_name(test.verdict) : ""}});
+               .conclusion = std::string{against_mujoco ? trophic::enum_name(test.conclusion) : ""}});
   file_.flush();
 }
 

@@ -48,7 +48,7 @@ struct CheckRow {
   std::optional<double> difference = {};
   std::optional<double> difference_lower = {};
   std::optional<double> difference_upper = {};
-  std::string verdict = {};
+  std::string conclusion = {};
 
   static constexpr auto columns() {
     using trophic::io::column;
@@ -71,7 +71,7 @@ struct CheckRow {
                "of gaits: to MuJoCo's mean at its default timestep; of ecologies: the second set's less the first's"),
         column("difference_lower", &CheckRow::difference_lower, "", "of its 90 % interval"),
         column("difference_upper", &CheckRow::difference_upper, "", "of its 90 % interval"),
-        column("verdict", &CheckRow::verdict, "", "equivalent, different, undecided or unknown")};
+        column("conclusion", &CheckRow::conclusion, "", "equivalent, different, inconclusive or unknown")};
   }
 };
 

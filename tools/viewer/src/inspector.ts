@@ -76,12 +76,12 @@ function sensed(senses: Senses, row: number): [string, string][] {
     rows.push(["brain is told", told.map(([name, value]) => `${plain(name.replaceAll("_", " "))} ${number(value)}`).join(", ")]);
     if (cell("angle_output") !== "") rows.push(["outputs", `angle ${number(cell("angle_output"))}, tag ${number(cell("tag_output"))}`]);
     const became: Record<string, string> = { kept: "as before", switched: "switched now", denied: "denied" };
-    const tag = Number(cell("wished_tag"));
-    rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_wish")] ?? plain(cell("tag_wish"))}`]);
+    const tag = Number(cell("chosen_tag"));
+    rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_outcome")] ?? plain(cell("tag_outcome"))}`]);
   } else {
     rows.push(["brain is told", "nothing at this tick"]);
   }
-  if (cell("spared") === "1") rows.push(["hunger", "was to starve, spared"]);
+  if (cell("exempt") === "1") rows.push(["hunger", "was to starve, exempt"]);
   if (cell("height_m") !== "") {
     rows.push(["root", `${number(cell("height_m"))} m high, tilted by ${fixed((Number(cell("tilt_rad")) * 180) / Math.PI, 0)}°`]);
     const touched = Number(cell("robots_touched"));

@@ -214,7 +214,7 @@ test("the inspector says what a brain is told, answers and wants, as senses.csv 
   const inputs = JSON.parse(readFileSync(join(at("sensing"), "manifest.json"), "utf8")).senses.inputs;
   const fixed = (text) => Number(text).toFixed(2);
   for (const wish of ["denied", "kept", "switched"]) {
-    const row = rows("sensing", "senses.csv").find((one) => one.tag_wish === wish);
+    const row = rows("sensing", "senses.csv").find((one) => one.tag_outcome === wish);
     await opened.evaluate(([time, id]) => {
       window.trophic.seek(time);
       window.trophic.select(id);
@@ -223,7 +223,7 @@ test("the inspector says what a brain is told, answers and wants, as senses.csv 
     const said = Object.fromEntries(await opened.page.$$eval(".inspector dt", (terms) => terms.map((term) => [term.textContent, term.nextSibling.textContent])));
     assert.equal(said["brain is told"], inputs.map((name, i) => `${name.replaceAll("_", " ")} ${fixed(row[`input${i}`])}`).join(", "));
     assert.equal(said.outputs, `angle ${fixed(row.angle_output)}, tag ${fixed(row.tag_output)}`);
-    assert.equal(said["wants tag"], `${Number(row.wished_tag) > 0 ? "+" : ""}${row.wished_tag}, ${{ denied: "denied", kept: "as before", switched: "switched now" }[wish]}`);
+    assert.equal(said["wants tag"], `${Number(row.chosen_tag) > 0 ? "+" : ""}${row.chosen_tag}, ${{ denied: "denied", kept: "as before", switched: "switched now" }[wish]}`);
     assert.equal(said.touches, undefined); // points have no bodies
   }
   await leave(opened);

@@ -37,11 +37,11 @@ class Locomotion {
         control_hz_{control_hz},
         idle_steps_{idle_steps} {}
 
-  /// Takes `steps` control steps with these target angles, one per robot. `gives_up()` is asked between the control steps of a
-  /// backend with joints; if it says true no more are taken. Returns whether all were.
-  template <class GivesUp>
-  bool advance(AnyBackend& backend, std::int64_t steps, std::span<const double> target_angles_rad, GivesUp&& gives_up) {
-    if (backend.has_joints()) return advance_joints(backend, steps, target_angles_rad, gives_up);
+  /// Takes `steps` control steps with these target angles, one per robot. `is_cancelled()` is asked between the control steps of
+  /// a backend with joints; if it says true no more are taken. Returns whether all were.
+  template <class IsCancelled>
+  bool advance(AnyBackend& backend, std::int64_t steps, std::span<const double> target_angles_rad, IsCancelled&& is_cancelled) {
+    if (backend.has_joints()) return advance_joints(backend, steps, target_angles_rad, is_cancelled);
     for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
       backend.set_target_angle(robot, target_angles_rad[robot]);
     }
@@ -85,10 +85,11 @@ class Locomotion {
   }
 
  private:
-  template <class Bodies, class GivesUp>
-  bool advance_joints(Bodies& backend, std::int64_t steps, std::span<const double> target_angles_rad, GivesUp&& gives_up) {
+  template <class Bodies, class IsCancelled>
+  bool advance_joints(Bodies& backend, std::int64_t steps, std::span<const double> target_angles_rad,
+                      IsCancelled&& is_cancelled) {
     for (std::int64_t step = 0; step < steps; ++step) {
-      if (gives_up()) return false;
+      if (is_cancelled()) return false;
       if (taken_ < idle_steps_) {
         wait(backend, 1);
         continue;

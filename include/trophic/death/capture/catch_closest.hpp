@@ -22,7 +22,7 @@ struct CatchClosest {
   static constexpr std::string_view source = "released code";
   /// An offspring enters the list at its body's place, so that which hunters act, and who is caught, hangs on the order of
   /// bodies.
-  static constexpr bool hangs_on_order_of_bodies = true;
+  static constexpr bool depends_on_order_of_bodies = true;
 
   struct Params {
     double reach_m = 1.0;

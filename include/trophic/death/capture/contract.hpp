@@ -22,7 +22,7 @@ struct Capture {
 };
 
 /// `captures(view, rng)`: everybody caught at this tick, in order; each victim once. A rule under which somebody's chance to be
-/// caught hangs on which body anyone lives in says so: `static constexpr bool hangs_on_order_of_bodies = true;`.
+/// caught hangs on which body anyone lives in says so: `static constexpr bool depends_on_order_of_bodies = true;`.
 template <class P>
 concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
   { policy.captures(view, rng) } -> std::same_as<std::vector<Capture>>;

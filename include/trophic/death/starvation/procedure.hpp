@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 #include <trophic/death/starvation/choice/contract.hpp>
-#include <trophic/death/starvation/choice/hungriest_unspared.hpp>
+#include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <trophic/death/starvation/contract.hpp>
 #include <trophic/death/starvation/exemption/contract.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
@@ -31,7 +31,7 @@ struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
   };
   static constexpr auto& part_names = Names::part_names;
   static constexpr bool parts_fit = Interval<IntervalPart> && Exemption<AnswersForSpecies<ExemptionPart>> && Choice<ChoicePart>;
-  /// "interval: never_due, exemption: no_exemption, choice: hungriest_unspared".
+  /// "interval: never_due, exemption: no_exemption, choice: hungriest_nonexempt".
   static constexpr std::string_view name =
       JoinedText<trophic::detail::PartWords<void, Names, IntervalPart, ExemptionPart, ChoicePart>>::view;
   static constexpr std::string_view source =
@@ -71,6 +71,6 @@ struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
     return result;
   }
 };
-static_assert(Starvation<Procedure<interval::NeverDue, exemption::NoExemption, choice::HungriestUnspared>>);
+static_assert(Starvation<Procedure<interval::NeverDue, exemption::NoExemption, choice::HungriestNonexempt>>);
 
 }  // namespace trophic::death::starvation

@@ -104,7 +104,7 @@ class HeldWithStates : public Held<Sensors...> {
     return all;
   }
 
-#define TROPHIC_TELL_SENSORS(hook, Happened, signature)                          \
+#define TROPHIC_NOTIFY_SENSORS(hook, Happened, signature)                        \
   void hook(State& own, BodyIndex self, Happened what, const View& view) const { \
     this->each([&]<class One>(const One& sensor, auto place) {                   \
       if constexpr (trophic::detail::StateTakes_##hook<One>) {                   \
@@ -112,8 +112,8 @@ class HeldWithStates : public Held<Sensors...> {
       }                                                                          \
     });                                                                          \
   }
-  TROPHIC_STATE_HOOKS(TROPHIC_TELL_SENSORS)
-#undef TROPHIC_TELL_SENSORS
+  TROPHIC_STATE_HOOKS(TROPHIC_NOTIFY_SENSORS)
+#undef TROPHIC_NOTIFY_SENSORS
 };
 
 /// One sensor's state among those of a list; nothing for a sensor without State.

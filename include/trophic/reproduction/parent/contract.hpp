@@ -21,7 +21,8 @@ struct Vacancy {
   BodyIndex body = 0;
   Cause cause = Cause::caught;
   std::optional<BodyIndex> killer = {};  ///< the body of the hunter, for Cause::caught
-  std::optional<Species> heir = {};  ///< the species that the body goes to, where the rules fix it: a parent must be one of it
+  std::optional<Species> successor =
+      {};  ///< the species that the body goes to, where the rules fix it: a parent must be one of it
 };
 
 /// `parent(vacancy, view, rng)`: who reproduces into the vacant body, dead or alive; nobody: the genome is random. Of the species

@@ -29,7 +29,7 @@ struct LastKiller {
 
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View&, Rng&, std::span<const State> states) const {
     const std::optional<Ancestor>& killer = states[vacancy.body].killer;
-    return killer && vacancy.heir && killer->species != *vacancy.heir ? std::nullopt : killer;
+    return killer && vacancy.successor && killer->species != *vacancy.successor ? std::nullopt : killer;
   }
 };
 static_assert(Parent<LastKiller>);

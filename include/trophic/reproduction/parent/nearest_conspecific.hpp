@@ -15,9 +15,9 @@ struct NearestConspecific {
   static constexpr std::string_view name = "nearest_conspecific";
   static constexpr std::string_view source = "not in the paper";
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&) const {
-    const Species heir = vacancy.heir.value_or(view.robots[vacancy.body].species);
-    const auto closest =
-        view.closest(vacancy.body, [&](const Individual& other) { return other.species == heir; }, {.among = marks_of(heir)});
+    const Species successor = vacancy.successor.value_or(view.robots[vacancy.body].species);
+    const auto closest = view.closest(vacancy.body, [&](const Individual& other) { return other.species == successor; },
+                                      {.among = marks_of(successor)});
     if (!closest) return std::nullopt;
     return view.robots[*closest].as_ancestor();
   }

@@ -10,8 +10,8 @@
 #include <trophic/io/manifest.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
-#include <trophic/run/checkpoint/keeper.hpp>
+#include <trophic/run/checkpoint/checkpoint_writer.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
 
@@ -26,7 +26,7 @@ struct Moment {
 };
 
 /// A run as it was at a moment, its tables and its checkpoint, in a folder that is not the run's own.
-struct Past {
+struct Snapshot {
   Moment moment;
   std::filesystem::path folder;
 };
@@ -39,19 +39,19 @@ struct Past {
 
 /// Where to make the past of what begins at a moment and goes to `out`: in a folder beside it, whose name says which moment of
 /// which run.
-[[nodiscard]] std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment);
+[[nodiscard]] std::filesystem::path snapshot_folder(const std::filesystem::path& out, const Moment& moment);
 
 /// The folder around a past, this program's alone; it goes where nothing is left in it.
-class RoomOfPast {
+class SnapshotFolder {
  public:
   /// Makes it where it is not. Throws std::runtime_error where another program has it.
-  explicit RoomOfPast(const Past& past);
-  RoomOfPast(const RoomOfPast&) = delete;
-  RoomOfPast& operator=(const RoomOfPast&) = delete;
-  ~RoomOfPast();
+  explicit SnapshotFolder(const Snapshot& snapshot);
+  SnapshotFolder(const SnapshotFolder&) = delete;
+  SnapshotFolder& operator=(const SnapshotFolder&) = delete;
+  ~SnapshotFolder();
 
   /// Whether there is one, of this program or another.
-  [[nodiscard]] static bool exists(const Past& past);
+  [[nodiscard]] static bool exists(const Snapshot& snapshot);
 
   /// Removes what is in it.
   void clear();
@@ -63,7 +63,7 @@ class RoomOfPast {
 
 /// Whether a run to `until_s` that begins at a moment needs the past of it: not one that is complete in its folder or can go on
 /// there.
-[[nodiscard]] bool needs_past(const std::filesystem::path& folder, double until_s);
+[[nodiscard]] bool needs_snapshot(const std::filesystem::path& folder, double until_s);
 
 /// Makes `folder` a copy of a run's folder as far as its latest checkpoint of this version at or before `at_s`, which another run
 /// can go on from. Does nothing if there is none: then that other run begins at its beginning. Throws std::invalid_argument if
@@ -71,13 +71,13 @@ class RoomOfPast {
 void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder);
 
 /// Where a run that begins at a moment stands in its folder: there, in a copy that is made where there is nothing to go on from,
-/// or further on. Without a past as the other `standing_in`. Throws as that one and as `copy_until`, and std::invalid_argument
+/// or further on. Without a past as the other `run_state_in`. Throws as that one and as `copy_until`, and std::invalid_argument
 /// where the run in the folder began elsewhere.
-[[nodiscard]] Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                                   const std::optional<Past>& past);
+[[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                                    const std::optional<Snapshot>& snapshot);
 
 /// Lets a run begin that stands at a moment of another one. Throws as `restore_any`.
-void begin_at(Standing& standing, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts);
+void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts);
 
 /// Throws std::invalid_argument naming the first number in which two runs differ that a run cannot change on its way: all but
 /// rules, seed, duration and threads.

@@ -18,7 +18,7 @@
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <trophic/run/checkpoint/go_on.ipp>
+#include <trophic/run/checkpoint/resume.ipp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
@@ -41,11 +41,11 @@ inline void sync_copy(const std::filesystem::path& path) {
 }
 
 /// Copies within the room of the past first, so that a folder has all of it or is not there.
-inline void copy_past(const Past& past, const std::filesystem::path& folder) {
+inline void copy_snapshot(const Snapshot& snapshot, const std::filesystem::path& folder) {
   const std::filesystem::path target = without_slash(folder);
-  const std::filesystem::path part = past.folder.parent_path() / ("part-" + std::to_string(checksum(target.string())));
+  const std::filesystem::path part = snapshot.folder.parent_path() / ("part-" + std::to_string(checksum(target.string())));
   std::filesystem::remove_all(part);
-  copy_until(past.folder, std::numeric_limits<double>::infinity(), part);
+  copy_until(snapshot.folder, std::numeric_limits<double>::infinity(), part);
   if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path());
   std::filesystem::rename(part, target);
 }
@@ -56,7 +56,7 @@ inline void copy_past(const Past& past, const std::filesystem::path& folder) {
 }
 
 /// The last checkpoint that can be read, if it is of this version.
-[[nodiscard]] inline std::optional<Checkpoint> last_that_goes_on(const std::filesystem::path& folder) {
+[[nodiscard]] inline std::optional<Checkpoint> last_resumable(const std::filesystem::path& folder) {
   std::vector<Checkpoint> all = read_all(folder);
   if (all.empty() || all.front().program_version != version) return std::nullopt;
   return std::move(all.front());
@@ -64,7 +64,7 @@ inline void copy_past(const Past& past, const std::filesystem::path& folder) {
 
 /// Whether what is in a folder is a copy of the moment with which nobody went on.
 [[nodiscard]] inline bool stands_at(const Moment& moment, const std::filesystem::path& folder, double tick_s) {
-  const std::optional<Checkpoint> last = last_that_goes_on(folder);
+  const std::optional<Checkpoint> last = last_resumable(folder);
   return last && is_tick_of(moment, last->time_s, tick_s) && last->fingerprint == moment.fingerprint && last->seed == moment.seed;
 }
 
@@ -91,8 +91,8 @@ TROPHIC_INLINE std::optional<double> last_moment_s(const std::filesystem::path& 
   return all.empty() ? std::nullopt : std::optional{all.front().time_s};
 }
 
-TROPHIC_INLINE std::filesystem::path past_folder(const std::filesystem::path& out, const Moment& moment) {
-  return without_slash(out).string() + ".past-" + moment.fingerprint + "-seed-" + std::to_string(moment.seed) + "-" +
+TROPHIC_INLINE std::filesystem::path snapshot_folder(const std::filesystem::path& out, const Moment& moment) {
+  return without_slash(out).string() + ".snapshot-" + moment.fingerprint + "-seed-" + std::to_string(moment.seed) + "-" +
          number_text(moment.at_s) + "-s/run";
 }
 
@@ -105,25 +105,25 @@ namespace detail {
 
 }  // namespace detail
 
-TROPHIC_INLINE RoomOfPast::RoomOfPast(const Past& past)
-    : folder_{past.folder.parent_path()}, lock_{detail::make_and_lock(folder_)} {}
+TROPHIC_INLINE SnapshotFolder::SnapshotFolder(const Snapshot& snapshot)
+    : folder_{snapshot.folder.parent_path()}, lock_{detail::make_and_lock(folder_)} {}
 
-TROPHIC_INLINE RoomOfPast::~RoomOfPast() {
+TROPHIC_INLINE SnapshotFolder::~SnapshotFolder() {
   std::error_code not_empty;
   std::filesystem::remove(folder_, not_empty);
 }
 
-TROPHIC_INLINE bool RoomOfPast::exists(const Past& past) {
-  return std::filesystem::exists(past.folder.parent_path());
+TROPHIC_INLINE bool SnapshotFolder::exists(const Snapshot& snapshot) {
+  return std::filesystem::exists(snapshot.folder.parent_path());
 }
 
-TROPHIC_INLINE void RoomOfPast::clear() {
+TROPHIC_INLINE void SnapshotFolder::clear() {
   for (const auto& entry : std::filesystem::directory_iterator{folder_}) std::filesystem::remove_all(entry.path());
 }
 
-TROPHIC_INLINE bool needs_past(const std::filesystem::path& folder, double until_s) {
+TROPHIC_INLINE bool needs_snapshot(const std::filesystem::path& folder, double until_s) {
   if (!std::filesystem::exists(folder)) return true;
-  return !detail::is_complete(detail::manifest_in(folder), until_s) && !detail::last_that_goes_on(folder);
+  return !detail::is_complete(detail::manifest_in(folder), until_s) && !detail::last_resumable(folder);
 }
 
 TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {
@@ -156,29 +156,29 @@ TROPHIC_INLINE io::Provenance provenance_of(const Moment& moment) {
           {"fingerprint", moment.fingerprint}};
 }
 
-TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                                    const std::optional<Past>& past) {
-  if (!past) return standing_in(folder, run);
+TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                                     const std::optional<Snapshot>& snapshot) {
+  if (!snapshot) return run_state_in(folder, run);
   std::string remark;
-  if (std::filesystem::exists(folder) && !detail::stands_at(past->moment, folder, run.tick_s)) {
-    detail::check_began_at(past->moment, folder, run.tick_s);
-    Standing standing = standing_in(folder, run);
-    if (standing.complete || standing.from) return standing;
-    remark = standing.remark + "; ";
+  if (std::filesystem::exists(folder) && !detail::stands_at(snapshot->moment, folder, run.tick_s)) {
+    detail::check_began_at(snapshot->moment, folder, run.tick_s);
+    RunState run_state = run_state_in(folder, run);
+    if (run_state.complete || run_state.from) return run_state;
+    remark = run_state.remark + "; ";
   }
-  if (!std::filesystem::exists(folder)) detail::copy_past(*past, folder);
+  if (!std::filesystem::exists(folder)) detail::copy_snapshot(*snapshot, folder);
   Checkpoint moment = read_last(folder);
-  remark += "begins at " + number_text(moment.time_s) + " s of " + past->moment.run.string();
+  remark += "begins at " + number_text(moment.time_s) + " s of " + snapshot->moment.run.string();
   return {.complete = false, .from = std::move(moment), .remark = std::move(remark), .begins = true};
 }
 
-TROPHIC_INLINE void begin_at(Standing& standing, const Moment& moment, Simulation& ecology, io::Manifest& manifest,
+TROPHIC_INLINE void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest,
                              const Parts& parts) {
-  restore_any(*standing.from, ecology, parts);
+  restore_any(*run_state.from, ecology, parts);
   Moment reached = moment;
-  reached.at_s = standing.from->time_s;
+  reached.at_s = run_state.from->time_s;
   manifest.begin_from(provenance_of(reached));
-  standing.from.reset();
+  run_state.from.reset();
 }
 
 TROPHIC_INLINE void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run) {

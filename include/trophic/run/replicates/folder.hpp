@@ -10,7 +10,7 @@
 #include <string>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/plan.hpp>
 #include <trophic/support/folder_lock.hpp>
@@ -30,8 +30,8 @@ inline constexpr const char* list_name = "replicates.json";
 /// At which moment of which run they all begin, as the file has it; empty where they begin at their beginning.
 [[nodiscard]] inline Json origin_of(const Plan& plan) {
   auto origin = Json::object();
-  if (!plan.past) return origin;
-  for (const auto& [name, text] : checkpoint::provenance_of(plan.past->moment)) origin[name] = text;
+  if (!plan.snapshot) return origin;
+  for (const auto& [name, text] : checkpoint::provenance_of(plan.snapshot->moment)) origin[name] = text;
   return parse_json(json_text(origin));
 }
 
@@ -46,7 +46,7 @@ inline constexpr const char* list_name = "replicates.json";
   Json content{
       {"rule_table", run.rules},         {"backend", run.backend}, {"fingerprint", run.fingerprint},     {"until_s", run.until_s},
       {"master_seed", plan.master_seed}, {"count", plan.count},    {"replicates", std::move(replicates)}};
-  if (plan.past) content["origin"] = origin_of(plan);
+  if (plan.snapshot) content["origin"] = origin_of(plan);
   for (const auto& [name, text] : provenance) content[name] = text;
   return json_text(content, 2) + '\n';
 }
@@ -149,7 +149,7 @@ class Folder {
 
   void look_at(const Plan& plan, const Replicate& replicate, observe::RunDescription run) {
     run.seed = replicate.seed;
-    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::standing_in(replicate.folder, run, plan.past).remark);
+    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::run_state_in(replicate.folder, run, plan.snapshot).remark);
   }
 
   std::optional<FolderLock> lock_;

@@ -19,11 +19,11 @@ struct Attempt {
 
 /// Calls `work(i)` for i = 0 ... items - 1 on `jobs` threads, in this order as threads get free; `go_on()` is asked before each.
 /// `work` and `go_on` are called from several threads at once.
-template <class Work, class GoOn>
-[[nodiscard]] std::vector<Attempt> in_parallel(std::size_t items, std::size_t jobs, Work&& work, GoOn&& go_on) {
+template <class Work, class KeepRunning>
+[[nodiscard]] std::vector<Attempt> in_parallel(std::size_t items, std::size_t jobs, Work&& work, KeepRunning&& keep_running) {
   std::vector<Attempt> attempts(items);
   ThreadPool{std::min(jobs, items)}.run(items, [&](std::size_t i, std::size_t) {
-    if (!go_on()) return;
+    if (!keep_running()) return;
     attempts[i].started = true;
     try {
       work(i);

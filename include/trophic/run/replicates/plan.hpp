@@ -42,12 +42,12 @@ struct Plan {
   std::filesystem::path out;  ///< holds replicates.json and a folder per replicate
   std::uint64_t master_seed = 1;
   std::size_t count = 10;
-  std::size_t jobs = 1;                       ///< replicates at a time; results do not depend on it
-  bool resume = false;                        ///< go on in a folder that exists: run what is missing, go on with what was cut off
-  checkpoint::Schedule checkpoints = {};      ///< of each replicate
-  io::Extent extent = {};                     ///< how much of each run is written down
-  std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};              ///< that each run writes, too
+  std::size_t jobs = 1;                   ///< replicates at a time; results do not depend on it
+  bool resume = false;                    ///< go on in a folder that exists: run what is missing, go on with what was cut off
+  checkpoint::Schedule checkpoints = {};  ///< of each replicate
+  io::OutputOptions output = {};          ///< how much of each run is written down
+  std::optional<checkpoint::Snapshot> snapshot = {};  ///< of a run at a moment of which they all begin
+  io::OwnTables own_tables = {};                      ///< that each run writes, too
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

@@ -12,7 +12,7 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/replicates/keeping.hpp>
+#include <trophic/run/replicates/common_options.hpp>
 #include <trophic/run/replicates/plan.hpp>
 #include <trophic/run/replicates/run_in_folder.hpp>
 #include <trophic/support/linkage.hpp>
@@ -30,7 +30,7 @@ struct Outcome {
 };
 
 /// Makes one run of a set, in its folder.
-using RunOne = std::function<void(const Replicate& replicate, const Keeping& keeping, observe::JointProgress::Part progress,
+using RunOne = std::function<void(const Replicate& replicate, const CommonOptions& common, observe::JointProgress::Part progress,
                                   const observe::StopOnSignal& stop)>;
 
 /// Makes those runs of a plan that are not complete. `run`: any of them, as it describes itself. See `run`.
@@ -47,9 +47,9 @@ Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const 
             Observers&... extra) {
   plan.check();
   return run_pending(plan, make(plan.master_seed)->describe(until_s), provenance, out,
-                     [&](const Replicate& replicate, const Keeping& keeping, observe::JointProgress::Part progress,
+                     [&](const Replicate& replicate, const CommonOptions& common, observe::JointProgress::Part progress,
                          const observe::StopOnSignal& stop) {
-                       run_in_folder(*make(replicate.seed), until_s, replicate.folder, keeping, std::move(progress), stop,
+                       run_in_folder(*make(replicate.seed), until_s, replicate.folder, common, std::move(progress), stop,
                                      extra...);
                      });
 }

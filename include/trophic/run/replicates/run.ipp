@@ -21,10 +21,10 @@ TROPHIC_INLINE Outcome run_pending(const Plan& plan, const observe::RunDescripti
   observe::JointProgress progress{pending.size(), run.until_s, out};
   const auto work = [&](std::size_t i) {
     const Replicate& replicate = pending[i];
-    Keeping keeping{provenance, plan.checkpoints, plan.extent, plan.past, plan.own_tables};
-    keeping.provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
-    keeping.provenance.emplace_back("replicate", std::to_string(replicate.index));
-    run_one(replicate, keeping, progress.watch(name_of(replicate.index)), stop);
+    CommonOptions common{provenance, plan.checkpoints, plan.output, plan.snapshot, plan.own_tables};
+    common.provenance.emplace_back("master_seed", std::to_string(plan.master_seed));
+    common.provenance.emplace_back("replicate", std::to_string(replicate.index));
+    run_one(replicate, common, progress.watch(name_of(replicate.index)), stop);
   };
   const auto attempts = in_parallel(pending.size(), plan.jobs, work, [&] { return stop.keep_running(); });
 

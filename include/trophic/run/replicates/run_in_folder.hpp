@@ -8,26 +8,25 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/run/replicates/keeping.hpp>
+#include <trophic/run/replicates/common_options.hpp>
 
 namespace trophic::replicates {
 
 /// Runs an ecology that has not begun to `until_s` into a folder, from its beginning, from the moment of another run at which it
 /// begins or from the checkpoint that is there, until a signal comes; the manifest says which. `extra...` observe it. Throws as
-/// standing_in and run_kept do.
+/// run_state_in and run_with_checkpoints do.
 template <class... Observers>
-void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const Keeping& keeping,
+void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,
                    observe::JointProgress::Part progress, const observe::StopOnSignal& stop, Observers&... extra) {
-  checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(until_s), keeping.past);
-  io::RunFolder files{
-      folder, keeping.provenance, keeping.extent, standing.opening(), ecology.state_columns(), keeping.own_tables};
-  if (standing.begins) {
-    checkpoint::begin_at(standing, keeping.past->moment, ecology, files.manifest(),
+  checkpoint::RunState run_state = checkpoint::run_state_in(folder, ecology.describe(until_s), common.snapshot);
+  io::RunFolder files{folder, common.provenance, common.output, run_state.opening(), ecology.state_columns(), common.own_tables};
+  if (run_state.begins) {
+    checkpoint::begin_at(run_state, common.snapshot->moment, ecology, files.manifest(),
                          checkpoint::parts_of(files, progress, stop, extra...));
   }
-  checkpoint::run_kept(ecology, until_s, folder, keeping.checkpoints, standing.from, files, progress, stop, extra...);
+  checkpoint::run_with_checkpoints(ecology, until_s, folder, common.checkpoints, run_state.from, files, progress, stop, extra...);
   files.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
 }
 

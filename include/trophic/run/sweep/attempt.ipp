@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/sweep/attempt.hpp>
 #include <trophic/run/sweep/claim.hpp>

@@ -28,11 +28,11 @@ struct PlannedRun {
   std::string engine;
   Json settings = Json::object();  ///< numbers, texts and switches by their paths
   std::uint64_t seed = 0;
-  double until_s = 0.0;                 ///< > 0; simulated seconds
-  io::Extent extent{.replay_hz = 0.0};  ///< how much of it is written down
-  double work = 0.0;                    ///< robots times steps of the engine, to begin with the longest
-  std::filesystem::path folder;         ///< relative to the sweep's
-  std::string fingerprint;              ///< of the run, as its manifest has it
+  double until_s = 0.0;                        ///< > 0; simulated seconds
+  io::OutputOptions output{.replay_hz = 0.0};  ///< how much of it is written down
+  double work = 0.0;                           ///< robots times steps of the engine, to begin with the longest
+  std::filesystem::path folder;                ///< relative to the sweep's
+  std::string fingerprint;                     ///< of the run, as its manifest has it
 };
 
 /// Reads a plan. Throws std::invalid_argument: "PATH: ..." for a file that cannot be read or lists nothing, and "PATH:LINE: FIELD

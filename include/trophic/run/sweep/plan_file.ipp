@@ -97,11 +97,11 @@ class PlanLine {
   run.seed = line.whole("seed");
   run.until_s = line.number("until_s");
   if (!(run.until_s > 0.0)) line.reject("until_s", "be > 0");
-  run.extent.replay_hz = line.number("replay_hz");
-  if (!(run.extent.replay_hz >= 0.0)) line.reject("replay_hz", "be >= 0");
-  run.extent.agents_every_ticks = line.ticks("agents_every");
-  run.extent.senses = line.yes_or_no("senses");
-  run.extent.states = line.yes_or_no("states");
+  run.output.replay_hz = line.number("replay_hz");
+  if (!(run.output.replay_hz >= 0.0)) line.reject("replay_hz", "be >= 0");
+  run.output.agents_every_ticks = line.ticks("agents_every");
+  run.output.senses = line.yes_or_no("senses");
+  run.output.states = line.yes_or_no("states");
   run.work = line.number("work");
   if (!(run.work >= 0.0)) line.reject("work", "be >= 0");
   run.folder = line.folder("folder");
@@ -136,10 +136,10 @@ class RunsSoFar {
     same("engine", run.engine, first.engine);
     same("settings", run.settings, first.settings);
     same("until_s", run.until_s, first.until_s);
-    same("replay_hz", run.extent.replay_hz, first.extent.replay_hz);
-    same("agents_every", run.extent.agents_every_ticks, first.extent.agents_every_ticks);
-    same("senses", run.extent.senses, first.extent.senses);
-    same("states", run.extent.states, first.extent.states);
+    same("replay_hz", run.output.replay_hz, first.output.replay_hz);
+    same("agents_every", run.output.agents_every_ticks, first.output.agents_every_ticks);
+    same("senses", run.output.senses, first.output.senses);
+    same("states", run.output.states, first.output.states);
     same("fingerprint", run.fingerprint, fingerprints_.emplace(std::pair{run.cell, run.shadow}, run.fingerprint).first->second);
   }
 
@@ -181,10 +181,10 @@ TROPHIC_INLINE std::string plan_text(std::span<const PlannedRun> runs) {
                     {"settings", run.settings},
                     {"seed", run.seed},
                     {"until_s", run.until_s},
-                    {"replay_hz", run.extent.replay_hz},
-                    {"agents_every", run.extent.agents_every_ticks},
-                    {"senses", run.extent.senses},
-                    {"states", run.extent.states},
+                    {"replay_hz", run.output.replay_hz},
+                    {"agents_every", run.output.agents_every_ticks},
+                    {"senses", run.output.senses},
+                    {"states", run.output.states},
                     {"work", run.work},
                     {"folder", run.folder.string()},
                     {"fingerprint", run.fingerprint}};

@@ -46,7 +46,7 @@ inline constexpr std::size_t most_runs = 1'000'000;
 ///     rules.capture.reach_m = [0.5, 1.0]
 ///     [zip]                          # lists of one length: the first values together, then the second, ...
 ///     rules.floor.floor = [6, 7]
-///     rules.rescue.below = [6, 7]
+///     rules.minimum_predators.below = [6, 7]
 ///     [[runs]]                       # settings that belong together
 ///     rule_table = "released"
 struct SweepFile {
@@ -72,7 +72,7 @@ struct SweepFile {
           field("senses", &Numbers::senses, "each run's senses.csv, too"),
           field("states", &Numbers::states, "each run's states.csv, too")};
     }
-    [[nodiscard]] io::Extent extent() const { return {replay_hz, agents_every, senses, states}; }
+    [[nodiscard]] io::OutputOptions output() const { return {replay_hz, agents_every, senses, states}; }
   };
 
   std::filesystem::path path;

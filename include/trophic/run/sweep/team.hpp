@@ -28,9 +28,9 @@ class Team {
 
   /// The leader hands out the runs of a plan, longest first, and gives those of workers that died to others; the workers make
   /// attempts at what they are given until the leader has nothing left. Called by all. The tally is the leader's.
-  [[nodiscard]] virtual Tally share_out(const std::vector<PlannedRun>& plan, const std::filesystem::path& sweep, double lease_s,
-                                        const std::function<Result(const PlannedRun&)>& attempt,
-                                        const std::function<bool()>& go_on) = 0;
+  [[nodiscard]] virtual Tally distribute(const std::vector<PlannedRun>& plan, const std::filesystem::path& sweep, double lease_s,
+                                         const std::function<Result(const PlannedRun&)>& attempt,
+                                         const std::function<bool()>& keep_running) = 0;
 };
 
 }  // namespace trophic::sweep

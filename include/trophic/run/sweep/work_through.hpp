@@ -43,7 +43,8 @@ inline constexpr const char* not_begun = "not begun";
 /// Makes attempts at the runs of a shard, `jobs` at a time, until each is complete or has failed here; waits for those that other
 /// programs work on and takes over those whose claims go stale. `go_on` is asked before each attempt and while waiting.
 [[nodiscard]] Tally work_through(const std::vector<PlannedRun>& plan, const Shard& shard, std::size_t jobs,
-                                 const std::function<Result(const PlannedRun&)>& attempt, const std::function<bool()>& go_on);
+                                 const std::function<Result(const PlannedRun&)>& attempt,
+                                 const std::function<bool()>& keep_running);
 
 }  // namespace trophic::sweep
 

@@ -44,8 +44,8 @@ class Queue {
   explicit Queue(std::vector<std::size_t> runs) : runs_{std::move(runs)} {}
 
   /// The next run; none if all have been given out. Those that are tried elsewhere come again, after a pause.
-  [[nodiscard]] std::optional<std::size_t> next(const std::function<bool()>& go_on) {
-    while (go_on()) {
+  [[nodiscard]] std::optional<std::size_t> next(const std::function<bool()>& keep_running) {
+    while (keep_running()) {
       {
         const std::scoped_lock lock{mutex_};
         if (next_ < runs_.size()) return runs_[next_++];
@@ -96,12 +96,13 @@ TROPHIC_INLINE Tally tally_of(const std::vector<PlannedRun>& plan, const Shard& 
 }
 
 TROPHIC_INLINE Tally work_through(const std::vector<PlannedRun>& plan, const Shard& shard, std::size_t jobs,
-                                  const std::function<Result(const PlannedRun&)>& attempt, const std::function<bool()>& go_on) {
+                                  const std::function<Result(const PlannedRun&)>& attempt,
+                                  const std::function<bool()>& keep_running) {
   const std::vector<std::size_t> order = longest_first(plan, shard);
   std::vector<Result> results(plan.size(), Result{Ended::elsewhere, not_begun});
   detail::Queue queue{order};
   const auto work = [&] {
-    while (const auto run = queue.next(go_on)) {
+    while (const auto run = queue.next(keep_running)) {
       results[*run] = attempt(plan[*run]);
       if (results[*run].ended == Ended::elsewhere) queue.again(*run);
     }

@@ -12,7 +12,7 @@ namespace trophic::death::starvation::choice {
 
 /// Rule: the hunter with the highest hunger dies (ties: the earlier born) unless it is spared. Then the earliest born of all
 /// hunters that are not spared dies; ids are in order of birth. If all are spared none dies. The paper is silent: in "the next
-/// oldest predator dies" (Sec. "Predator Death") *oldest* is here the age, as written; HungriestUnspared reads it as the longest
+/// oldest predator dies" (Sec. "Predator Death") *oldest* is here the age, as written; HungriestNonexempt reads it as the longest
 /// without a catch.   Reads: hunger, ids.   Random draws: 0.
 struct HungriestElseOldest {
   static constexpr std::string_view name = "hungriest_else_oldest";

@@ -15,7 +15,7 @@
 namespace trophic::death::starvation::choice {
 
 /// Rule: of all hunters the hungriest that are not exempt die, until a share of all hunters has died, rounded up: as
-/// HungriestUnspared, which takes one, for populations in which one death at a tick is too few. The paper's rule takes one of
+/// HungriestNonexempt, which takes one, for populations in which one death at a tick is too few. The paper's rule takes one of
 /// about 14 in a procedure; 1/14 is the default.   Reads: hunger, ids.   Random draws: 0.
 struct HungriestShare {
   static constexpr std::string_view name = "hungriest_share";

@@ -69,13 +69,13 @@ class Leader {
   }
 
   /// Until every run is complete or has failed, a signal has come and all workers have stopped, or no worker is left.
-  [[nodiscard]] sweep::Tally lead(const std::function<bool()>& go_on) {
+  [[nodiscard]] sweep::Tally lead(const std::function<bool()>& keep_running) {
     while (!pending_.empty() || !given_.empty() || !later_.empty()) {
-      const bool heard = listen();
-      if (!go_on()) stop_handing_out();
-      hand_out();
-      if (heard) continue;
-      look_after_lost();
+      const bool received = listen();
+      if (!keep_running()) stop_assigning();
+      assign_runs();
+      if (received) continue;
+      check_lost_workers();
       if (lost_.size() == workers_) break;
       std::this_thread::sleep_for(pause);
     }
@@ -124,11 +124,11 @@ class Leader {
     MPI_Get_count(&status, MPI_CHAR, &length);
     std::string bytes(static_cast<std::size_t>(length), '\0');
     MPI_Recv(bytes.data(), length, MPI_CHAR, status.MPI_SOURCE, to_leader, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    hear(status.MPI_SOURCE, Report::of(bytes));
+    receive(status.MPI_SOURCE, Report::of(bytes));
     return true;
   }
 
-  void hear(int worker, const Report& report) {
+  void receive(int worker, const Report& report) {
     given_.erase(worker);
     suspects_.erase(worker);
     lost_.erase(worker);
@@ -143,12 +143,12 @@ class Leader {
     if (results_[run].ended == sweep::Ended::elsewhere) later_.emplace_back(run, Clock::now() + std::chrono::seconds{1});
   }
 
-  void stop_handing_out() {
+  void stop_assigning() {
     pending_.clear();
     later_.clear();
   }
 
-  void hand_out() {
+  void assign_runs() {
     while (!later_.empty() && later_.front().second <= Clock::now()) {
       pending_.push_back(later_.front().first);
       later_.pop_front();
@@ -165,7 +165,7 @@ class Leader {
 
   /// Once a second: a run that was given to a worker some time ago, that is not complete and that nobody claims, is to be given
   /// to another one.
-  void look_after_lost() {
+  void check_lost_workers() {
     if (Clock::now() < next_look_) return;
     next_look_ = Clock::now() + std::chrono::seconds{1};
     std::vector<int> silent;
@@ -240,9 +240,9 @@ class Team final : public sweep::Team {
     return flag == 1;
   }
 
-  [[nodiscard]] sweep::Tally share_out(const std::vector<sweep::PlannedRun>& plan, const std::filesystem::path& sweep,
-                                       double lease_s, const std::function<sweep::Result(const sweep::PlannedRun&)>& attempt,
-                                       const std::function<bool()>& go_on) override {
+  [[nodiscard]] sweep::Tally distribute(const std::vector<sweep::PlannedRun>& plan, const std::filesystem::path& sweep,
+                                        double lease_s, const std::function<sweep::Result(const sweep::PlannedRun&)>& attempt,
+                                        const std::function<bool()>& keep_running) override {
     has_lost_workers_ = true;  // until all have said that they are done; not where an error ends the work before
     if (!leads()) {
       work(plan, attempt);
@@ -251,7 +251,7 @@ class Team final : public sweep::Team {
       return {};
     }
     detail::Leader leader{plan, sweep, lease_s, size() - 1};
-    sweep::Tally tally = leader.lead(go_on);
+    sweep::Tally tally = leader.lead(keep_running);
     has_lost_workers_ = leader.has_lost_workers();
     return tally;
   }

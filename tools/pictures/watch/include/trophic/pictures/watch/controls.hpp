@@ -56,7 +56,7 @@ class Controls {
   void press(Key key, const LiveFootage& footage, const WindowSize& window) {
     switch (key) {
       case Key::pause:
-        return clock_.pause_or_go_on();
+        return clock_.pause_or_continue();
       case Key::step:
         return clock_.step(footage.tick_s());
       case Key::faster:

@@ -10,10 +10,10 @@
 
 namespace trophic::death::starvation::choice {
 
-/// Rule (released code): as HungriestUnspared, but if all hunters are spared the hungriest dies all the same: a procedure always
+/// Rule (released code): as HungriestNonexempt, but if all hunters are spared the hungriest dies all the same: a procedure always
 /// has a victim.   Reads: hunger, ids.   Random draws: 0.
-struct HungriestUnsparedElseHungriest {
-  static constexpr std::string_view name = "hungriest_unspared_else_hungriest";
+struct HungriestNonexemptElseHungriest {
+  static constexpr std::string_view name = "hungriest_nonexempt_else_hungriest";
   static constexpr std::string_view source = "released code";
 
   [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
@@ -23,6 +23,6 @@ struct HungriestUnsparedElseHungriest {
     return {dying != hunters.end() ? *dying : hunters.front()};
   }
 };
-static_assert(Choice<HungriestUnsparedElseHungriest>);
+static_assert(Choice<HungriestNonexemptElseHungriest>);
 
 }  // namespace trophic::death::starvation::choice

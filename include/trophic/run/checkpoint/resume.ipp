@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 #include <trophic/params/params.hpp>
-#include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/version.hpp>
@@ -81,7 +81,7 @@ TROPHIC_INLINE std::string status_of(const std::filesystem::path& folder) {
   return detail::status_in(detail::manifest_in(folder));
 }
 
-TROPHIC_INLINE std::filesystem::path set_aside(const std::filesystem::path& folder) {
+TROPHIC_INLINE std::filesystem::path rename_incomplete(const std::filesystem::path& folder) {
   const std::filesystem::path from = without_slash(folder);
   std::filesystem::path aside;
   std::size_t k = 1;
@@ -92,7 +92,7 @@ TROPHIC_INLINE std::filesystem::path set_aside(const std::filesystem::path& fold
   return aside;
 }
 
-TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run) {
+TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run) {
   if (!std::filesystem::exists(folder)) return {};
   const FolderLock alone{folder};
   const Json manifest = detail::manifest_in(folder);
@@ -123,8 +123,8 @@ TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const o
   }
   return {.complete = false,
           .from = {},
-          .remark = "was incomplete (status \"" + status + "\"; " + why + "): kept as " + set_aside(folder).filename().string() +
-                    ", run anew"};
+          .remark = "was incomplete (status \"" + status + "\"; " + why + "): kept as " +
+                    rename_incomplete(folder).filename().string() + ", run anew"};
 }
 
 }  // namespace trophic::checkpoint

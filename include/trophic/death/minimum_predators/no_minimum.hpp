@@ -3,17 +3,17 @@
 #pragma once
 
 #include <string_view>
-#include <trophic/death/rescue/contract.hpp>
+#include <trophic/death/minimum_predators/contract.hpp>
 #include <vector>
 
-namespace trophic::death::rescue {
+namespace trophic::death::minimum_predators {
 
 /// Rule: nobody is sacrificed, so that hunters may die out.   Reads: nothing.   Random draws: 0.
-struct NoRescue {
-  static constexpr std::string_view name = "no_rescue";
+struct NoMinimum {
+  static constexpr std::string_view name = "no_minimum";
   static constexpr std::string_view source = "control";
   [[nodiscard]] std::vector<Sacrifice> sacrifices(const View&, Rng&) const { return {}; }
 };
-static_assert(Rescue<NoRescue>);
+static_assert(MinimumPredators<NoMinimum>);
 
-}  // namespace trophic::death::rescue
+}  // namespace trophic::death::minimum_predators

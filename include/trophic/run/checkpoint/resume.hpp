@@ -9,47 +9,47 @@
 #include <trophic/io/growing_file.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <trophic/run/checkpoint/keeper.hpp>
+#include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic::checkpoint {
 
 /// What a folder holds of a run that is to be made in it.
-struct Standing {
+struct RunState {
   bool complete = false;           ///< nothing is left to do
   std::optional<Checkpoint> from;  ///< to go on from; none: the run begins, in a folder that does not exist
   std::string remark;              ///< what was found there, a sentence; empty for nothing
   bool begins = false;             ///< `from` is a moment of another run, of which the folder is a copy (rewind.hpp)
 
-  [[nodiscard]] Opening opening() const { return from ? Opening::gone_on_with : Opening::made_new; }
+  [[nodiscard]] Opening opening() const { return from ? Opening::resumed : Opening::created; }
 };
 
 /// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no manifest that can be read.
 [[nodiscard]] std::string status_of(const std::filesystem::path& folder);
 
 /// Moves a folder to "FOLDER.incomplete-K" and returns the new path.
-[[nodiscard]] std::filesystem::path set_aside(const std::filesystem::path& folder);
+[[nodiscard]] std::filesystem::path rename_incomplete(const std::filesystem::path& folder);
 
 /// Looks at the folder of a run that is to be resumed. A folder without a checkpoint that can be read, or with one of another
 /// version of trophic, is set aside, as nothing can go on there. Throws std::invalid_argument if the folder is of a run with
 /// other rules, numbers or another seed, std::runtime_error if another program works in it.
-[[nodiscard]] Standing standing_in(const std::filesystem::path& folder, const observe::RunDescription& run);
+[[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run);
 
 /// Runs an ecology to `until_s` before observers, from where it stands or from a checkpoint, and keeps checkpoints in the folder.
 /// Observers that take part in checkpoints (see Kept) are read from it; with one, those that own files must have been made with
-/// `Opening::gone_on_with`. Throws as `restore` and `run_until` do.
+/// `Opening::resumed`. Throws as `restore` and `run_until` do.
 template <class... Observers>
-void run_kept(Simulation& ecology, double until_s, const std::filesystem::path& folder, const Schedule& schedule,
-              const std::optional<Checkpoint>& from, Observers&... observers) {
+void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder, const Schedule& schedule,
+                          const std::optional<Checkpoint>& from, Observers&... observers) {
   const Parts parts = parts_of(observers...);
   if (from) restore(*from, ecology, parts);
-  Keeper keeper{folder, schedule, parts};
-  ecology.run_until(until_s, observers..., keeper);
+  CheckpointWriter writer{folder, schedule, parts};
+  ecology.run_until(until_s, observers..., writer);
 }
 
 }  // namespace trophic::checkpoint
 
 #if TROPHIC_HEADER_ONLY
-#include <trophic/run/checkpoint/go_on.ipp>
+#include <trophic/run/checkpoint/resume.ipp>
 #endif

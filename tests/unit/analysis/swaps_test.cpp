@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <tools/analysis/report/flips.hpp>
-#include <unit/analysis/flip_sets.hpp>
+#include <tools/analysis/report/swaps.hpp>
+#include <unit/analysis/swap_sets.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -12,8 +12,8 @@ using test::base;
 using test::set_around;
 
 TEST_CASE("attribution and velocity are compared over the shadows, the others as they are") {
-  const ShadowedSet flipped{set_around(0.7, 12.0), set_around(0.6, 11.0)};
-  const auto effects = effects_of("f", compare_sets(base, flipped));
+  const ShadowedSet swapped{set_around(0.7, 12.0), set_around(0.6, 11.0)};
+  const auto effects = effects_of("f", compare_sets(base, swapped));
   REQUIRE(effects.size() == 2);
   CHECK(effects[0].over_shadow);
   CHECK(*effects[0].difference.value == doctest::Approx(0.0));
@@ -29,12 +29,12 @@ TEST_CASE("without shadows the raw difference stands, and says so") {
   CHECK(*effects[0].difference.value == doctest::Approx(0.2));
 }
 
-TEST_CASE("p values are corrected for all flips and metrics, not for those of one flip") {
-  std::vector<FlipEffect> all;
+TEST_CASE("p values are corrected for all swaps and metrics, not for those of one swap") {
+  std::vector<SwapEffect> all;
   for (const double hunger : {10.01, 10.02, 10.0}) {
     for (const auto& e : effects_of("f", compare_sets(base, {set_around(0.5, hunger), base.shadow}))) all.push_back(e);
   }
-  for (const FlipEffect& effect : all) CHECK_FALSE(effect.difference.adjusted);
+  for (const SwapEffect& effect : all) CHECK_FALSE(effect.difference.adjusted);
   adjust_together(all);
   REQUIRE(all.size() == 6);
   CHECK(*all[3].difference.adjusted == doctest::Approx(6.0 * *all[3].difference.p));

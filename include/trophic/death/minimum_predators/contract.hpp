@@ -8,22 +8,22 @@
 #include <trophic/support/rng.hpp>
 #include <vector>
 
-#define TROPHIC_SENTENCE_Rescue                                                                                        \
+#define TROPHIC_SENTENCE_MinimumPredators                                                                              \
   "std::vector<Sacrifice> sacrifices(const View&, Rng&) const (with a State also std::span<const State> states); see " \
-  "trophic/death/rescue/contract.hpp"
+  "trophic/death/minimum_predators/contract.hpp"
 
 namespace trophic::death {
 
 /// A victim is given up so that a species does not die out: its body goes to `heir`.
 struct Sacrifice {
   BodyIndex victim = 0;
-  Species heir = 0;
+  Species successor = 0;
   friend bool operator==(const Sacrifice&, const Sacrifice&) = default;
 };
 
 /// `sacrifices(view, rng)`: who is given up at this tick, nobody twice: who is born of one sacrifice is spared the others.
 template <class P>
-concept Rescue = requires(const P policy, const View& view, Rng& rng) {
+concept MinimumPredators = requires(const P policy, const View& view, Rng& rng) {
   { policy.sacrifices(view, rng) } -> std::same_as<std::vector<Sacrifice>>;
 }
 || requires(const P policy, const View& view, Rng& rng, std::span<const StateOf<P>> states) {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <trophic/run/checkpoint/keeper.hpp>
+#include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/support/version.hpp>
 #include <utility>
 
@@ -81,12 +81,12 @@ TROPHIC_INLINE void restore(const Checkpoint& checkpoint, Simulation& ecology, c
   restore_any(checkpoint, ecology, parts);
 }
 
-TROPHIC_INLINE void Keeper::on_start(const observe::RunDescription& run, const View& view) {
+TROPHIC_INLINE void CheckpointWriter::on_start(const observe::RunDescription& run, const View& view) {
   run_ = run;
   last_s_ = view.time_s;
 }
 
-TROPHIC_INLINE void Keeper::between_ticks(Simulation& ecology, bool last) {
+TROPHIC_INLINE void CheckpointWriter::between_ticks(Simulation& ecology, bool last) {
   if (!last && !due(ecology.time_s())) return;
   const double before_s = watch_.elapsed_s();
   write(folder_, take(ecology, run_, parts_));
@@ -97,7 +97,7 @@ TROPHIC_INLINE void Keeper::between_ticks(Simulation& ecology, bool last) {
   ++written_;
 }
 
-TROPHIC_INLINE bool Keeper::due(double time_s) const {
+TROPHIC_INLINE bool CheckpointWriter::due(double time_s) const {
   if (!(schedule_.every_s > 0.0) || time_s - last_s_ < schedule_.every_s) return false;
   return cost_s_ <= schedule_.most_share * (watch_.elapsed_s() - written_s_);
 }

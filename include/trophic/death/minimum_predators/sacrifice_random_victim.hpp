@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
-#include <trophic/death/rescue/contract.hpp>
+#include <trophic/death/minimum_predators/contract.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 #include <vector>
 
-namespace trophic::death::rescue {
+namespace trophic::death::minimum_predators {
 
 /// Rule: for each hunting species with fewer than `below` members one individual that it eats, chosen uniformly, inactive
 /// newborn included, is sacrificed and its body becomes a hunter's; one per species and tick (Sec. "Prey Death": fewer than
@@ -37,11 +37,11 @@ struct SacrificeRandomVictim {
         const bool is_taken = std::ranges::find(result, body, &Sacrifice::victim) != result.end();
         if (!is_taken && view.web.eats(hunter, view.robots[body].species)) victims.push_back(body);
       }
-      if (!victims.empty()) result.push_back({.victim = victims[rng.index(victims.size())], .heir = hunter});
+      if (!victims.empty()) result.push_back({.victim = victims[rng.index(victims.size())], .successor = hunter});
     }
     return result;
   }
 };
-static_assert(Rescue<SacrificeRandomVictim>);
+static_assert(MinimumPredators<SacrificeRandomVictim>);
 
-}  // namespace trophic::death::rescue
+}  // namespace trophic::death::minimum_predators

@@ -24,7 +24,7 @@ namespace trophic::checkpoint {
 /// section of its own, of this name. Archives write and read: see trophic/params/archive.hpp and, for files,
 /// trophic/io/growing_file.hpp.
 template <class O>
-concept Kept = Persists<O> && requires {
+concept Checkpointed = Persists<O> && requires {
   { O::section } -> std::convertible_to<std::string_view>;
 };
 
@@ -40,7 +40,7 @@ template <class... Observers>
 [[nodiscard]] Parts parts_of(Observers&... observers) {
   Parts parts;
   [[maybe_unused]] const auto add = [&]<class O>(O& observer) {
-    if constexpr (Kept<O>) parts.push_back({O::section, [&observer](Archive& archive) { archive(observer); }});
+    if constexpr (Checkpointed<O>) parts.push_back({O::section, [&observer](Archive& archive) { archive(observer); }});
   };
   (add(observers), ...);
   return parts;
@@ -69,9 +69,9 @@ void restore(const Checkpoint& checkpoint, Simulation& ecology, const Parts& par
 
 /// An observer that writes checkpoints of the run and of its other observers, those that take part, into a folder: as often as
 /// its schedule says, where the run ends and where it is stopped. They must be told of a tick before this one is.
-class Keeper {
+class CheckpointWriter {
  public:
-  Keeper(std::filesystem::path folder, Schedule schedule, Parts parts)
+  CheckpointWriter(std::filesystem::path folder, Schedule schedule, Parts parts)
       : folder_{std::move(folder)}, schedule_{schedule}, parts_{std::move(parts)} {}
 
   void on_start(const observe::RunDescription& run, const View& view);
@@ -97,5 +97,5 @@ class Keeper {
 }  // namespace trophic::checkpoint
 
 #if TROPHIC_HEADER_ONLY
-#include <trophic/run/checkpoint/keeper.ipp>
+#include <trophic/run/checkpoint/checkpoint_writer.ipp>
 #endif

@@ -2,12 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
-#include <trophic/perception/visibility/everybody.hpp>
+#include <trophic/perception/visibility/all_active.hpp>
 
 using namespace trophic;
 
-TEST_CASE("everybody: perceives whoever is active, whatever the tags") {
-  const perception::visibility::Everybody rule;
+TEST_CASE("all_active: perceives whoever is active, whatever the tags") {
+  const perception::visibility::AllActive rule;
   Rng rng{1, Stream::visibility};
   const test::HandPopulation robots{{{.tag = 1}, {.tag = -1}, {.tag = 1, .active = false}, {.tag = -1, .active = false}}};
   for (BodyIndex self = 0; self < 4; ++self) {

@@ -13,12 +13,12 @@
 namespace trophic::replicates {
 
 /// What runs of a set have in common beside their experiment.
-struct Keeping {
+struct CommonOptions {
   io::Provenance provenance = {};
   checkpoint::Schedule checkpoints = {};
-  io::Extent extent = {};                     ///< how much of each run is written down
-  std::optional<checkpoint::Past> past = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};              ///< that each run writes, too
+  io::OutputOptions output = {};                      ///< how much of each run is written down
+  std::optional<checkpoint::Snapshot> snapshot = {};  ///< of a run at a moment of which they all begin
+  io::OwnTables own_tables = {};                      ///< that each run writes, too
 };
 
 }  // namespace trophic::replicates

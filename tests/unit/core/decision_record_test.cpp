@@ -24,12 +24,12 @@ struct Listener {
   std::size_t asked = 0;
   std::size_t denied = 0;
   std::size_t switched = 0;
-  std::size_t reprieves = 0;
+  std::size_t exemptions = 0;
   std::size_t ticks = 0;
   std::set<BodyIndex> asked_now = {};
 
-  bool wants_deliberations() { return true; }
-  void on_deliberation(const observe::Deliberation& one, const View& view) {
+  bool wants_decisions() { return true; }
+  void on_decision(const observe::DecisionRecord& one, const View& view) {
     const Individual& self = view.robots[one.body];
     CHECK(asked_now.insert(one.body).second);  // once a tick
     CHECK(one.inputs.size() == inputs);
@@ -43,9 +43,9 @@ struct Listener {
     CHECK(one.tag == (one.outputs[1] > 0.0 ? 1 : -1));
     if (one.outputs[0] != 0.0) CHECK((one.target_angle_rad > 0.0) == (one.outputs[0] > 0.0));
   }
-  void on_reprieve(BodyIndex hunter, const View& view) {
+  void on_exemption(BodyIndex hunter, const View& view) {
     CHECK(view.web.hunts(view.robots[hunter].species));
-    ++reprieves;
+    ++exemptions;
   }
   void on_tick(const View&) {
     asked_now.clear();
@@ -82,7 +82,7 @@ TEST_CASE("deliberations: every brain once a tick, as robots turn and switch, an
     const Listener paper = listen<rules::Paper>(seed);
     CHECK(paper.denied > 0);
     CHECK(paper.switched > 0);
-    CHECK(paper.reprieves > 0);
+    CHECK(paper.exemptions > 0);
     CHECK(paper.asked <= 30 * paper.ticks);
     CHECK(paper.asked > 5 * paper.ticks);
     const Listener released = listen<rules::Released>(seed);
@@ -94,6 +94,6 @@ TEST_CASE("deliberations: a brain that learns shows what it decides by, before i
   CHECK(listen<with_brain<rules::Paper, control::brain::HebbianBrain>>(3).asked > 0);
 }
 
-TEST_CASE("deliberations: where nobody is spared no reprieve is told of") {
-  CHECK(listen<with_starvation_exemption<rules::Paper, death::starvation::exemption::NoExemption>>(3).reprieves == 0);
+TEST_CASE("deliberations: where nobody is exempt no exemption is told of") {
+  CHECK(listen<with_starvation_exemption<rules::Paper, death::starvation::exemption::NoExemption>>(3).exemptions == 0);
 }

@@ -8,7 +8,7 @@
 namespace trophic::observe {
 
 /// One question to one brain, after it was acted upon. Spans are valid during the call.
-struct Deliberation {
+struct DecisionRecord {
   BodyIndex body = 0;
   std::span<const double> inputs;   ///< the values of all sensors, in the order of RunDescription::inputs
   std::span<const double> outputs;  ///< the output neurons: target angle, tag; empty for a brain that does not show them

@@ -27,7 +27,7 @@ struct SlotGroup {
 inline constexpr std::array slot_groups{
     SlotGroup{"perception", rules::slots({"heading", "visibility", "sensors", "newborn_tag", "tag_switch", "brain", "steering"})},
     SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "parent", "heredity", "mutation"})},
-    SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation", "rescue", "senescence"})},
+    SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation", "minimum_predators", "senescence"})},
     SlotGroup{"ecology", rules::slots({"community", "placement"})}};
 inline constexpr std::size_t perception_group = 0;
 inline constexpr std::size_t ecology_group = slot_groups.size() - 1;
@@ -48,14 +48,14 @@ inline constexpr std::string_view base_name = "base";
 inline constexpr std::string_view biases_name = "brain_with_biases";
 
 /// One set of runs: its folder's name, and what is different in it.
-struct Flip {
+struct Swap {
   std::string name;
   std::string change;
 };
 
 /// The flip of one sensor, where the sensors of two tables differ at a place of lists of one length; empty where they do not.
 template <class Base, class Other, std::size_t place>
-[[nodiscard]] std::string sensor_flip() {
+[[nodiscard]] std::string sensor_swap() {
   if constexpr (Base::Sensors::count == Other::Sensors::count) {
     using Here = typename Base::Sensors::template At<place>;
     using There = typename Other::Sensors::template At<place>;
@@ -65,22 +65,22 @@ template <class Base, class Other, std::size_t place>
 }
 
 template <class Base, class Other, std::size_t... place>
-void append_sensor_flips(std::vector<Flip>& all, std::index_sequence<place...>) {
+void append_sensor_swaps(std::vector<Swap>& all, std::index_sequence<place...>) {
   const auto append = [&](std::string name, std::string_view here) {
     if (!name.empty()) all.push_back({name, std::string{here} + " -> " + name.substr(name.find('_') + 1)});
   };
-  (append(sensor_flip<Base, Other, place>(), Base::Sensors::template At<place>::name), ...);
+  (append(sensor_swap<Base, Other, place>(), Base::Sensors::template At<place>::name), ...);
 }
 
 /// The table itself, every difference to the other table alone, each sensor alone, the brain with biases, and every group.
 template <class Base, class Other>
-[[nodiscard]] std::vector<Flip> flips() {
-  std::vector<Flip> all{{std::string{base_name}, "the table itself"}};
+[[nodiscard]] std::vector<Swap> swaps() {
+  std::vector<Swap> all{{std::string{base_name}, "the table itself"}};
   const auto shown = [](const std::string& value) { return value.empty() ? "none" : value; };
   for (const rules::RuleDifference& one : rules::differences<Base, Other>()) {
     all.push_back({one.name, shown(one.here) + " -> " + shown(one.there)});
   }
-  append_sensor_flips<Base, Other>(all, std::make_index_sequence<Base::Sensors::count>{});
+  append_sensor_swaps<Base, Other>(all, std::make_index_sequence<Base::Sensors::count>{});
   all.push_back({std::string{biases_name}, "a bias in every neuron, as in neither table"});
   for (const SlotGroup& group : slot_groups) all.push_back({std::string{group.name}, "all of its slots and numbers together"});
   return all;
@@ -104,8 +104,8 @@ struct Study {
 };
 
 /// Runs one flip of Base towards Other into a folder of its name. A sentence for each replicate that is not complete. Defined in
-/// run_flip.hpp and compiled once for each direction.
+/// run_swap.hpp and compiled once for each direction.
 template <class Base, class Other>
-[[nodiscard]] std::vector<std::string> run_flip(const std::string& name, const Study& study);
+[[nodiscard]] std::vector<std::string> run_swap(const std::string& name, const Study& study);
 
 }  // namespace trophic::command

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Definitions of flip_tables.hpp.
-#include <tools/analysis/report/flip_tables.hpp>
+// Definitions of ablation_tables.hpp.
+#include <tools/analysis/report/ablation_tables.hpp>
 
 #include <cmath>
 #include <tools/analysis/report/reading.hpp>
@@ -9,9 +9,9 @@
 
 namespace trophic::analysis {
 
-FlipRow row_of(const FlipEffect& effect, const std::string& direction) {
+SwapRow row_of(const SwapEffect& effect, const std::string& direction) {
   const Difference& d = effect.difference;
-  return {.flip = effect.flip,
+  return {.swap = effect.swap,
           .direction = direction,
           .metric = effect.name.metric,
           .species = effect.name.species,
@@ -19,35 +19,35 @@ FlipRow row_of(const FlipEffect& effect, const std::string& direction) {
           .unit = effect.name.unit,
           .compared = effect.over_shadow ? "over_shadow" : "raw",
           .runs_base = effect.base.runs,
-          .runs_flipped = effect.flipped.runs,
+          .runs_swapped = effect.swapped.runs,
           .base = effect.base.mean,
-          .flipped = effect.flipped.mean,
+          .swapped = effect.swapped.mean,
           .difference = d.value,
           .lower = lower_of(d.interval),
           .upper = upper_of(d.interval),
           .p = d.p,
           .p_holm = d.adjusted,
-          .decided = decided_text(d)};
+          .significant = significance_text(d)};
 }
 
-void print_decided(std::ostream& out, std::span<const FlipEffect> effects) {
-  out << "| flip | metric | base | flipped | difference [95 %] | p (Holm) |\n|---|---|---|---|---|---|\n";
-  for (const FlipEffect& effect : effects) {
+void print_significant(std::ostream& out, std::span<const SwapEffect> effects) {
+  out << "| swap | metric | base | swapped | difference [95 %] | p (Holm) |\n|---|---|---|---|---|---|\n";
+  for (const SwapEffect& effect : effects) {
     if (!effect.difference.differs()) continue;
     const Reading reading{effect.name};
     const double p = *effect.difference.adjusted;
-    out << "| " << effect.flip << " | " << metric_title(effect.name) << (effect.over_shadow ? ", over shadow" : "") << " | "
-        << reading(effect.base.mean) << " | " << reading(effect.flipped.mean) << " | "
+    out << "| " << effect.swap << " | " << metric_title(effect.name) << (effect.over_shadow ? ", over shadow" : "") << " | "
+        << reading(effect.base.mean) << " | " << reading(effect.swapped.mean) << " | "
         << reading.with_interval(effect.difference.value, effect.difference.interval, true) << " | "
         << (p < 0.0005 ? std::string{"<0.001"} : number_text(std::round(p * 1000.0) / 1000.0)) << " |\n";
   }
 }
 
-void print_shares(std::ostream& out, std::span<const FlipEffect> whole, std::span<const FlipEffect> forward,
-                  std::span<const FlipEffect> backward, std::span<const std::string> names) {
-  const auto find = [](std::span<const FlipEffect> in, const std::string& flip, const FlipEffect& like) -> const FlipEffect* {
-    for (const FlipEffect& effect : in) {
-      if (effect.flip == flip && effect.name == like.name && effect.over_shadow == like.over_shadow) return &effect;
+void print_shares(std::ostream& out, std::span<const SwapEffect> whole, std::span<const SwapEffect> forward,
+                  std::span<const SwapEffect> backward, std::span<const std::string> names) {
+  const auto find = [](std::span<const SwapEffect> in, const std::string& swap, const SwapEffect& like) -> const SwapEffect* {
+    for (const SwapEffect& effect : in) {
+      if (effect.swap == swap && effect.name == like.name && effect.over_shadow == like.over_shadow) return &effect;
     }
     return nullptr;
   };
@@ -56,16 +56,16 @@ void print_shares(std::ostream& out, std::span<const FlipEffect> whole, std::spa
   out << " sum into first | sum out of second |\n|---|---|---|---|";
   for (std::size_t i = 0; i < 2 * names.size() + 2; ++i) out << "---|";
   out << "\n";
-  for (const FlipEffect& all : whole) {
+  for (const SwapEffect& all : whole) {
     if (!all.difference.differs()) continue;
     const Reading reading{all.name};
     out << "| " << metric_title(all.name) << (all.over_shadow ? ", over shadow" : "") << " | " << reading(all.base.mean) << " | "
-        << reading(all.flipped.mean) << " | " << reading.with_interval(all.difference.value, all.difference.interval, true)
+        << reading(all.swapped.mean) << " | " << reading.with_interval(all.difference.value, all.difference.interval, true)
         << " |";
     std::optional<double> into = 0.0;
     std::optional<double> out_of = 0.0;
     for (const std::string& name : names) {
-      const auto show = [&](const FlipEffect* effect, double sign, std::optional<double>& sum) {
+      const auto show = [&](const SwapEffect* effect, double sign, std::optional<double>& sum) {
         if (effect == nullptr || !effect->difference.value) {
           sum.reset();
           out << " missing |";

@@ -13,12 +13,12 @@
 namespace trophic::analysis {
 
 /// What a flip changes in one metric.
-struct FlipEffect {
-  std::string flip;
+struct SwapEffect {
+  std::string swap;
   MetricName name;
   bool over_shadow = false;  ///< both sets were set over their shadows before they were compared
   Estimate base;
-  Estimate flipped;
+  Estimate swapped;
   Difference difference;
 };
 
@@ -27,9 +27,9 @@ struct FlipEffect {
 
 /// One effect a metric: over the shadows where the metric needs it and both sets have one, else raw. The p values are not yet
 /// adjusted: `adjust_together` does it for all flips at once.
-[[nodiscard]] std::vector<FlipEffect> effects_of(const std::string& flip, std::span<const SetDifference> differences);
+[[nodiscard]] std::vector<SwapEffect> effects_of(const std::string& swap, std::span<const SetDifference> differences);
 
 /// Holm's correction over all flips and metrics of a list.
-void adjust_together(std::vector<FlipEffect>& effects);
+void adjust_together(std::vector<SwapEffect>& effects);
 
 }  // namespace trophic::analysis

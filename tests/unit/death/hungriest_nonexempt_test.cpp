@@ -4,18 +4,18 @@
 
 #include <cstdint>
 #include <support/hand_population.hpp>
-#include <trophic/death/starvation/choice/hungriest_unspared.hpp>
+#include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::test;
-using death::starvation::choice::HungriestUnspared;
+using death::starvation::choice::HungriestNonexempt;
 using Bodies = std::vector<BodyIndex>;
 
 namespace {
 
-const auto nobody_spared = [](BodyIndex) { return false; };
-const auto everyone_spared = [](BodyIndex) { return true; };
+const auto no_exemption = [](BodyIndex) { return false; };
+const auto all_exempt = [](BodyIndex) { return true; };
 
 }  // namespace
 
@@ -24,43 +24,43 @@ TEST_CASE("hungriest unspared: the predator with most ticks since birth or last 
                                {.species = predator, .fed_tick = 30},
                                {.species = predator, .fed_tick = 10},
                                {.species = predator, .fed_tick = 20}}};
-  CHECK(HungriestUnspared{}.victims(robots.view(), nobody_spared) == Bodies{2});
-  CHECK(HungriestUnspared{}.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Bodies{3});
-  CHECK(HungriestUnspared{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{2});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Bodies{3});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
 }
 
 TEST_CASE("hungriest unspared: at equal hunger the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestUnspared{}.victims(robots.view(), nobody_spared) == Bodies{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
 }
 
-TEST_CASE("hungriest unspared: nobody if all are spared") {
+TEST_CASE("hungriest unspared: nobody if all are exempt") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 30}, {.species = predator, .fed_tick = 10}}};
-  CHECK(HungriestUnspared{}.victims(robots.view(), everyone_spared).empty());
+  CHECK(HungriestNonexempt{}.victims(robots.view(), all_exempt).empty());
 }
 
 TEST_CASE("hungriest unspared: nobody without predators") {
-  CHECK(HungriestUnspared{}.victims(HandPopulation{{{.species = prey}}}.view(), nobody_spared).empty());
-  CHECK(HungriestUnspared{}.victims(HandPopulation{{}}.view(), nobody_spared).empty());
+  CHECK(HungriestNonexempt{}.victims(HandPopulation{{{.species = prey}}}.view(), no_exemption).empty());
+  CHECK(HungriestNonexempt{}.victims(HandPopulation{{}}.view(), no_exemption).empty());
 }
 
 TEST_CASE("hungriest unspared: in a food chain every species that eats somebody can starve") {
   const HandPopulation robots{
       {{.species = plant, .fed_tick = 0}, {.species = grazer, .fed_tick = 3}, {.species = hunter, .fed_tick = 5}}, chain_web()};
-  CHECK(HungriestUnspared{}.victims(robots.view(), nobody_spared) == Bodies{1});
-  CHECK(HungriestUnspared{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{2});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{2});
 }
 
 TEST_CASE("hungriest unspared: nobody hungrier is left unspared, and the order of bodies does not matter") {
   CHECK(rc::check([](std::uint64_t seed) {
     const HandPopulation robots = random_population(seed, 12, chain_web());
-    const auto spared = [&](const HandPopulation& list) {
+    const auto exempt = [&](const HandPopulation& list) {
       return [&list](BodyIndex body) { return list.individuals[body].tag == 1; };
     };
     const auto order = random_order(seed, 12);
     const HandPopulation moved = robots.reordered(order);
-    const auto victims = HungriestUnspared{}.victims(robots.view(), spared(robots));
-    const auto victims_moved = HungriestUnspared{}.victims(moved.view(), spared(moved));
+    const auto victims = HungriestNonexempt{}.victims(robots.view(), exempt(robots));
+    const auto victims_moved = HungriestNonexempt{}.victims(moved.view(), exempt(moved));
     RC_ASSERT(victims.size() == victims_moved.size());
     RC_ASSERT(victims.size() <= 1U);
     if (victims.empty()) return;

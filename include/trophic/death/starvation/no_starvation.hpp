@@ -8,11 +8,11 @@
 namespace trophic::death::starvation {
 
 /// Rule: hunger kills no hunter: the neutral policy of the slot.   Reads: nothing.   Random draws: 0.
-struct NobodyStarves {
-  static constexpr std::string_view name = "nobody_starves";
+struct NoStarvation {
+  static constexpr std::string_view name = "no_starvation";
   static constexpr std::string_view source = "control";
   [[nodiscard]] Starving starving(const View&, const perception::Perceives&) const { return {}; }
 };
-static_assert(Starvation<NobodyStarves>);
+static_assert(Starvation<NoStarvation>);
 
 }  // namespace trophic::death::starvation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `trophic flip-table`, what each flip of an ablation study changes: one table over all flips and metrics, corrected for their
-// number.
+// `trophic ablation-table`, what each flip of an ablation study changes: one table over all flips and metrics, corrected for
+// their number.
 #include "commands.hpp"
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <tools/ablations/flips.hpp>
+#include <tools/ablations/swaps.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
+#include <tools/analysis/report/ablation_tables.hpp>
 #include <tools/analysis/report/compare_sets.hpp>
-#include <tools/analysis/report/flip_tables.hpp>
-#include <tools/analysis/report/flips.hpp>
+#include <tools/analysis/report/swaps.hpp>
 #include <tools/analysis/report/table_file.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
@@ -31,12 +31,12 @@
 
 namespace trophic::command {
 
-namespace detail::flip_table {
+namespace detail::ablation_table {
 
 struct Options {
   std::string runs;
   std::uint64_t jobs = 1;
-  std::string out = "flips";
+  std::string out = "swaps";
 };
 
 [[nodiscard]] analysis::ShadowedSet read(const std::filesystem::path& folder) {
@@ -47,7 +47,7 @@ struct Options {
 struct Direction {
   std::string name;
   std::optional<analysis::ShadowedSet> base;
-  std::vector<analysis::FlipEffect> effects;
+  std::vector<analysis::SwapEffect> effects;
 };
 
 /// The tables that a study starts from: every folder "from_TABLE" with a base, by name.
@@ -63,7 +63,7 @@ struct Direction {
 }
 
 /// The sets beside the base: every folder with a list of replicates, by name.
-[[nodiscard]] std::vector<std::string> flips_in(const std::filesystem::path& folder) {
+[[nodiscard]] std::vector<std::string> swaps_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator{folder}) {
     const std::string name = entry.path().filename().string();
@@ -89,16 +89,16 @@ void check_complete(const analysis::ShadowedSet& set) {
 [[nodiscard]] Direction read_direction(const std::filesystem::path& folder, std::size_t jobs) {
   Direction direction{folder.filename().string(), read(folder / base_name), {}};
   check_complete(*direction.base);
-  const std::vector<std::string> names = flips_in(folder);
-  std::vector<std::vector<analysis::FlipEffect>> parts(names.size());
+  const std::vector<std::string> names = swaps_in(folder);
+  std::vector<std::vector<analysis::SwapEffect>> parts(names.size());
   const auto compare = [&](std::size_t i) {
-    const analysis::ShadowedSet flipped = read(folder / names[i]);
-    check_complete(flipped);
-    analysis::check_comparable(direction.base->ours.manifests.front(), flipped.ours.manifests.front());
-    if (direction.base->shadow.has_value() != flipped.shadow.has_value()) {
+    const analysis::ShadowedSet swapped = read(folder / names[i]);
+    check_complete(swapped);
+    analysis::check_comparable(direction.base->ours.manifests.front(), swapped.ours.manifests.front());
+    if (direction.base->shadow.has_value() != swapped.shadow.has_value()) {
       throw std::invalid_argument{(folder / names[i]).string() + ": one of it and its base has a shadow, the other has none"};
     }
-    parts[i] = analysis::effects_of(names[i], analysis::compare_sets(*direction.base, flipped));
+    parts[i] = analysis::effects_of(names[i], analysis::compare_sets(*direction.base, swapped));
   };
   const auto attempts = replicates::in_parallel(names.size(), jobs, compare, [] { return true; });
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -117,16 +117,16 @@ void write(const Options& options) {
   if (directions.size() > 2) throw std::invalid_argument{options.runs + ": has more than two folders from_TABLE"};
 
   const auto out = io::make_new_folder(options.out);
-  analysis::TableFile<analysis::FlipRow> csv{out / "flips.csv"};
-  const auto write_rows = [&csv](const std::string& direction, std::span<const analysis::FlipEffect> effects) {
-    for (const analysis::FlipEffect& effect : effects) csv.write(analysis::row_of(effect, direction));
+  analysis::TableFile<analysis::SwapRow> csv{out / "ablations.csv"};
+  const auto write_rows = [&csv](const std::string& direction, std::span<const analysis::SwapEffect> effects) {
+    for (const analysis::SwapEffect& effect : effects) csv.write(analysis::row_of(effect, direction));
   };
   std::ostringstream text;
   for (const Direction& direction : directions) {
     write_rows(direction.name, direction.effects);
     text << "## " << direction.name << "\n\n";
-    analysis::print_decided(text, direction.effects);
-    text << "\np: corrected for all flips and metrics of this direction; intervals are those of single comparisons.\n\n";
+    analysis::print_significant(text, direction.effects);
+    text << "\np: corrected for all swaps and metrics of this direction; intervals are those of single comparisons.\n\n";
   }
   if (directions.size() == 2) {
     const auto& [first, second] = std::pair{&directions[0], &directions[1]};
@@ -143,31 +143,32 @@ void write(const Options& options) {
     text << "\n*: decided in its direction. Sums that miss the whole difference show that the groups act on each other.\n";
   }
   csv.finish();
-  write_new_file(out / "flips.md", text.str());
-  std::cout << "files   " << out.string() << "/{flips.csv,flips.md}\n";
+  write_new_file(out / "ablations.md", text.str());
+  std::cout << "files   " << out.string() << "/{ablations.csv,ablations.md}\n";
   flush_output();
 }
 
-}  // namespace detail::flip_table
+}  // namespace detail::ablation_table
 
 /// One table over all flips of an ablation study.
-Command flip_table() {
-  const auto options = std::make_shared<detail::flip_table::Options>();
-  return {.name = "flip-table",
-          .about =
-              "Reads the sets of an ablation study and writes what each flip changes: flips.csv (all) and flips.md (what is "
-              "decided).",
-          .options = {{"runs", &options->runs, "the OUT of the study", {}, Words::suggested, 0, true},
-                      {"--jobs", &options->jobs, "sets measured at a time (1)"},
-                      {"--out", &options->out, "new folder for the tables (flips)"}},
-          .work =
-              [options] {
-                if (options->jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
-                detail::flip_table::write(*options);
-                return 0;
-              },
-          .subcommands = {},
-          .version = {}};
+Command ablation_table() {
+  const auto options = std::make_shared<detail::ablation_table::Options>();
+  return {
+      .name = "ablation-table",
+      .about =
+          "Reads the sets of an ablation study and writes what each swap changes: ablations.csv (all) and ablations.md (what is "
+          "decided).",
+      .options = {{"runs", &options->runs, "the OUT of the study", {}, Words::suggested, 0, true},
+                  {"--jobs", &options->jobs, "sets measured at a time (1)"},
+                  {"--out", &options->out, "new folder for the tables (swaps)"}},
+      .work =
+          [options] {
+            if (options->jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+            detail::ablation_table::write(*options);
+            return 0;
+          },
+      .subcommands = {},
+      .version = {}};
 }
 
 }  // namespace trophic::command

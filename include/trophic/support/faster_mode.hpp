@@ -12,23 +12,23 @@ namespace trophic {
 /// Chooses for each job one of two ways that give the same result, by how long jobs took lately, and tries the other one again
 /// from time to time: the more rarely, the slower it was, so that trying costs about a thirtieth. Begins with the first. A job in
 /// which the machine slept, or the program was stopped, counts as any slow one.
-class FasterWay {
+class FasterMode {
  public:
   /// One job, from when it was made to its end.
   class Trial {
    public:
-    Trial(FasterWay& ways, bool first, std::size_t size)
-        : ways_{ways}, first_{first}, size_{static_cast<double>(size)}, began_{std::chrono::steady_clock::now()} {}
+    Trial(FasterMode& modes, bool first, std::size_t size)
+        : modes_{modes}, first_{first}, size_{static_cast<double>(size)}, began_{std::chrono::steady_clock::now()} {}
     Trial(const Trial&) = delete;
     Trial& operator=(const Trial&) = delete;
     ~Trial() {
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began_;
-      ways_.note(first_, took.count() / size_);
+      modes_.note(first_, took.count() / size_);
     }
     [[nodiscard]] bool first() const { return first_; }
 
    private:
-    FasterWay& ways_;
+    FasterMode& modes_;
     bool first_;
     double size_;
     std::chrono::steady_clock::time_point began_;
@@ -47,17 +47,17 @@ class FasterWay {
   /// A job was done the first or the second way, in so many seconds for one of its size.
   void note(bool first, double seconds) {
     seconds = std::max(seconds, shortest_s);
-    Way& way = first ? first_ : second_;
-    Way& other = first ? second_ : first_;
-    if (!way.known) way = {.seconds = seconds, .known = true};
-    const double most = slowest * (other.known ? std::min(way.seconds, other.seconds) : way.seconds);
-    way.seconds = std::min(way.seconds, most);
+    Mode& mode = first ? first_ : second_;
+    Mode& other = first ? second_ : first_;
+    if (!mode.known) mode = {.seconds = seconds, .known = true};
+    const double most = slowest * (other.known ? std::min(mode.seconds, other.seconds) : mode.seconds);
+    mode.seconds = std::min(mode.seconds, most);
     other.seconds = std::min(other.seconds, most);
-    way.seconds += weight * (std::min(seconds, most) - way.seconds);
+    mode.seconds += weight * (std::min(seconds, most) - mode.seconds);
   }
 
  private:
-  struct Way {
+  struct Mode {
     double seconds = 0.0;  ///< of late, for a job of size one
     bool known = false;
   };
@@ -75,8 +75,8 @@ class FasterWay {
   /// Times the faster way, beyond which nothing counts as slower, so that a pause is made up for in some thousand jobs.
   static constexpr double slowest = 64.0;
 
-  Way first_;
-  Way second_;
+  Mode first_;
+  Mode second_;
   std::uint64_t since_other_ = 0;
 };
 

@@ -13,9 +13,9 @@ namespace trophic::death::starvation::choice {
 /// Rule: of all hunters the one with the highest hunger (ticks since birth or last catch) dies, unless it is spared; then the
 /// next hungriest. The text has "the next oldest predator dies" (Sec. "Predator Death"), here read as the next hungriest, as the
 /// released code does; HungriestElseOldest reads it as written. Ties: the earlier born first. If all are spared none dies;
-/// HungriestUnsparedElseHungriest is the released code's.   Reads: hunger, ids.   Random draws: 0.
-struct HungriestUnspared {
-  static constexpr std::string_view name = "hungriest_unspared";
+/// HungriestNonexemptElseHungriest is the released code's.   Reads: hunger, ids.   Random draws: 0.
+struct HungriestNonexempt {
+  static constexpr std::string_view name = "hungriest_nonexempt";
   static constexpr std::string_view source = "paper, Sec. \"Predator Death\"; silent on the measure of age: released code's";
 
   [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
@@ -24,6 +24,6 @@ struct HungriestUnspared {
     return dying != hunters.end() ? std::vector{*dying} : std::vector<BodyIndex>{};
   }
 };
-static_assert(Choice<HungriestUnspared>);
+static_assert(Choice<HungriestNonexempt>);
 
 }  // namespace trophic::death::starvation::choice

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // An observer of deliberations that does not say whether it wants them would be told of none.
-// expect: an observer with on_deliberation needs bool wants_deliberations(), whether it is to be told now
+// expect: an observer with on_decision needs bool wants_decisions(), whether it is to be told now
 #include <trophic/ecology/simulation.hpp>
 
 struct Listener {
-  void on_deliberation(const trophic::observe::Deliberation&, const trophic::View&) {}
+  void on_decision(const trophic::observe::DecisionRecord&, const trophic::View&) {}
 #ifdef VALID
-  bool wants_deliberations() {
+  bool wants_decisions() {
     return true;
   }
 #endif

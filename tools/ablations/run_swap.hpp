@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <tools/ablations/flips.hpp>
+#include <tools/ablations/swaps.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/rules/with_sensor.hpp>
@@ -41,7 +41,7 @@ Experiment<Base> with_number_of(const std::string& name) {
     read_numbers(experiment, read_assignment((of_rule ? "rules." : "") + name + "=" + difference.there));
     return experiment;
   }
-  throw std::invalid_argument{"flip " + name + ": the tables do not differ in it"};
+  throw std::invalid_argument{"swap " + name + ": the tables do not differ in it"};
 }
 
 template <class Base, class Other, std::size_t group>
@@ -63,7 +63,7 @@ std::vector<std::string> run_group(const std::string& name, const Study& study) 
 template <class Base, class Other, std::size_t place>
 std::optional<std::vector<std::string>> run_sensor(const std::string& name, const Study& study) {
   if constexpr (Base::Sensors::count == Other::Sensors::count) {
-    if (name.empty() || name != sensor_flip<Base, Other, place>()) return std::nullopt;
+    if (name.empty() || name != sensor_swap<Base, Other, place>()) return std::nullopt;
     using Old = typename Base::Sensors::template At<place>;
     using New = typename Other::Sensors::template At<place>;
     return run_table(name, Experiment<rules::with_sensor<Base, Old, New>>{}, study);
@@ -108,7 +108,7 @@ void run_slot(const std::string& name, const Study& study, std::optional<std::ve
 }  // namespace detail
 
 template <class Base, class Other>
-std::vector<std::string> run_flip(const std::string& name, const Study& study) {
+std::vector<std::string> run_swap(const std::string& name, const Study& study) {
   if (name == base_name) return detail::run_table(name, Experiment<Base>{}, study);
   if (const std::string why = needs_joints(name); !study.backend.has_joints() && !why.empty()) {
     std::cout << why << std::endl;

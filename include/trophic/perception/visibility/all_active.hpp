@@ -9,12 +9,12 @@ namespace trophic::perception::visibility {
 
 /// Rule: self perceives every active individual, whatever the tags: the baseline that shows what tagging does. Reads:
 /// other's activity.   Random draws: 0.
-struct Everybody {
-  static constexpr std::string_view name = "everybody";
+struct AllActive {
+  static constexpr std::string_view name = "all_active";
   static constexpr std::string_view source = "control";
   [[nodiscard]] bool perceives(BodyIndex, BodyIndex other, const View& view, Rng&) const { return view.robots[other].active; }
   [[nodiscard]] Horizon horizon(const Individual&) const { return {.only_active = true}; }
 };
-static_assert(Visibility<Everybody>);
+static_assert(Visibility<AllActive>);
 
 }  // namespace trophic::perception::visibility
