@@ -26,7 +26,11 @@ struct Options {
   std::string sheet;
   std::string size;
   std::string view = "orbit";
-  double speed = 10.0;
+  std::optional<double> speed;
+  std::optional<std::uint64_t> catch_;
+  std::string lines = "on";
+  std::string legend = "on";
+  std::optional<std::string> title;
   std::uint64_t fps = 30;
   bool fine = false;
 };
@@ -41,6 +45,10 @@ struct Options {
                            .size = options.size,
                            .from_above = options.view == "top",
                            .speed = options.speed,
+                           .catch_ = options.catch_,
+                           .has_lines = options.lines == "on",
+                           .has_legend = options.legend == "on",
+                           .title = options.title,
                            .fps = options.fps,
                            .fine = options.fine});
 }
@@ -56,35 +64,54 @@ struct Options {
 /// Makes pictures of a recorded run.
 Command film() {
   const auto options = std::make_shared<detail::film::Options>();
-  return {.name = "film",
-          .about =
-              "Draws a recorded run on any machine, without a screen: a picture or a contact sheet as PNG, a film as mp4 (by "
-              "ffmpeg).",
-          .options =
-              {{.name = "run", .target = &options->run, .help = "folder of a run", .required = true},
-               {.name = "--out", .target = &options->out, .help = "new file, .png or .mp4", .required = true, .shorthand = "-o"},
-               {.name = "--from",
-                .target = &options->from_s,
-                .help = "of a picture the moment, of a film the start, seconds (the run's)"},
-               {.name = "--to", .target = &options->to_s, .help = "the end, seconds (the run's)"},
-               {.name = "--follow", .target = &options->follow, .help = "stay near the individual of that id, and mark it"},
-               {.name = "--sheet",
-                .target = &options->sheet,
-                .help = "a contact sheet of so many pictures, e.g. 4x3, from --from to --to"},
-               {.name = "--size", .target = &options->size, .help = "pixels of each picture (1280x720; 480x360 in a sheet)"},
-               {.name = "--view",
-                .target = &options->view,
-                .help = "orbit, the arena from the south, or top (orbit)",
-                .words = {"orbit", "top"},
-                .use = Words::demanded},
-               {.name = "--speed", .target = &options->speed, .help = "ecology seconds a second of film (10)"},
-               {.name = "--fps", .target = &options->fps, .help = "pictures a second of film (30)"},
-               {.name = "--fine",
-                .target = &options->fine,
-                .help = "films with edges as smooth as those of pictures; four times as slow"}},
-          .work = [options] { return detail::film::run(*options); },
-          .subcommands = {},
-          .version = {}};
+  return {
+      .name = "film",
+      .about =
+          "Draws a recorded run on any machine, without a screen: a picture or a contact sheet as PNG, a film as mp4, webm or "
+          "gif (by ffmpeg).",
+      .options = {{.name = "run", .target = &options->run, .help = "folder of a run", .required = true},
+                  {.name = "--out",
+                   .target = &options->out,
+                   .help = "new file: .png, .mp4, .webm or .gif",
+                   .required = true,
+                   .shorthand = "-o"},
+                  {.name = "--from",
+                   .target = &options->from_s,
+                   .help = "of a picture the moment, of a film the start, seconds (the run's)"},
+                  {.name = "--to", .target = &options->to_s, .help = "the end, seconds (the run's)"},
+                  {.name = "--follow", .target = &options->follow, .help = "stay near the individual of that id, and mark it"},
+                  {.name = "--catch",
+                   .target = &options->catch_,
+                   .help =
+                       "show the run's catch of that number, from 1: 8 s before and 3 s after it, both robots in the picture"},
+                  {.name = "--sheet",
+                   .target = &options->sheet,
+                   .help = "a contact sheet of so many pictures, e.g. 4x3, from --from to --to"},
+                  {.name = "--size", .target = &options->size, .help = "pixels of each picture (1280x720; 480x360 in a sheet)"},
+                  {.name = "--view",
+                   .target = &options->view,
+                   .help = "orbit, the arena from the south, or top (orbit)",
+                   .words = {"orbit", "top"},
+                   .use = Words::demanded},
+                  {.name = "--speed", .target = &options->speed, .help = "ecology seconds a second of film (10; of a catch 1)"},
+                  {.name = "--fps", .target = &options->fps, .help = "pictures a second of film (30)"},
+                  {.name = "--lines",
+                   .target = &options->lines,
+                   .help = "trails, and lines from robots to those that they perceive (on)",
+                   .words = {"on", "off"},
+                   .use = Words::demanded},
+                  {.name = "--legend",
+                   .target = &options->legend,
+                   .help = "title, marks with their meaning, counts of species, a scale, in pictures of at least 560 pixels (on)",
+                   .words = {"on", "off"},
+                   .use = Words::demanded},
+                  {.name = "--title", .target = &options->title, .help = "the title (the run's name, rules, backend and seed)"},
+                  {.name = "--fine",
+                   .target = &options->fine,
+                   .help = "films with edges as smooth as those of pictures; four times as slow"}},
+      .work = [options] { return detail::film::run(*options); },
+      .subcommands = {},
+      .version = {}};
 }
 
 }  // namespace trophic::command
