@@ -473,7 +473,7 @@ test("the inspector says what a brain is told, answers and wants, as senses.csv 
   await leave(opened);
 });
 
-test("a page of an analysis has its table, and replays a run in a frame of its own", async () => {
+test("a page of an analysis has its table, sorts it, gives its data, and replays a run in a frame of its own", async () => {
   execFileSync(process.env.TROPHIC, ["analyze", at("set"), "--html", at("analysis.html")]);
   const page = await browser.context.newPage();
   const complaints = [];
@@ -482,7 +482,22 @@ test("a page of an analysis has its table, and replays a run in a frame of its o
   page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
   page.on("request", (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
   await page.goto(`file://${at("analysis.html")}`);
-  assert.match(await page.locator("pre").textContent(), /velocity/);
+  assert.match(await page.locator("details pre").textContent(), /velocity/);
+  assert.match(await page.locator(".question").innerText(), /^What does inheritance do under the rules of paper\?/);
+  assert.match(await page.locator(".findings").innerText(), /too few runs for intervals and tests: 6 are needed, there are 2\./);
+  assert.match(await page.locator(".commands").innerText(), /trophic analyze \S*set --html \S*analysis.html$/m);
+  const { rules } = JSON.parse(readFileSync(join(at("set"), "replicate-00/manifest.json"), "utf8"));
+  assert.deepEqual(await page.$$eval(".rules dt", (slots) => slots.map((slot) => [slot.textContent, slot.nextSibling.textContent])), Object.entries(rules));
+  const means = async () => (await page.$$eval(".results tbody tr", (lines) => lines.map((line) => Number(line.cells[1].dataset.key))));
+  const before = await means();
+  await page.locator(".results th button", { hasText: "ours [95 %]" }).click();
+  assert.deepEqual(await means(), before.toSorted((a, b) => a - b));
+  await page.locator(".results th button", { hasText: "ours [95 %]" }).click();
+  assert.deepEqual(await means(), before.toSorted((a, b) => b - a));
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "metrics.csv" }).click()]);
+  assert.match(readFileSync(await download.path(), "utf8"), /^set,run,seed,metric,species,group,baseline,time_s,value,unit\npaper,replicate-00,/);
+  await page.locator("iframe").scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => document.querySelector("[data-replay='0']").getAttribute("aria-pressed") === "true");
   const buttons = page.locator(".replays button");
   assert.deepEqual(await buttons.allTextContents(), ["replicate-00", "replicate-01"]);
   for (const name of ["replicate-01", "replicate-00"]) {
@@ -500,6 +515,11 @@ test("a page of an analysis has its table, and replays a run in a frame of its o
     assert.equal(await frame.getByText("Copy link").count(), 0); // nobody could open it
   }
   assert.deepEqual(complaints, []);
-  assert.deepEqual(requests, [`file://${at("analysis.html")}`]);
+  assert.deepEqual(requests.filter((url) => !url.startsWith("data:")), [`file://${at("analysis.html")}`]);
+  const phone = await browser.with({ viewport: { width: 390, height: 844 }, isMobile: true });
+  const small = await phone.context.newPage();
+  await small.goto(`file://${at("analysis.html")}`);
+  assert.equal(await small.evaluate(() => document.documentElement.scrollWidth), 390);
+  await small.close();
   await page.close();
 });
