@@ -78,6 +78,34 @@ class Films(InFolderWithSets):
             part = picture[max(0, y - 8) : y + 9, max(0, x - 8) : x + 9]
             self.assertGreater(near(part, BLUE if row["species"] == "prey" else ORANGE, 110), 4, row)
 
+    def draw_robot(self, *arguments):
+        command = [TROPHIC, "film", *map(str, arguments), "-o", "robot.png"]
+        result = subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=120)
+        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "robot.png: 1 picture\n"))
+        picture = numpy.array(Image.open(self.folder / "robot.png"))
+        (self.folder / "robot.png").unlink()
+        return picture
+
+    def test_a_robot_file_as_a_picture(self):
+        spider = self.draw_robot("--robot", "spider", "--size", "640x480", "--view", "top", "--legend", "off")
+        self.assertGreater(near(spider[200:280, 270:370], BLUE, 110), 1000)  # its core in the middle
+        turned = numpy.rot90(spider[:, 80:560])
+        self.assertLess(numpy.abs(near(turned[:, 240:], BLUE, 110) / near(turned[:, :240], BLUE, 110) - 1), 0.4)  # four legs alike
+        gecko = self.draw_robot("--robot", pathlib.Path(__file__).parents[2] / "models/robots/gecko.toml", "--size", "640x480", "--legend", "off")
+        self.assertGreater((gecko != self.draw_robot("--robot", "spider", "--size", "640x480", "--legend", "off")).any(axis=-1).mean(), 0.02)
+        for arguments, sentence in (
+            (["--robot", "no_such", "-o", "x.png"], "robot"),
+            (["--robot", "spider", "-o", "x.mp4"], "--out x.mp4: must end in .png with --robot"),
+            (["--robot", "spider", "--catch", "1", "-o", "x.png"], "--robot: not with --from"),
+            (["--robot", "spider", str(self.sets / "run"), "-o", "x.png"], "--robot: not with a run"),
+            (["-o", "x.png"], "either the folder of a run, or --robot and a robot file"),
+        ):
+            with self.subTest(arguments):
+                result = subprocess.run([TROPHIC, "film", *arguments], capture_output=True, text=True, cwd=self.folder)
+                self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
+                self.assertIn(sentence, result.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_a_contact_sheet(self):
         sheet = self.draw("--sheet", "3x2", "--from", 20, "--to", 180, "--size", "320x240")
         self.assertEqual(sheet.shape, (2 * 240 + 6, 3 * 320 + 2 * 6, 3))

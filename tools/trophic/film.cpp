@@ -9,7 +9,11 @@
 #include <trophic/command/option.hpp>
 // Who links trophic::film has this definition.
 #ifdef TROPHIC_WITH_FILM
+#include <iostream>
 #include <tools/trophic/replay/film_run.hpp>
+#include <tools/trophic/replay/robot_picture.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/support/new_file.hpp>
 #endif
 
 namespace trophic::command {
@@ -19,6 +23,7 @@ namespace detail::film {
 /// What the command line says.
 struct Options {
   std::string run;
+  std::string robot;
   std::string out;
   std::optional<double> from_s;
   std::optional<double> to_s;
@@ -36,7 +41,29 @@ struct Options {
 };
 
 #ifdef TROPHIC_WITH_FILM
+/// The picture of a robot file.
+[[nodiscard]] int draw_robot(const Options& options) {
+  if (!options.run.empty()) throw std::invalid_argument{"--robot: not with a run; its recording has its robot"};
+  if (options.from_s || options.to_s || options.follow || options.catch_ || !options.sheet.empty()) {
+    throw std::invalid_argument{"--robot: not with --from, --to, --follow, --catch or --sheet, which are of a run"};
+  }
+  if (!options.out.ends_with(".png")) throw std::invalid_argument{"--out " + options.out + ": must end in .png with --robot"};
+  check_new_file("--out", options.out);
+  const auto [width, height] = replay::two_numbers("--size", options.size.empty() ? "1280x720" : options.size, 4096);
+  replay::draw_robot({.robot = options.robot,
+                      .out = options.out,
+                      .width = width,
+                      .height = height,
+                      .from_above = options.view == "top",
+                      .has_legend = options.legend == "on"});
+  std::cout << options.out << ": 1 picture\n";
+  flush_output();
+  return 0;
+}
+
 [[nodiscard]] int run(const Options& options) {
+  if (!options.robot.empty()) return draw_robot(options);
+  if (options.run.empty()) throw std::invalid_argument{"either the folder of a run, or --robot and a robot file"};
   return replay::film_run({.folder = options.run,
                            .out = options.out,
                            .window = {options.from_s, options.to_s},
@@ -69,7 +96,8 @@ Command film() {
       .about =
           "Draws a recorded run on any machine, without a screen: a picture or a contact sheet as PNG, a film as mp4, webm or "
           "gif (by ffmpeg).",
-      .options = {{.name = "run", .target = &options->run, .help = "folder of a run", .required = true},
+      .options = {{.name = "run", .target = &options->run, .help = "folder of a run"},
+                  {.name = "--robot", .target = &options->robot, .help = "draw a robot file instead of a run: its name or path"},
                   {.name = "--out",
                    .target = &options->out,
                    .help = "new file: .png, .mp4, .webm or .gif",

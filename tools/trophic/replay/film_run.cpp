@@ -29,9 +29,6 @@
 
 namespace trophic::command::replay {
 
-namespace {
-
-/// "1280x720" as two numbers. Throws std::invalid_argument naming the option.
 std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::string_view text, std::size_t most) {
   std::pair<std::size_t, std::size_t> both{0, 0};
   const std::size_t cross = std::min(text.find('x'), text.size());
@@ -45,6 +42,8 @@ std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::st
   }
   return both;
 }
+
+namespace {
 
 /// A stretch of a recorded run.
 class RecordedFootage {

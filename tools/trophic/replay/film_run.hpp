@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tools/trophic/replay/recorded_run.hpp>
+#include <utility>
 
 namespace trophic::command::replay {
 
@@ -28,6 +30,9 @@ struct FilmPlan {
   std::uint64_t fps = 30;
   bool fine = false;
 };
+
+/// "1280x720" as two numbers from 1 to `most`. Throws std::invalid_argument naming the option.
+[[nodiscard]] std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::string_view text, std::size_t most);
 
 /// Draws what the plan says into its file and tells of it. Throws std::invalid_argument for what is wrong with the plan or the
 /// run, std::runtime_error for what goes wrong later.
