@@ -112,14 +112,16 @@ class Drawing::Scene {
     for (const Flash& flash : picture.flashes) add_flash(flash);
     for (const RobotLook& look : picture.robots) add_body(look);
     mjr_render(view_, &scene_, &context_);
-    write_over(Overlay{context_, view_}, picture, camera);
+    legend_pixels_ = static_cast<int>(write_over(Overlay{context_, view_}, picture, camera));
   }
 
   void write(Corner corner, const std::string& left, const std::string& right) {
     const int place = corner == Corner::top_left    ? mjGRID_TOPLEFT
                       : corner == Corner::top_right ? mjGRID_TOPRIGHT
                                                     : mjGRID_BOTTOMLEFT;
-    mjr_overlay(mjFONT_NORMAL, place, view_, left.c_str(), right.empty() ? nullptr : right.c_str(), &context_);
+    mjrRect below = view_;  // what is written at the upper edge stays readable
+    below.height = std::max(1, view_.height - legend_pixels_);
+    mjr_overlay(mjFONT_NORMAL, place, below, left.c_str(), right.empty() ? nullptr : right.c_str(), &context_);
   }
 
   [[nodiscard]] Image read() const {
@@ -281,6 +283,7 @@ class Drawing::Scene {
   mjvScene scene_{};
   mjrContext context_{};
   mjrRect view_{};
+  int legend_pixels_ = 0;
   double ring_m_;
   double pixel_m_ = 0.01;  ///< about how large a pixel is at what the camera looks at
 };

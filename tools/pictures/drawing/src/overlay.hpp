@@ -31,7 +31,7 @@ class Overlay {
   mjrRect view_;
 };
 
-/// Writes what a picture says in words.
-void write_over(const Overlay& overlay, const Picture& picture, const Camera& camera);
+/// Writes what a picture says in words. Returns how many pixels of its upper edge title and legend take.
+double write_over(const Overlay& overlay, const Picture& picture, const Camera& camera);
 
 }  // namespace trophic::drawing

@@ -241,7 +241,7 @@ int Session::show(const std::function<int()>& simulate) {
   try {
     parts_->show(result);
   } catch (const std::exception& error) {
-    std::cerr << "--watch: " << error.what() << "; the run goes on without a window\n";
+    std::cerr << "--watch: " << error.what() << "; the run continues without a window\n";
   }
   parts_->exchange.close();
   glfwHideWindow(parts_->window.get());
