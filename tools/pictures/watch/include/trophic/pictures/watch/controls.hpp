@@ -36,8 +36,9 @@ class Controls {
 
   static constexpr const char* help = "space\nright arrow\nup, down\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
   static constexpr const char* help_meanings =
-      "pause, go on\none tick\nfaster, slower\nwho is that\nfollow it\nthe next one\nlet it go\nwhole arena, from above\n"
-      "turn, come nearer\nmove\nthis help\nclose; the run goes on";
+      "pause, resume\none tick\nfaster, slower\nselect a robot\nfollow it\nselect the next one\nselect none\nwhole arena, from "
+      "above\n"
+      "turn, zoom\nmove\nthis help\nclose; the run continues";
 
   /// `elapsed_s` of the onlooker's time have passed. Comes before anything is drawn.
   void advance(const LiveFootage& footage, double elapsed_s, const WindowSize& window) {
