@@ -139,7 +139,7 @@ def write(root: pathlib.Path, out: pathlib.Path, images: pathlib.Path, cards: li
         children = [name for name in wanted if parent_of(name, names) == path]
         if path == "README.md":
             others = [name for name in wanted if name != path and parent_of(name, names) is None]
-            text += "\n".join(["", *(f"@subpage {label(name)}\n" for name in others), "@subpage rule_cards\n", "@subpage page_references", ""])
+            text += "\n".join(["", *(f"@subpage {label(name)}\n" for name in others), "@subpage rule_cards\n", "@subpage page_gallery\n", "@subpage page_references", ""])
         elif children:
             text += "\n".join(["", *(f"- @subpage {label(name)}" for name in children), ""])
         (out / (path if path == "README.md" else path.replace("/", "__"))).write_text(text)

@@ -22,6 +22,7 @@ class Card:
     doc: list[str]
     params: list[tuple[str, str, str, str]]  # name, default, bounds, meaning
     state: bool
+    is_template: bool = False
 
 
 def params_of(body: str) -> list[tuple[str, str, str, str]]:
@@ -58,7 +59,7 @@ def read_made_of_parts(path: pathlib.Path, include: pathlib.Path) -> Card | None
     """A policy made of policies, which has no name, source and numbers but those of its parts."""
     header = path.relative_to(include)
     whole = re.search(r"((?:^///.*\n)+)template <[^\n]*>\nstruct (\w+) : Parts<", path.read_text(), re.MULTILINE)
-    return Card(str(header), header.parts[2], header.parts[1], whole[2], snake(whole[2]), "", doc_lines(whole[1]), [], False) if whole else None
+    return Card(str(header), header.parts[2], header.parts[1], whole[2], snake(whole[2]), "", doc_lines(whole[1]), [], False, True) if whole else None
 
 
 def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
@@ -79,7 +80,7 @@ def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
         raise SystemExit(f"rule cards: {header}: the doc block of {struct[2]} does not say how many random numbers it draws")
     if not re.search(r"\bRules?\b[^:.]*:", prose):
         raise SystemExit(f"rule cards: {header}: the doc block of {struct[2]} has no 'Rule:'")
-    return Card(header, folders[0] if folders else kind, kind, struct[2], name[1], source[1].replace('\\"', '"'), doc, params_of(body), "struct State" in body)
+    return Card(header, folders[0] if folders else kind, kind, struct[2], name[1], source[1].replace('\\"', '"'), doc, params_of(body), "struct State" in body, "template <" in struct[0])
 
 
 def tables(include: pathlib.Path) -> dict[str, list[tuple[str, str]]]:
@@ -111,7 +112,36 @@ def escaped(text: str) -> str:
     return re.sub(r"([<>@\\#])", r"\\\1", text)
 
 
-def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str]) -> str:
+def first_sentence(card: Card) -> str:
+    """What a policy does, as its doc block begins."""
+    prose = " ".join(line.strip() for line in card.doc if not line.startswith("  "))
+    prose = re.sub(r"^.*?\bRules?\b(?:\s*\([^)]*\))?[^:.]*:\s*", "", prose) or prose
+    prose = re.sub(r"\s*\((?:Sec\.|released code|ties:)[^)]*\)", "", prose)
+    sentence = re.match(r"(.+?)[.:;](?:\s|$)", prose)
+    text = sentence[1] if sentence else prose
+    return text[:1].upper() + text[1:] + "."
+
+
+def use_of(card: Card, used: dict, slots: set[str]) -> list[str]:
+    """How one swaps it into a table, and sets its numbers."""
+    lines = []
+    if card.slot in slots and not card.is_template:
+        space = f"trophic::{card.kind}" + (f"::{card.slot}" if card.slot != card.kind else "")
+        lines += ["**To use it:**", "", "```{.cpp}", f"#include <{card.header}>", f"using Rules = trophic::with_{card.slot}<trophic::rules::Paper, {space}::{card.type}>;", "```", ""]
+    tables = [(table, snake(slot)) for table, slot in used.get(card.type, [])]
+    if card.params and len(tables) > 0 and tables[0][1] == card.slot and card.params[0][1]:
+        table, slot = tables[0]
+        rules = "" if table == "paper" else f"--rules {table} "
+        lines += ["**To set its numbers:**", "", "```{.unparsed}", f"trophic-predator-prey {rules}--set rules.{slot}.{card.params[0][0]}={card.params[0][1]}", "```", ""]
+    return lines
+
+
+def slots_of(include: pathlib.Path) -> set[str]:
+    """Those that `with_SLOT` swaps as a whole; a sensor and a procedure's part are swapped in their own ways."""
+    return set(re.findall(r"^  SLOT\(\w+, (\w+),", (include / "trophic/rules/slots.hpp").read_text(), re.MULTILINE)) - {"sensors", "starvation"}
+
+
+def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots_swapped: set[str]) -> str:
     prose, formula = [], []
     for line in card.doc:
         (formula if line.startswith("  ") else prose).append(line)
@@ -139,6 +169,7 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str]) -> st
         lines += ["It has no numbers.", ""]
     if card.state:
         lines += ["It keeps a `State` for each body.", ""]
+    lines += use_of(card, used, slots_swapped)
     places = used.get(card.type, [])
     if places:
         lines += ["**Tables that use it.** " + ", ".join(f"`{table}` as `{slot}`" for table, slot in places), ""]
@@ -170,8 +201,8 @@ def write(root: pathlib.Path, out: pathlib.Path) -> list[Card]:
         for slot in sorted({card.slot for card in cards if card.kind == kind}):
             index += [f"**{slot}**", ""]
             for card in (card for card in cards if card.kind == kind and card.slot == slot):
-                (out / f"card_{card.slot}_{card.name}.md").write_text(page(card, used, swapped, keys))
-                index.append(f"- @subpage card_{card.slot}_{card.name}")
+                (out / f"card_{card.slot}_{card.name}.md").write_text(page(card, used, swapped, keys, slots_of(include)))
+                index.append(f"- @subpage card_{card.slot}_{card.name} &ndash; {escaped(first_sentence(card))}")
             index.append("")
     (out / "rule_cards.md").write_text("\n".join(index))
     return cards

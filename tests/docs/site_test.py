@@ -51,7 +51,23 @@ def cards_say_what_the_sources_say() -> None:
             assert rule_cards.read(path, include), f"{path} has no card"
 
 
+def cards_are_used_as_they_say() -> None:
+    include = ROOT / "include"
+    slots, used = rule_cards.slots_of(include), rule_cards.tables(include)
+    assert {"heredity", "tag_switch"} <= slots and not slots & {"sensors", "starvation"}, slots
+    copy = rule_cards.read(include / "trophic/reproduction/heredity/shared_copy.hpp", include)
+    assert "using Rules = trophic::with_heredity<trophic::rules::Paper, trophic::reproduction::heredity::SharedCopy>;" in rule_cards.use_of(copy, used, slots)
+    mutation = rule_cards.read(include / "trophic/reproduction/mutation/normal_mutation.hpp", include)
+    assert "trophic-predator-prey --set rules.mutation.sd=0.05" in rule_cards.use_of(mutation, used, slots)
+    for path in include.glob("trophic/*/*/*.hpp"):
+        card = path.parts[-3] in rule_cards.KINDS and rule_cards.read(path, include)
+        if card:
+            sentence = rule_cards.first_sentence(card)
+            assert len(sentence) > 12 and sum(map(sentence.count, "([")) == sum(map(sentence.count, ")]")), f"{path}: {sentence}"
+
+
 def main() -> int:
+    cards_are_used_as_they_say()
     finds_broken_links()
     refuses_a_rule_that_hides_its_draws()
     cards_say_what_the_sources_say()

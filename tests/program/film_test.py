@@ -20,7 +20,7 @@ from in_folder import InFolderWithSets  # noqa: E402
 from PIL import Image  # noqa: E402
 
 PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
-BLUE, ORANGE = (0, 114, 178), (213, 94, 0)
+BLUE, ORANGE, RED = (0, 114, 178), (213, 94, 0), (194, 0, 46)
 
 
 def near(picture, colour, reach=70):
@@ -78,6 +78,34 @@ class Films(InFolderWithSets):
             part = picture[max(0, y - 8) : y + 9, max(0, x - 8) : x + 9]
             self.assertGreater(near(part, BLUE if row["species"] == "prey" else ORANGE, 110), 4, row)
 
+    def draw_robot(self, *arguments):
+        command = [TROPHIC, "film", *map(str, arguments), "-o", "robot.png"]
+        result = subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=120)
+        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "robot.png: 1 picture\n"))
+        picture = numpy.array(Image.open(self.folder / "robot.png"))
+        (self.folder / "robot.png").unlink()
+        return picture
+
+    def test_a_robot_file_as_a_picture(self):
+        spider = self.draw_robot("--robot", "spider", "--size", "640x480", "--view", "top", "--legend", "off")
+        self.assertGreater(near(spider[200:280, 270:370], BLUE, 110), 1000)  # its core in the middle
+        turned = numpy.rot90(spider[:, 80:560])
+        self.assertLess(numpy.abs(near(turned[:, 240:], BLUE, 110) / near(turned[:, :240], BLUE, 110) - 1), 0.4)  # four legs alike
+        gecko = self.draw_robot("--robot", pathlib.Path(__file__).parents[2] / "models/robots/gecko.toml", "--size", "640x480", "--legend", "off")
+        self.assertGreater((gecko != self.draw_robot("--robot", "spider", "--size", "640x480", "--legend", "off")).any(axis=-1).mean(), 0.02)
+        for arguments, sentence in (
+            (["--robot", "no_such", "-o", "x.png"], "robot"),
+            (["--robot", "spider", "-o", "x.mp4"], "--out x.mp4: must end in .png with --robot"),
+            (["--robot", "spider", "--catch", "1", "-o", "x.png"], "--robot: not with --from"),
+            (["--robot", "spider", str(self.sets / "run"), "-o", "x.png"], "--robot: not with a run"),
+            (["-o", "x.png"], "either the folder of a run, or --robot and a robot file"),
+        ):
+            with self.subTest(arguments):
+                result = subprocess.run([TROPHIC, "film", *arguments], capture_output=True, text=True, cwd=self.folder)
+                self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
+                self.assertIn(sentence, result.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_a_contact_sheet(self):
         sheet = self.draw("--sheet", "3x2", "--from", 20, "--to", 180, "--size", "320x240")
         self.assertEqual(sheet.shape, (2 * 240 + 6, 3 * 320 + 2 * 6, 3))
@@ -87,10 +115,63 @@ class Films(InFolderWithSets):
             for other in cells[:i]:
                 self.assertFalse((cell == other).all())
 
+    def test_a_contact_sheet_cuts_no_corner_of_the_arena(self):
+        sheet = self.draw("--sheet", "2x1", "--from", 20, "--to", 180, "--lines", "off")
+        for cell in (sheet[:, :480], sheet[:, 486:]):
+            rows, columns = numpy.nonzero((cell != 255).any(axis=-1))
+            self.assertGreater(columns.min(), 2)
+            self.assertLess(columns.max(), 477)
+            wall = (cell.astype(int).sum(axis=-1) < 690) & (numpy.arange(360)[:, None] < 330)  # above the caption
+            self.assertGreater(numpy.nonzero(wall)[0].min(), 2)
+
+    def catches(self):
+        with open(self.sets / "run/events.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        lives = {row["id"]: row for row in rows if row["event"] == "birth"}
+        return [(row, lives[row["victim_id"]]) for row in rows if row["event"] == "catch"]
+
+    def test_a_catch_shows_both_and_its_own_mark(self):
+        count = len(self.catches())
+        self.assertGreater(count, 0)
+        picture = self.draw("--catch", 1, "--size", "640x480", "--lines", "off")
+        middle = picture[100:420]  # without the legend
+        self.assertGreater(near(middle, BLUE, 110), 150)  # the victim is still in its body
+        self.assertGreater(near(middle, ORANGE, 110), 150)
+        self.assertGreater(near(middle, RED), 300)
+        row, _ = self.catches()[0]
+        before = self.draw("--from", float(row["time_s"]) - 1, "--follow", row["id"], "--size", "640x480", "--lines", "off")
+        self.assertLess(near(before[100:420], RED), 30)
+        result = self.film("--catch", count + 1, "-o", "x.png")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(f"has {count} catches" if count > 1 else "has one catch", result.stderr)
+
+    def test_legend_lines_and_title_can_be_left_out(self):
+        arguments = ("--from", 100, "--size", "640x360")
+        whole = self.draw(*arguments)
+        bare = self.draw(*arguments, "--legend", "off", "--lines", "off")
+        self.assertGreater(int((whole[:30] != 255).any(axis=-1).sum()), 300)
+        self.assertEqual(int((bare[:12] != 255).any(axis=-1).sum()), 0)
+        self.assertGreater(int((whole != bare).any(axis=-1).sum()), int((whole[:30] != bare[:30]).any(axis=-1).sum()) + 100)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
+    def test_a_film_of_a_catch_stands_still_at_it(self):
+        for name, codec in (("catch.gif", "gif"), ("catch.webm", "vp9")):
+            result = self.film("--catch", 1, "--fps", 5, "--size", "320x180", "-o", name)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertEqual(result.stdout, f"{name}: {11 * 5 + 1 + 6} pictures, 12.4 s\n")  # 8 s before, 3 s after, 1.2 s still
+            asked = ["ffprobe", "-v", "error", "-show_entries", "stream=codec_name,width", "-of", "json", name]
+            stream = json.loads(subprocess.run(asked, capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
+            self.assertEqual((stream["codec_name"], stream["width"]), (codec, 320))
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
+    def test_a_minute_at_its_own_speed_lasts_a_minute(self):
+        result = self.film("--from", 60, "--to", 120, "--speed", 1, "--fps", 2, "--size", "64x36", "-o", "minute.mp4")
+        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "minute.mp4: 121 pictures, 60.5 s\n"))
+
     @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
     def test_a_film(self):
         result = self.film("--from", 50, "--to", 60, "--speed", 10, "--fps", 10, "--size", "320x180", "-o", "film.mp4")
-        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "film.mp4: 11 pictures\n"))
+        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "film.mp4: 11 pictures, 1.1 s\n"))
         asked = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames,codec_name", "-of", "json"]
         stream = json.loads(subprocess.run([*asked, "film.mp4"], capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
         self.assertEqual((stream["codec_name"], stream["width"], stream["height"], stream["nb_read_frames"]), ("h264", 320, 180, "11"))
@@ -126,7 +207,7 @@ class Films(InFolderWithSets):
         (self.folder / "mine.png").write_text("mine")
         for arguments, sentence in (
             (["-o", "mine.png"], "--out mine.png: exists already; nothing is overwritten"),
-            (["-o", "x.gif"], "--out x.gif: must end in .png or .mp4"),
+            (["-o", "x.avi"], "--out x.avi: must end in .png, .mp4, .webm or .gif"),
             (["-o", "x.png", "--from", "201"], "time 201 s: must be between 0 and 200"),
             (["-o", "x.mp4", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
             (["-o", "x.png", "--from", "10", "--follow", "9999"], "--follow 9999: no individual of that id lives between 10 and 10 s"),
@@ -135,6 +216,10 @@ class Films(InFolderWithSets):
             (["-o", "x.png", "--sheet", "0x3"], "--sheet 0x3: must be two whole numbers such as 4x3, each from 1 to 20"),
             (["-o", "x.mp4", "--sheet", "2x2"], "--sheet: needs --out with .png"),
             (["-o", "x.png", "--view", "left"], "--view left: must be orbit or top"),
+            (["-o", "x.png", "--lines", "some"], "--lines some: must be on or off"),
+            (["-o", "x.png", "--catch", "0"], "--catch 0: "),
+            (["-o", "x.png", "--catch", "9999"], "--catch 9999: "),
+            (["-o", "x.png", "--catch", "1", "--follow", "3"], "--catch: not with --from, --to or --follow"),
             (["-o", "x.mp4", "--speed", "0"], "--speed 0: must be > 0 and <= 10000"),
         ):
             with self.subTest(arguments):

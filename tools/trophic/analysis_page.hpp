@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// An analysis as one page that any browser opens from disk: its table, figures, and the replays of its runs.
+// An analysis as one page that any browser opens from disk: question, findings, a table that can be sorted, figures, replays of
+// its runs, rules, commands and tables to download.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,9 +22,33 @@ struct AnalysisPage {
     std::string label;
     std::string part;  ///< of a page of `show`: see replay::runs_part
   };
+  /// A metric in words and its difference from a null, in the unit that people read.
+  struct Row {
+    std::string set;
+    std::string metric;
+    std::string ours;      ///< with its interval
+    std::string baseline;  ///< name and value of the null; empty: there is none
+    std::string difference;
+    std::string conclusion;
+    double mean = 0.0;  ///< what the table is sorted by
+    std::optional<double> value;
+    double lower = 0.0;  ///< of the difference's interval
+    double upper = 0.0;
+  };
+  /// A file that the page carries.
+  struct Download {
+    std::string name;
+    std::string content;
+  };
   std::string title;
+  std::string question = {};
+  std::vector<std::string> findings = {};
   std::vector<std::pair<std::string, std::string>> facts;  ///< (what, which): rules, engine, runs
-  std::string table;                                       ///< as the terminal shows it
+  std::vector<Row> rows = {};
+  std::string table;                                            ///< as the terminal shows it
+  std::vector<std::pair<std::string, std::string>> rules = {};  ///< (slot, policy)
+  std::vector<std::string> commands = {};                       ///< that make it again
+  std::vector<Download> downloads = {};
   std::vector<Figure> figures;
   std::vector<Replay> replays;
 };

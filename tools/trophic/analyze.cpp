@@ -22,6 +22,7 @@
 #include <tools/analysis/report/summary_json.hpp>
 #include <tools/analysis/report/text_table.hpp>
 #include <tools/trophic/analysis_page.hpp>
+#include <tools/trophic/analysis_words.hpp>
 #include <tools/trophic/analyze_sweep.hpp>
 #include <tools/trophic/replay/page.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
@@ -88,6 +89,18 @@ void tell(const analysis::ShadowedSet& set) {
   return replays;
 }
 
+/// The command line that makes the page of these runs.
+[[nodiscard]] std::string command_of(const Options& options) {
+  std::string command = "trophic analyze";
+  for (const std::string& folder : options.runs) command += " " + folder;
+  if (!options.compare.empty()) command += " --compare " + options.compare[0] + " " + options.compare[1];
+  if (options.shadow) command += " --shadow " + *options.shadow;
+  if (options.until_s) command += " --until " + number_text(*options.until_s);
+  if (options.published) command += " --published";
+  if (!options.figures.empty()) command += " --figures " + options.figures;
+  return command + " --html " + options.html;
+}
+
 void write_page(const Options& options, std::span<const analysis::ShadowedSet> sets, const std::string& table) {
   AnalysisPage page{.title = "", .facts = {}, .table = table, .figures = {}, .replays = replays_of(options, sets)};
   for (const analysis::ShadowedSet& set : sets) {
@@ -100,6 +113,7 @@ void write_page(const Options& options, std::span<const analysis::ShadowedSet> s
   }
   page.facts.emplace_back("analysed by", "trophic " + std::string{trophic::version});
   if (!options.figures.empty()) page.figures = read_figures(options.figures);
+  describe(page, sets, command_of(options), options.html + ".metrics.part");
   const std::string html = html_of(page);
   write_new_file(options.html, html);
   std::cout << "page    " << options.html << ": " << page.figures.size() << " figures, " << page.replays.size() << " replays, "

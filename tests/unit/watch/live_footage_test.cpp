@@ -38,10 +38,10 @@ TEST_CASE("live footage: row of a tick -> holds until the next tick") {
 TEST_CASE("live footage: frames before the shown moment -> dropped, and pictures stay the same") {
   test::WrittenFootage written{{{.x_m = -3}, {.x_m = 2}}};
   for (int i = 0; i < 100; ++i) {
-    written.footage.add_death(written.population.view(), 0);
+    written.footage.add_death(written.population.view(), 0, false);
     written.advance();
   }
-  const auto lines = [&] { return drawing::picture_of(written.footage, 190.3, 1, "now"); };
+  const auto lines = [&] { return drawing::picture_of(written.footage, 190.3, {.marked = 1, .rows_s = {}, .named = {}}, "now"); };
   const drawing::Picture before = lines();
   written.footage.forget_before(190.3);
   const drawing::Picture after = lines();

@@ -14,8 +14,10 @@
 #include <stdexcept>
 #include <string_view>
 #include <tools/analysis/data/csv_reader.hpp>
+#include <tools/trophic/replay/catch_scene.hpp>
 #include <tools/trophic/replay/recorded_agents.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/observe/progress.hpp>
 #include <trophic/pictures/drawing/camera.hpp>
 #include <trophic/pictures/drawing/footage.hpp>
 #include <trophic/pictures/film/encoder.hpp>
@@ -27,9 +29,6 @@
 
 namespace trophic::command::replay {
 
-namespace {
-
-/// "1280x720" as two numbers. Throws std::invalid_argument naming the option.
 std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::string_view text, std::size_t most) {
   std::pair<std::size_t, std::size_t> both{0, 0};
   const std::size_t cross = std::min(text.find('x'), text.size());
@@ -44,6 +43,8 @@ std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::st
   return both;
 }
 
+namespace {
+
 /// A stretch of a recorded run.
 class RecordedFootage {
  public:
@@ -52,6 +53,7 @@ class RecordedFootage {
       : recording_{run.recording}, agents_{run, from_s, to_s, drawing::trail_s}, from_s_{from_s}, to_s_{to_s} {
     const auto tags = run.manifest.at("tags").get<std::vector<int>>();
     filled_tag_ = *std::ranges::max_element(tags);
+    species_ = run.manifest.at("species").get<std::vector<std::string>>();
     read_deaths(run);
   }
 
@@ -75,6 +77,7 @@ class RecordedFootage {
   [[nodiscard]] double tick_s() const { return recording_.head().times.tick_s; }
   [[nodiscard]] double first_s() const { return recording_.head().first_time_s; }
   [[nodiscard]] int filled_tag() const { return filled_tag_; }
+  [[nodiscard]] const std::vector<std::string>& species() const { return species_; }
 
   /// The body in which an individual lives. Throws std::invalid_argument for one that does not live in the stretch.
   [[nodiscard]] std::size_t body_of(IndividualId id) const {
@@ -90,11 +93,11 @@ class RecordedFootage {
 
  private:
   void read_deaths(const RecordedRun& run) {
-    analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m"}};
+    analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m", "cause"}};
     while (events.next()) {
       const auto time_s = events.get<double>(0);
       if (events.text(1) != "death" || time_s < from_s_ - drawing::flash_s || time_s > to_s_) continue;
-      deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3)});
+      deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3), events.text(4) == "caught"});
     }
   }
 
@@ -112,6 +115,7 @@ class RecordedFootage {
   double to_s_;
   int filled_tag_ = 1;
   std::vector<drawing::Death> deaths_;
+  std::vector<std::string> species_;
 };
 static_assert(drawing::Footage<RecordedFootage>);
 
@@ -122,18 +126,167 @@ std::string time_text(double time_s) {
   return text.data();
 }
 
+/// A picture's moment, and whose rows it shows: at the tick of a catch the victim's body has its successor already.
+struct Moment {
+  double time_s = 0.0;
+  std::optional<double> rows_s;
+};
+
+/// Throws std::invalid_argument naming an option whose value is out of bounds.
+void check(const FilmPlan& plan) {
+  const bool is_film = film::is_film(plan.out);
+  if (!is_film && plan.out.extension() != ".png") {
+    throw std::invalid_argument{"--out " + plan.out.string() + ": must end in .png, .mp4, .webm or .gif"};
+  }
+  if (is_film && !plan.sheet.empty()) throw std::invalid_argument{"--sheet: needs --out with .png"};
+  if (plan.catch_ && (plan.window.from_s || plan.window.to_s || plan.follow)) {
+    throw std::invalid_argument{"--catch: not with --from, --to or --follow"};
+  }
+  check_new_file("--out", plan.out);
+  if (plan.speed && !(*plan.speed > 0.0 && *plan.speed <= 1e4))
+    throw std::invalid_argument{"--speed " + number_text(*plan.speed) + ": must be > 0 and <= 10000"};
+  if (plan.fps < 1 || plan.fps > 120)
+    throw std::invalid_argument{"--fps " + std::to_string(plan.fps) + ": must be >= 1 and <= 120"};
+}
+
+/// The stretch that is drawn: that of a catch, or what the plan says.
+Window window_of(const FilmPlan& plan, const RecordedRun& run, const std::optional<CatchScene>& scene) {
+  if (!scene) return plan.window;
+  const double first_s = Window{}.start_s(run.recording);
+  const double last_s = Window{}.end_s(run.recording);
+  if (scene->time_s < first_s || scene->time_s > last_s) {
+    throw std::invalid_argument{"--catch " + std::to_string(*plan.catch_) + ": is at " + number_text(scene->time_s) +
+                                " s, the recording is from " + number_text(first_s) + " to " + number_text(last_s) + " s"};
+  }
+  const bool is_moment = plan.out.extension() == ".png" && plan.sheet.empty();
+  return {is_moment ? scene->time_s : std::max(first_s, scene->time_s - CatchScene::before_s),
+          std::min(last_s, scene->time_s + (is_moment ? 0.0 : CatchScene::after_s))};
+}
+
+/// A narrower picture has neither title nor legend: they would hide it.
+constexpr std::size_t least_width_of_texts = 560;
+
+/// Draws the moments of one run as a plan says.
+class Artist {
+ public:
+  Artist(const FilmPlan& plan, const RecordedRun& run, std::size_t width, std::size_t height)
+      : plan_{plan},
+        scene_{plan.catch_ ? std::optional{find_catch(run, *plan.catch_)} : std::nullopt},
+        window_{window_of(plan, run, scene_)},
+        from_s_{window_.start_s(run.recording)},
+        to_s_{plan.out.extension() == ".png" && plan.sheet.empty() ? from_s_ : window_.end_s(run.recording)},
+        footage_{run, from_s_, to_s_},
+        is_wide_{width >= least_width_of_texts},
+        aspect_{static_cast<double>(width) / static_cast<double>(height)},
+        renderer_{run.recording.head().robot, run.recording.head().arena, width, height,
+                  film::is_film(plan.out) && !plan.fine ? film::Quality::fast : film::Quality::fine} {
+    if (plan.follow) followed_ = footage_.body_of(*plan.follow);
+    const auto& head = run.recording.head();
+    const std::string name = run.folder.lexically_normal().filename().string();
+    title_ = plan.title.value_or((name.empty() ? run.folder.string() : name) + ": " + head.rule_table + ", " + head.backend +
+                                 ", seed " + std::to_string(head.seed));
+    if (!scene_) return;
+    for (double time_s = from_s_; time_s <= scene_->time_s + 1e-9; time_s += 0.5) {
+      apart_m_ = std::max(apart_m_, (place(time_s, scene_->hunter_body) - place(time_s, scene_->victim_body)).norm());
+    }
+  }
+
+  [[nodiscard]] double from_s() const { return from_s_; }
+
+  [[nodiscard]] drawing::Image draw(const Moment& moment) {
+    drawing::Sights sights{
+        .marked = plan_.follow, .rows_s = moment.rows_s, .species = footage_.species(), .has_lines = plan_.has_lines};
+    std::string caption = time_text(moment.time_s);
+    if (scene_) {
+      sights.marked = scene_->hunter;
+      sights.named = {scene_->hunter, scene_->victim};
+      caption += "  " + scene_->sentence;
+    } else if (plan_.follow) {
+      sights.named = {*plan_.follow};
+    }
+    drawing::Picture picture = drawing::picture_of(footage_, moment.time_s, sights, std::move(caption));
+    if (!is_wide_) return renderer_.draw(picture, camera(moment.time_s));
+    if (plan_.has_legend || plan_.title) picture.title = title_;
+    if (plan_.has_legend) {
+      picture.legend = drawing::legend_of(footage_.species(), footage_.rows_at(moment.rows_s.value_or(moment.time_s)),
+                                          footage_.filled_tag(), plan_.has_lines);
+      picture.has_scale = true;
+    }
+    return renderer_.draw(picture, camera(moment.time_s));
+  }
+
+  /// `count` moments, as far from each other as they can be; the last but one third of a catch's is the catch itself.
+  [[nodiscard]] std::vector<Moment> sheet(std::size_t count) const {
+    std::vector<Moment> moments;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double part = count == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(count - 1);
+      moments.push_back(at(from_s_ + part * (to_s_ - from_s_)));
+    }
+    if (!scene_ || count == 1) return moments;
+    const auto nearest =
+        std::ranges::min_element(moments, {}, [&](const Moment& one) { return std::abs(one.time_s - scene_->time_s); });
+    *nearest = still();
+    return moments;
+  }
+
+  /// Those of a film; a catch stands still for a moment.
+  [[nodiscard]] std::vector<Moment> film() const {
+    const double step_s = plan_.speed.value_or(scene_ ? 1.0 : 10.0) / static_cast<double>(plan_.fps);
+    const auto count = static_cast<std::size_t>(std::floor((to_s_ - from_s_) / step_s + 1e-9)) + 1;
+    std::vector<Moment> moments;
+    bool is_caught = !scene_;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double time_s = std::min(to_s_, from_s_ + static_cast<double>(i) * step_s);
+      if (!is_caught && time_s >= scene_->time_s - 1e-9) {
+        is_caught = true;
+        moments.insert(moments.end(), static_cast<std::size_t>(std::ceil(CatchScene::still_s * static_cast<double>(plan_.fps))),
+                       still());
+      }
+      moments.push_back(at(time_s));
+    }
+    return moments;
+  }
+
+  /// The moment that a picture shows.
+  [[nodiscard]] Moment only() const { return scene_ ? still() : at(from_s_); }
+
+ private:
+  [[nodiscard]] static Moment at(double time_s) { return {time_s, {}}; }
+  [[nodiscard]] Moment still() const { return {scene_->time_s, scene_->time_s - 0.5 * footage_.tick_s()}; }
+  [[nodiscard]] Eigen::Vector3d place(double time_s, std::size_t body) const { return footage_.root(time_s, body).position_m; }
+
+  [[nodiscard]] drawing::Camera camera(double time_s) const {
+    drawing::Camera camera =
+        plan_.from_above ? drawing::from_above(footage_.arena(), aspect_) : drawing::whole_arena(footage_.arena(), aspect_);
+    if (scene_) {
+      camera = drawing::near_pair(footage_.robot(), place(time_s, scene_->hunter_body), place(time_s, scene_->victim_body),
+                                  apart_m_, aspect_);
+    } else if (followed_) {
+      camera = drawing::near(footage_.robot(), place(time_s, *followed_));
+    }
+    if (plan_.from_above) camera.elevation_deg = -90.0;
+    return camera;
+  }
+
+  const FilmPlan& plan_;
+  std::optional<CatchScene> scene_;
+  Window window_;
+  double from_s_;
+  double to_s_;
+  RecordedFootage footage_;
+  bool is_wide_;
+  double aspect_;
+  film::Renderer renderer_;
+  std::optional<std::size_t> followed_;
+  std::string title_;
+  double apart_m_ = 0.0;
+};
+
 }  // namespace
 
 int film_run(const FilmPlan& plan) {
-  const bool is_film = plan.out.extension() == ".mp4";
-  if (!is_film && plan.out.extension() != ".png")
-    throw std::invalid_argument{"--out " + plan.out.string() + ": must end in .png or .mp4"};
-  if (is_film && !plan.sheet.empty()) throw std::invalid_argument{"--sheet: needs --out with .png"};
-  check_new_file("--out", plan.out);
-  if (!(plan.speed > 0.0 && plan.speed <= 1e4))
-    throw std::invalid_argument{"--speed " + number_text(plan.speed) + ": must be > 0 and <= 10000"};
-  if (plan.fps < 1 || plan.fps > 120)
-    throw std::invalid_argument{"--fps " + std::to_string(plan.fps) + ": must be >= 1 and <= 120"};
+  check(plan);
+  const bool is_film = film::is_film(plan.out);
   const auto [width, height] = two_numbers("--size",
                                            !plan.size.empty()   ? plan.size
                                            : plan.sheet.empty() ? "1280x720"
@@ -145,42 +298,28 @@ int film_run(const FilmPlan& plan) {
   const RecordedRun run = open_run(plan.folder);
   for (const std::string& remark : run.remarks) std::cerr << "trophic film: " << remark << "\n";
   plan.window.check(run.recording);
-  const double from_s = plan.window.start_s(run.recording);
-  const bool is_moment = !is_film && plan.sheet.empty();
-  const double to_s = is_moment ? from_s : plan.window.end_s(run.recording);
-  const RecordedFootage footage{run, from_s, to_s};
-  const auto followed = plan.follow ? std::optional{footage.body_of(*plan.follow)} : std::nullopt;
-
-  constexpr std::size_t gap = 6;
-  const film::Quality quality = is_film && !plan.fine ? film::Quality::fast : film::Quality::fine;
-  film::Renderer renderer{run.recording.head().robot, run.recording.head().arena, width, height, quality};
-  const double aspect = static_cast<double>(width) / static_cast<double>(height);
-  const auto draw = [&](double time_s) {
-    drawing::Camera camera =
-        plan.from_above ? drawing::from_above(footage.arena(), aspect) : drawing::whole_arena(footage.arena(), aspect);
-    if (followed) camera = drawing::near(footage.robot(), footage.root(time_s, *followed).position_m);
-    if (followed && plan.from_above) camera.elevation_deg = -90.0;
-    return renderer.draw(drawing::picture_of(footage, time_s, plan.follow, time_text(time_s)), camera);
-  };
-  std::size_t pictures = 1;
-  if (is_moment) {
-    film::write_png(plan.out, draw(from_s));
-  } else if (!is_film) {
+  Artist artist{plan, run, width, height};
+  std::string what = "1 picture";
+  if (is_film) {
+    film::Encoder encoder{plan.out, width, height, static_cast<double>(plan.fps)};
+    const std::vector<Moment> moments = artist.film();
+    for (const Moment& moment : moments) encoder.add(artist.draw(moment));
+    encoder.finish();
+    what = std::to_string(moments.size()) + (moments.size() == 1 ? " picture, " : " pictures, ") +
+           observe::short_text(static_cast<double>(moments.size()) / static_cast<double>(plan.fps)) + " s";
+  } else if (plan.sheet.empty()) {
+    film::write_png(plan.out, artist.draw(artist.only()));
+  } else {
+    constexpr std::size_t gap = 6;
     drawing::Image sheet = drawing::Image::blank(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, 255);
-    pictures = columns * rows;
-    for (std::size_t i = 0; i < pictures; ++i) {
-      const double part = pictures == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(pictures - 1);
-      film::put(sheet, draw(from_s + part * (to_s - from_s)), i % columns * (width + gap), i / columns * (height + gap));
+    const std::vector<Moment> moments = artist.sheet(columns * rows);
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      film::put(sheet, artist.draw(moments[i]), i % columns * (width + gap), i / columns * (height + gap));
     }
     film::write_png(plan.out, sheet);
-  } else {
-    film::Encoder encoder{plan.out, width, height, static_cast<double>(plan.fps)};
-    const double step_s = plan.speed / static_cast<double>(plan.fps);
-    pictures = static_cast<std::size_t>(std::floor((to_s - from_s) / step_s + 1e-9)) + 1;
-    for (std::size_t i = 0; i < pictures; ++i) encoder.add(draw(std::min(to_s, from_s + static_cast<double>(i) * step_s)));
-    encoder.finish();
+    what = std::to_string(moments.size()) + (moments.size() == 1 ? " picture" : " pictures");
   }
-  std::cout << plan.out.string() << ": " << pictures << (pictures == 1 ? " picture" : " pictures") << "\n";
+  std::cout << plan.out.string() << ": " << what << "\n";
   flush_output();
   return 0;
 }

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tools/trophic/replay/recorded_run.hpp>
+#include <utility>
 
 namespace trophic::command::replay {
 
@@ -20,10 +22,17 @@ struct FilmPlan {
   std::string sheet;
   std::string size;  ///< of each picture; empty: 1280x720, in a sheet 480x360
   bool from_above = false;
-  double speed = 10.0;
+  std::optional<double> speed;          ///< ecology seconds a second; empty: 10, of a catch 1
+  std::optional<std::uint64_t> catch_;  ///< which of the run's catches is shown, from 1
+  bool has_lines = true;                ///< trails, and who perceives whom
+  bool has_legend = true;               ///< with counts, and a scale
+  std::optional<std::string> title;     ///< empty: the run's name, rules, backend and seed
   std::uint64_t fps = 30;
   bool fine = false;
 };
+
+/// "1280x720" as two numbers from 1 to `most`. Throws std::invalid_argument naming the option.
+[[nodiscard]] std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::string_view text, std::size_t most);
 
 /// Draws what the plan says into its file and tells of it. Throws std::invalid_argument for what is wrong with the plan or the
 /// run, std::runtime_error for what goes wrong later.

@@ -19,7 +19,7 @@
 #include <trophic/support/json.hpp>
 #include <utility>
 
-/// The viewer's page, made from the folder tools/viewer by npm, and its length. A program that is built without npm lacks it.
+/// The viewer's page, tools/viewer/page, and its length. A program that is built with -DTROPHIC_VIEWER=OFF lacks it.
 extern "C" {
 [[gnu::weak]] extern const char trophic_viewer_page[];
 [[gnu::weak]] extern const unsigned long trophic_viewer_page_size;
@@ -29,7 +29,7 @@ namespace trophic::command::replay {
 
 std::string_view viewer_page() {
   if (&trophic_viewer_page_size == nullptr) {
-    throw std::invalid_argument{"this program was built without the viewer; install npm (Node.js 18 or later) and build again"};
+    throw std::invalid_argument{"this program was built without the viewer (-DTROPHIC_VIEWER=OFF); build it again with it"};
   }
   return {static_cast<const char*>(trophic_viewer_page), trophic_viewer_page_size};
 }
@@ -139,12 +139,40 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
   return files;
 }
 
+/// As much of the ends of the runs' paths as tells them apart: "replicate-00", or "paper/replicate-00" and
+/// "released/replicate-00".
+std::vector<std::string> labels_of(const std::vector<RecordedRun>& runs) {
+  const auto label = [](const RecordedRun& run, std::size_t parts) {
+    std::error_code error;
+    std::filesystem::path rest = std::filesystem::weakly_canonical(run.folder, error).lexically_normal();
+    if (error || rest.empty()) rest = run.folder.lexically_normal();
+    if (!rest.has_filename()) rest = rest.parent_path();
+    std::filesystem::path end;
+    for (std::size_t i = 0; i < parts && rest.has_filename(); ++i, rest = rest.parent_path()) {
+      end = end.empty() ? rest.filename() : rest.filename() / end;
+    }
+    return end.empty() ? run.folder.string() : end.string();
+  };
+  constexpr std::size_t most_parts = 8;
+  std::vector<std::string> labels;
+  for (std::size_t parts = 1; parts <= most_parts; ++parts) {
+    labels.clear();
+    for (const RecordedRun& run : runs) labels.push_back(label(run, parts));
+    std::vector<std::string> sorted = labels;
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) == sorted.end()) return labels;
+  }
+  return labels;
+}
+
 /// What the page says of a run before its files.
-Json index_of(const RecordedRun& run, const Window& window) {
+Json index_of(const RecordedRun& run, const Window& window, const std::string& label) {
   Json index;
   if (window.from_s) index["from_s"] = *window.from_s;
   if (window.to_s) index["to_s"] = *window.to_s;
-  index["label"] = run.folder.filename().empty() ? run.folder.string() : run.folder.filename().string();
+  index["label"] = label;
+  const Json rules = run.manifest.value("rules", Json::object());
+  if (rules.is_object() && rules.value("heredity", "") == "nothing_inherited") index["shadow"] = true;
   index["status"] = run.manifest.value("status", "unknown");
   index["species"] = run.manifest.at("species");
   index["tags"] = run.manifest.at("tags");
@@ -158,11 +186,12 @@ Json index_of(const RecordedRun& run, const Window& window) {
 
 std::string runs_part(const std::vector<RecordedRun>& runs, const Window& window) {
   Json index{{"title", "trophic:"}, {"runs", Json::array()}};
+  const std::vector<std::string> labels = labels_of(runs);
   std::string files;
   for (std::size_t number = 0; number < runs.size(); ++number) {
     const RecordedRun& run = runs[number];
     try {
-      index["runs"].push_back(index_of(run, window));
+      index["runs"].push_back(index_of(run, window, labels[number]));
       for (const auto& [name, bytes] : files_of(run, window)) {
         files.append("<script type=\"text/plain\" data-run=\"").append(std::to_string(number)).append("\" data-file=\"");
         files.append(name).append("\">").append(base64(bytes)).append("</script>\n");

@@ -1,49 +1,87 @@
 // SPDX-License-Identifier: MIT
-// The arena: floor with a grid of metres, walls or slopes.
-import { BoxGeometry, BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry } from "three";
+// The arena: floor with a grid of metres, walls or slopes. A wall between the camera and the floor is nearly transparent.
+import { BoxGeometry, BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, type Vector3 } from "three";
 import type { Head } from "./recording";
+import { theme } from "./theme";
 
-export function makeGround(arena: Head["arena"]): Group {
-  const ground = new Group();
-  const half = arena.half_side_m;
-  const floor = new Mesh(new PlaneGeometry(2 * half, 2 * half), new MeshBasicMaterial({ color: 0xf7f8f9 }));
-  floor.position.z = -0.002;
-  ground.add(floor);
-  const step = half > 40 ? 10 : half > 15 ? 2 : 1;
-  const lines: number[] = [];
-  for (let at = -Math.floor(half / step) * step; at <= half + 1e-9; at += step) {
-    lines.push(at, -half, 0, at, half, 0, -half, at, 0, half, at, 0);
-  }
-  const grid = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(lines), 3));
-  ground.add(new LineSegments(grid, new LineBasicMaterial({ color: 0xe2e6ea })));
-  if (arena.height_field) {
-    ground.add(slopes(arena.height_field));
-  } else {
-    const height = 0.035 * half;
-    const thick = 0.012 * half;
-    const material = new MeshLambertMaterial({ color: 0xc3cad2, transparent: true, opacity: 0.75 });
-    for (const [x, y] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-      const long = 2 * half + 2 * thick;
-      const wall = new Mesh(new BoxGeometry(x ? thick : long, y ? thick : long, height), material);
-      wall.position.set(x * (half + thick / 2), y * (half + thick / 2), height / 2);
-      ground.add(wall);
-    }
-  }
-  return ground;
+interface Wall {
+  material: MeshLambertMaterial;
+  x: number; // its outward normal
+  y: number;
 }
 
-function slopes(field: NonNullable<Head["arena"]["height_field"]>): Mesh {
-  const { nodes, half_extent_m, height_m } = field;
-  const geometry = new PlaneGeometry(2 * half_extent_m, 2 * half_extent_m, nodes - 1, nodes - 1);
-  const position = geometry.getAttribute("position");
-  // Slopes of many metres would hide the floor: they are drawn flatter, and the floor itself a little lower than its own plane.
-  const highest = height_m.reduce((a, b) => Math.max(a, b));
-  const scale = highest > 1.5 ? 1.5 / highest : 1;
-  for (let i = 0; i < position.count; ++i) {
-    const ix = Math.round(((position.getX(i) + half_extent_m) / (2 * half_extent_m)) * (nodes - 1));
-    const iy = Math.round(((position.getY(i) + half_extent_m) / (2 * half_extent_m)) * (nodes - 1));
-    position.setZ(i, height_m[iy * nodes + ix] * scale - 0.006);
+export class Ground {
+  readonly group = new Group();
+  private readonly floor = new MeshBasicMaterial();
+  private readonly grid = new LineBasicMaterial();
+  private readonly slopes = new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.8 });
+  private readonly walls: Wall[] = [];
+  private readonly half: number;
+
+  constructor(arena: Head["arena"]) {
+    const half = arena.half_side_m;
+    this.half = half;
+    const floor = new Mesh(new PlaneGeometry(2 * half, 2 * half), this.floor);
+    floor.position.z = -0.002;
+    floor.renderOrder = -3; // shadows lie between the floor and its grid
+    this.group.add(floor);
+    const step = half > 40 ? 10 : half > 15 ? 2 : 1;
+    const lines: number[] = [];
+    for (let at = -Math.floor(half / step) * step; at <= half + 1e-9; at += step) lines.push(at, -half, 0, at, half, 0, -half, at, 0, half, at, 0);
+    const grid = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(lines), 3));
+    const net = new LineSegments(grid, this.grid);
+    net.renderOrder = -1;
+    this.group.add(net);
+    if (arena.height_field) this.group.add(this.makeSlopes(arena.height_field));
+    else this.makeWalls();
+    this.paint();
   }
-  geometry.computeVertexNormals();
-  return new Mesh(geometry, new MeshLambertMaterial({ color: 0xd4dae0, side: DoubleSide, transparent: true, opacity: 0.8 }));
+
+  /** Takes the colours of the theme. */
+  paint(): void {
+    const colours = theme();
+    this.floor.color.set(colours.floor);
+    this.grid.color.set(colours.grid);
+    this.slopes.color.set(colours.wall);
+    for (const { material } of this.walls) material.color.set(colours.wall);
+  }
+
+  /** Lets one see through the walls that stand before the floor as seen from a place. */
+  see(from: Vector3): void {
+    for (const { material, x, y } of this.walls) {
+      const isBefore = from.x * x + from.y * y > 1.02 * this.half;
+      material.opacity = isBefore ? 0.12 : 0.9;
+      material.depthWrite = !isBefore;
+    }
+  }
+
+  private makeWalls(): void {
+    const { half } = this;
+    const height = 0.035 * half;
+    const thick = 0.012 * half;
+    for (const [x, y] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+      const long = 2 * half + 2 * thick;
+      const material = new MeshLambertMaterial({ transparent: true });
+      const wall = new Mesh(new BoxGeometry(x ? thick : long, y ? thick : long, height), material);
+      wall.position.set(x * (half + thick / 2), y * (half + thick / 2), height / 2);
+      this.walls.push({ material, x, y });
+      this.group.add(wall);
+    }
+  }
+
+  private makeSlopes(field: NonNullable<Head["arena"]["height_field"]>): Mesh {
+    const { nodes, half_extent_m, height_m } = field;
+    const geometry = new PlaneGeometry(2 * half_extent_m, 2 * half_extent_m, nodes - 1, nodes - 1);
+    const position = geometry.getAttribute("position");
+    // Slopes of many metres would hide the floor: they are drawn flatter, and the floor itself a little lower than its own plane.
+    const highest = height_m.reduce((a, b) => Math.max(a, b));
+    const scale = highest > 1.5 ? 1.5 / highest : 1;
+    for (let i = 0; i < position.count; ++i) {
+      const ix = Math.round(((position.getX(i) + half_extent_m) / (2 * half_extent_m)) * (nodes - 1));
+      const iy = Math.round(((position.getY(i) + half_extent_m) / (2 * half_extent_m)) * (nodes - 1));
+      position.setZ(i, height_m[iy * nodes + ix] * scale - 0.006);
+    }
+    geometry.computeVertexNormals();
+    return new Mesh(geometry, this.slopes);
+  }
 }

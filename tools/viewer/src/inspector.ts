@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The data of one individual at a moment.
 import { colourOf } from "./colours";
+import { plain } from "./element";
 import type { Run, Senses } from "./run";
+import { deathWords, directionWords } from "./sentences";
 
-const words: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age" };
-
-/** A text of a run's files as text of a page. */
-const plain = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+/** Where everybody was drawn: x, y, z, and where they head. */
+export interface Drawn {
+  drawn: Float32Array;
+  headings: Float32Array;
+}
 
 export class Inspector {
   readonly element = document.createElement("div");
@@ -19,10 +22,10 @@ export class Inspector {
     });
   }
 
-  show(run: Run, id: number, time: number, drawn: Float32Array | null, living: number): void {
+  show(run: Run, id: number, time: number, places: Drawn | null, living: number): void {
     const one = run.individuals.get(id);
     if (!one) {
-      this.element.innerHTML = `<p class="hint">Click a robot, a line of the tree or an event.</p>`;
+      this.element.innerHTML = `<p class="hint">Select a robot, a line of the phylogeny or an event.</p>`;
       return;
     }
     const row = run.rowAt(time);
@@ -30,7 +33,7 @@ export class Inspector {
     const { agents } = run;
     const link = (other: number): string => (run.individuals.has(other) ? `<a data-id="${other}">${other}</a>` : `${other}`);
     const rows: [string, string][] = [];
-    const end = one.death === Infinity ? "lives at the end" : `${words[one.cause] ?? plain(one.cause)} at ${fixed(one.death, 0)} s`;
+    const end = one.death === Infinity ? "lives at the end" : `${plain(deathWords(one.cause))} at ${fixed(one.death, 0)} s`;
     rows.push(["life", `${fixed(one.birth, 0)} s, ${end}${Number.isNaN(one.killer) ? "" : ` by ${link(one.killer)}`}`]);
     rows.push(["parent", Number.isNaN(one.parent) ? `none, genome ${plain(one.origin) || "unknown"}` : `${link(one.parent)}, genome ${plain(one.origin)}`]);
     if (one.children.length > 0) rows.push(["offspring", `${one.children.length}; ${living} of the branch live now`]);
@@ -44,15 +47,16 @@ export class Inspector {
       const otherBody = other >= 0 ? run.bodyOf(other, time) : -1;
       let seen = "none";
       if (other >= 0) {
-        const distance = drawn && otherBody >= 0 ? Math.hypot(drawn[3 * body] - drawn[3 * otherBody], drawn[3 * body + 1] - drawn[3 * otherBody + 1]) : NaN;
-        seen = `${link(other)}${Number.isNaN(distance) ? "" : `, ${fixed(distance, 2)} m away`}`;
+        const where = places && otherBody >= 0 ? `, ${wayTo(places, body, otherBody)}` : "";
+        seen = `${plain(run.index.species[run.individuals.get(other)?.species ?? -1] ?? "robot")} ${link(other)}${where}`;
       }
       rows.push(["perceives", seen]);
       const angle = (agents.targetAngle[at] * 180) / Math.PI;
-      rows.push(["brain says", `${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}, tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
+      const turn = Math.abs(angle) < 0.5 ? "walks straight on" : `turns ${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}`;
+      rows.push(["brain", `${turn}, shows tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
       if (run.senses) rows.push(...sensed(run.senses, at));
       for (const [name, column] of agents.extra) rows.push([plain(name), column[at] === "" ? "–" : plain(column[at])]);
-      if (drawn) rows.push(["place", `${fixed(drawn[3 * body], 2)}, ${fixed(drawn[3 * body + 1], 2)} m`]);
+      if (places) rows.push(["place", `${fixed(places.drawn[3 * body], 2)}, ${fixed(places.drawn[3 * body + 1], 2)} m`]);
       rows.push(["body", `${body}`]);
     } else {
       rows.push(["now", time < one.birth ? "not yet born" : "dead"]);
@@ -66,7 +70,14 @@ export class Inspector {
   }
 }
 
-/** The contacts of a robot, the inputs and outputs of its brain, and their effect. */
+/** "3.4 m ahead to the left", from a body to another. */
+function wayTo({ drawn, headings }: Drawn, from: number, to: number): string {
+  const dx = drawn[3 * to] - drawn[3 * from];
+  const dy = drawn[3 * to + 1] - drawn[3 * from + 1];
+  return `${fixed(Math.hypot(dx, dy), 1)} m ${directionWords(Math.atan2(dy, dx) - headings[from])}`;
+}
+
+/** What a robot touched, what its brain was told and answered, and what became of it. */
 function sensed(senses: Senses, row: number): [string, string][] {
   const rows: [string, string][] = [];
   const cell = (name: string): string => senses.cell(name, row);

@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The phylogeny: a line for each life, over time, below its parent's. The wheel zooms, a click selects a branch.
+// Who descends from whom: a line for each life, over time, below its parent's. The wheel zooms, a click selects a branch. Branches that died
+// out can be collapsed.
 import { hierarchy } from "d3-hierarchy";
 import { colourOf, faded } from "./colours";
+import { make, makeButton } from "./element";
 import type { Individual, Run } from "./run";
+import { deathWords, nameOf } from "./sentences";
+import { theme } from "./theme";
 
-/** Gives each individual a row, so that a branch is a block of rows; returns their number. */
-export function layOut(run: Run): number {
+/** Everybody of whose branch somebody lives at the end. */
+export function lasting(run: Run): Set<number> {
+  const found = new Set<number>();
+  for (const one of run.individuals.values()) {
+    if (one.death !== Infinity && one.death < run.lastTime) continue;
+    for (let at: Individual | undefined = one; at && !found.has(at.id); at = run.individuals.get(at.parent)) found.add(at.id);
+  }
+  return found;
+}
+
+/** Gives all of `kept` a row, so that a branch is a block of rows; returns their number. Others have row -1. */
+export function layOut(run: Run, kept: ReadonlySet<number>): number {
   let row = 0;
-  const tree = hierarchy<{ children: Individual[] }>({ children: run.roots }, (one) => one.children);
+  const ours = (ones: Individual[]): Individual[] => ones.filter((one) => kept.has(one.id));
+  for (const one of run.individuals.values()) one.row = -1;
+  const tree = hierarchy<{ children: Individual[] }>({ children: ours(run.roots) }, (one) => ours(one.children));
   tree.count().sort((a, b) => (a.data as Individual).birth - (b.data as Individual).birth);
   tree.eachBefore((node) => {
     if (node.depth > 0) (node.data as Individual).row = row++;
@@ -32,6 +48,11 @@ export function branchOf(run: Run, id: number): { ancestors: Set<number>; descen
 
 export class PhylogenyView {
   readonly canvas = document.createElement("canvas");
+  readonly element = make("section", "tree");
+  private readonly tip = make("div", "tip");
+  private readonly count = make("span", "hint");
+  private readonly collapse = make("input");
+  private kept: ReadonlySet<number> = new Set();
   private run: Run | null = null;
   private rows = 1;
   private fromTime = 0;
@@ -44,6 +65,8 @@ export class PhylogenyView {
 
   constructor(onSelect: (id: number, time: number) => void) {
     this.canvas.className = "phylogeny";
+    this.tip.hidden = true;
+    this.build();
     this.canvas.addEventListener("wheel", (e) => {
       e.preventDefault();
       this.zoom(e.offsetX / this.canvas.clientWidth, e.offsetY / this.canvas.clientHeight, Math.exp(0.0016 * e.deltaY));
@@ -56,6 +79,7 @@ export class PhylogenyView {
       this.canvas.setPointerCapture(e.pointerId);
     });
     this.canvas.addEventListener("pointermove", (e) => {
+      if (!dragFrom) this.showTip(e.offsetX, e.offsetY);
       if (!dragFrom || Math.hypot(e.offsetX - dragFrom[0], e.offsetY - dragFrom[1]) < (moved ? 1 : 5)) return;
       moved = true;
       this.move(dragFrom[0] - e.offsetX, dragFrom[1] - e.offsetY);
@@ -69,12 +93,55 @@ export class PhylogenyView {
       dragFrom = null;
     });
     this.canvas.addEventListener("dblclick", () => this.whole());
+    this.canvas.addEventListener("pointerleave", () => (this.tip.hidden = true));
+  }
+
+  private build(): void {
+    const head = make("h3", "", "phylogeny: a line a life, over time");
+    const drawing = make("div");
+    drawing.append(this.canvas, this.tip);
+    this.collapse.type = "checkbox";
+    this.collapse.addEventListener("change", () => this.layOut());
+    const label = make("label", "", "collapse extinct branches");
+    label.prepend(this.collapse);
+    const tools = make("div", "tools");
+    tools.append(label, this.count, make("span", "space"), makeButton("−", "zoom out (wheel)", () => this.zoom(0.5, 0.5, 1.6)), makeButton("+", "zoom in (wheel)", () => this.zoom(0.5, 0.5, 1 / 1.6)), makeButton("all", "all of it (double click)", () => this.whole()));
+    this.element.append(head, tools, drawing);
+  }
+
+  private showTip(x: number, y: number): void {
+    const one = this.individualAt(x, y);
+    this.tip.hidden = !one;
+    this.canvas.style.cursor = one ? "pointer" : "crosshair";
+    if (!one || !this.run) return;
+    const end = one.death === Infinity ? "lives at the end" : `${deathWords(one.cause)} at ${one.death.toFixed(0)} s`;
+    this.tip.textContent = `${nameOf(this.run, one.id)}: born at ${one.birth.toFixed(0)} s, ${end}, ${one.children.length} offspring`;
+    this.tip.style.left = `${Math.max(0, Math.min(x + 10, this.canvas.clientWidth - this.tip.clientWidth - 4))}px`;
+    this.tip.style.top = `${y > 30 ? y - 26 : y + 16}px`;
   }
 
   show(run: Run): void {
     this.run = run;
-    this.rows = Math.max(1, layOut(run));
+    this.layOut();
+  }
+
+  private layOut(): void {
+    const { run } = this;
+    if (!run) return;
+    this.kept = this.collapse.checked ? lasting(run) : new Set(run.individuals.keys());
+    this.count.textContent = this.collapse.checked ? `${run.individuals.size - this.kept.size} hidden` : "";
+    this.rows = Math.max(1, layOut(run, this.kept));
     this.whole();
+  }
+
+  /** Whose lives have a line. */
+  private get drawnOnes(): Individual[] {
+    return [...(this.run?.individuals.values() ?? [])].filter((one) => this.kept.has(one.id));
+  }
+
+  /** How many lives have a line. */
+  get lines(): number {
+    return this.kept.size;
   }
 
   private whole(): void {
@@ -130,7 +197,7 @@ export class PhylogenyView {
   private individualAt(x: number, y: number): Individual | null {
     let best: Individual | null = null;
     let least = 6;
-    for (const one of this.run?.individuals.values() ?? []) {
+    for (const one of this.drawnOnes) {
       const x0 = this.xOf(one.birth);
       const x1 = this.xOf(one.death);
       const dx = x < x0 ? x0 - x : x > x1 ? x - x1 : 0;
@@ -169,19 +236,19 @@ export class PhylogenyView {
         g.fillRect(x0, y - (thick + extra) / 2, Math.max(0.8, this.xOf(one.death) - x0), thick + extra);
         const parent = run.individuals.get(one.parent);
         if (!parent) continue;
-        g.fillStyle = faded("#5a6673", opacity * (extra > 0 ? 1 : 0.55));
+        g.fillStyle = faded(theme().muted, opacity * (extra > 0 ? 1 : 0.55));
         const py = this.yOf(parent.row);
         g.fillRect(x0 - 0.35, Math.min(py, y), extra > 0 ? 1.2 : 0.7, Math.abs(y - py));
       }
     };
-    const everybody = [...run.individuals.values()];
+    const everybody = this.drawnOnes;
     paint(any ? everybody.filter((one) => !inBranch(one)) : everybody, any ? 0.18 : 0.85, 0);
     if (any) paint(everybody.filter(inBranch), 1, 0.8);
     const x = this.xOf(now);
-    g.fillStyle = "#111";
+    g.fillStyle = theme().ink;
     g.fillRect(x - 0.5, 0, 1.2, height);
     const chosen = run.individuals.get(this.selected);
-    if (!chosen) return;
+    if (!chosen || chosen.row < 0) return;
     g.beginPath();
     g.arc(this.xOf(chosen.birth), this.yOf(chosen.row), 3.2, 0, 7);
     g.fill();

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Population, tags and speed over time, with the current moment.
 import uPlot from "uplot";
-import { colourOf } from "./colours";
+import { colourOf, faded } from "./colours";
 import type { Run } from "./run";
+import { theme } from "./theme";
 
 /** Curves by species, one value a point of time. */
 export interface Curves {
   time: number[];
-  bySpecies: (number | null)[][]; // null: unknown
+  bySpecies: (number | null)[][]; // null: nothing is known
+  /** Of each species the bounds of its band, where there is one. */
+  bands?: { low: (number | null)[]; high: (number | null)[] }[];
 }
 
 export interface Series {
@@ -47,33 +50,47 @@ export function seriesOf(run: Run): Series {
   return { population, tags, speed: run.tracked ? speedOf(run, count) : null };
 }
 
-/** Mean displacement in a window of at least 60 s, over that window, by species, cm/s. */
+/** The mean over robots of their displacement in a window of at least 60 s, over that window, by species, cm/s; the band has half of them. */
 function speedOf(run: Run, count: number): Curves {
   const { agents, robots, recording, track } = run;
   const window = Math.max(1, Math.round(60 / recording.head.tick_s), strideOf(run));
-  const curves: Curves = { time: [], bySpecies: Array.from({ length: count }, () => []) };
+  const bands = Array.from({ length: count }, () => ({ low: [] as (number | null)[], high: [] as (number | null)[] }));
+  const curves: Curves = { time: [], bySpecies: Array.from({ length: count }, () => []), bands };
   for (let tick = window; tick < agents.ticks; tick += window) {
-    const sum = new Array<number>(count).fill(0);
-    const number = new Array<number>(count).fill(0);
+    const speeds = Array.from({ length: count }, () => [] as number[]);
     for (let body = 0; body < robots; ++body) {
       const now = tick * robots + body;
       const before = now - window * robots;
       if (agents.id[now] !== agents.id[before]) continue;
       const way = Math.hypot(track[2 * now] - track[2 * before], track[2 * now + 1] - track[2 * before + 1]);
-      if (Number.isNaN(way)) continue;
-      sum[agents.species[now]] += (100 * way) / (window * recording.head.tick_s);
-      ++number[agents.species[now]];
+      if (!Number.isNaN(way)) speeds[agents.species[now]].push((100 * way) / (window * recording.head.tick_s));
     }
     curves.time.push((agents.firstTick + tick - window / 2) * recording.head.tick_s);
-    for (let species = 0; species < count; ++species) curves.bySpecies[species].push(number[species] ? sum[species] / number[species] : null);
+    speeds.forEach((ones, species) => {
+      ones.sort((a, b) => a - b);
+      curves.bySpecies[species].push(ones.length ? ones.reduce((a, b) => a + b) / ones.length : null);
+      bands[species].low.push(quantile(ones, 0.25));
+      bands[species].high.push(quantile(ones, 0.75));
+    });
   }
   return curves;
 }
+
+/** Of sorted values, interpolated; null of none. */
+function quantile(sorted: number[], part: number): number | null {
+  if (sorted.length === 0) return null;
+  const at = part * (sorted.length - 1);
+  const low = Math.floor(at);
+  return sorted[low] + (at - low) * (sorted[Math.min(low + 1, sorted.length - 1)] - sorted[low]);
+}
+
+const plotHeight = 76;
 
 export class Plot {
   readonly element = document.createElement("div");
   private plot: uPlot | null = null;
   private now = 0;
+  private part = 0;
 
   constructor(
     private readonly title: string,
@@ -88,27 +105,31 @@ export class Plot {
     this.plot = null;
     this.element.replaceChildren();
     if (!curves || curves.time.length === 0) {
-      this.element.textContent = `${this.title}: ${curves ? "the run is too short" : "reading the recording …"}`;
+      this.element.textContent = `${this.title}: ${curves ? "the run is too short" : `reading the recording, ${Math.round(100 * this.part)} %`}`;
       return;
     }
-    const grid = { stroke: "#e8ecef", width: 1 };
-    const axis = { stroke: "#6b7682", grid, ticks: { ...grid, size: 4 }, font: "10px system-ui, sans-serif", gap: 3 };
+    const { faint, muted } = theme();
+    const grid = { stroke: faint, width: 1 };
+    const axis = { stroke: muted, grid, ticks: { ...grid, size: 4 }, font: "10px system-ui, sans-serif", gap: 3 };
+    const lines = species.map((name, i) => ({ label: name, stroke: colourOf(i), width: 1.6, points: { show: false }, spanGaps: true }));
+    const bounds = (curves.bands ?? []).flatMap(() => [0, 1].map(() => ({ width: 0, points: { show: false }, spanGaps: true })));
     this.plot = new uPlot(
       {
         width: Math.max(200, this.element.clientWidth),
-        height: 96,
+        height: plotHeight,
         title: this.title,
         legend: { show: false },
         cursor: { y: false, points: { show: false }, drag: { setScale: false } },
         scales: { x: { time: false, range: [first, last] }, y: this.range ? { range: this.range } : { range: (_, low, high) => [Math.min(0, low), high * 1.08 || 1] } },
         axes: [
           { ...axis, size: 22, values: (_, ticks) => ticks.map((t) => `${t}`) },
-          { ...axis, size: 38 },
+          { ...axis, size: 38, space: 16 },
         ],
-        series: [{}, ...species.map((name, i) => ({ label: name, stroke: colourOf(i), width: 1.6, points: { show: false }, spanGaps: true }))],
+        series: [{}, ...lines, ...bounds],
+        bands: (curves.bands ?? []).map((_, i) => ({ series: [1 + species.length + 2 * i + 1, 1 + species.length + 2 * i], fill: faded(colourOf(i), 0.18) })),
         hooks: { draw: [(u: uPlot) => this.drawNow(u)] },
       },
-      [curves.time, ...curves.bySpecies],
+      [curves.time, ...curves.bySpecies, ...(curves.bands ?? []).flatMap(({ low, high }) => [low, high])],
       this.element,
     );
     this.plot.over.addEventListener("click", (e) => this.onJump(this.plot!.posToVal(e.offsetX, "x")));
@@ -118,9 +139,15 @@ export class Plot {
     const x = u.valToPos(this.now, "x", true);
     const g = u.ctx;
     g.save();
-    g.fillStyle = "#111";
+    g.fillStyle = theme().ink;
     g.fillRect(x - 0.5, u.bbox.top, 1.5, u.bbox.height);
     g.restore();
+  }
+
+  /** Says how much of the recording was read, 0 to 1, until the curve is known. */
+  progress(part: number): void {
+    this.part = part;
+    if (!this.plot) this.element.textContent = `${this.title}: reading the recording, ${Math.round(100 * part)} %`;
   }
 
   at(time: number): void {
@@ -129,6 +156,6 @@ export class Plot {
   }
 
   resize(): void {
-    if (this.plot) this.plot.setSize({ width: Math.max(200, this.element.clientWidth), height: 96 });
+    if (this.plot) this.plot.setSize({ width: Math.max(200, this.element.clientWidth), height: plotHeight });
   }
 }

@@ -58,10 +58,10 @@ export class Recording {
   private kept: Block[] = [];
   private readonly keptAtMost: number;
 
-  /** Throws if the bytes are not a recording. */
+  /** Throws for bytes that are not a recording. */
   constructor(bytes: Uint8Array) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    if (bytes[0] !== 0x89 || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("this is not a recording");
+    if (bytes[0] !== 0x89 || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("replay.trp is not a recording");
     let head: Head | undefined;
     for (let at = 8; at + 12 <= bytes.length; ) {
       const size = view.getUint32(at, true);
@@ -152,11 +152,11 @@ export class Recording {
     return block.waiting;
   }
 
-  /** Calls `see` with every block in turn, without keeping more than a few: (values, first frame, frames). */
-  async forEachBlock(see: (values: Int16Array, first: number, frames: number) => void, pause: () => Promise<void>): Promise<void> {
-    for (const block of this.blocks) {
+  /** Calls `see` with every block in turn, without keeping more than a few: (values, first frame, frames); `pause` with the part done. */
+  async forEachBlock(see: (values: Int16Array, first: number, frames: number) => void, pause: (part: number) => Promise<void>): Promise<void> {
+    for (const [number, block] of this.blocks.entries()) {
       see(await this.unpack(block), block.first, block.frames);
-      await pause();
+      await pause((number + 1) / this.blocks.length);
     }
   }
 

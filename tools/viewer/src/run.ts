@@ -7,7 +7,7 @@ import { Recording } from "./recording";
 export interface RunIndex {
   label: string;
   status: string;
-  remark?: string;
+  shadow?: boolean;
   species: string[];
   tags: number[];
   hunters: string[];
@@ -205,8 +205,8 @@ export class Run {
     return -1;
   }
 
-  /** Reads the whole recording once for the tracks. */
-  async readTracks(pause: () => Promise<void>): Promise<void> {
+  /** Reads the recording through once, so that tracks are known; tells which part of it was read, 0 to 1. */
+  async readTracks(pause: (part: number) => Promise<void>): Promise<void> {
     const { head } = this.recording;
     const robots = this.robots;
     await this.recording.forEachBlock((values, first, frames) => {
@@ -240,4 +240,16 @@ export class Run {
     await recording.prepare(recording.firstFrame);
     return new Run(index, recording, new Agents(agents, recording.head.robots, index.species), events, phylogeny, senses);
   }
+}
+
+/** The first event later than a moment. */
+export function firstAfter(events: readonly { time: number }[], time: number): number {
+  let low = 0;
+  let high = events.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (events[middle].time <= time) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }

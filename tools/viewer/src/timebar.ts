@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The run's time as a bar with its events: births, catches and deaths by cause. A click jumps, the wheel zooms, a drag moves.
-import { colourOf, faded, inkColour } from "./colours";
-import type { Event, Run } from "./run";
+// The run's time as a bar with what happened: births, catches and deaths by cause. A click jumps, the wheel zooms, a drag moves.
+// Where events are too many to be told apart, a lane shows how many there are.
+import { colourOf, faded } from "./colours";
+import { firstAfter, type Event, type Run } from "./run";
+import { shortSentence } from "./sentences";
+import { theme } from "./theme";
 
 interface Lane {
   name: string;
   events: Event[];
 }
 
-const left = 104;
 const laneHeight = 15;
+/** Lanes with more events than that a pixel are drawn by density. */
+const densestPerPixel = 0.5;
+const binPixels = 4;
 const axisHeight = 20;
 
 export class TimeBar {
   readonly canvas = document.createElement("canvas");
+  private run: Run | null = null;
   private lanes: Lane[] = [];
   private from = 0;
   private to = 1;
@@ -79,6 +85,7 @@ export class TimeBar {
       this.from = this.first;
       this.to = this.last;
     }
+    this.run = run;
     const causes = [...new Set(run.events.filter((e) => e.kind === "death" && e.cause !== "caught").map((e) => e.cause))].sort();
     this.lanes = [
       { name: "births", events: run.events.filter((e) => e.kind === "birth") },
@@ -89,16 +96,19 @@ export class TimeBar {
     this.draw(this.now);
   }
 
+  private get left(): number {
+    return this.element.clientWidth < 600 ? 88 : 104;
+  }
   private width(): number {
-    return Math.max(10, this.canvas.clientWidth - left - 14);
+    return Math.max(10, this.canvas.clientWidth - this.left - 14);
   }
   private timeAt(x: number): number {
-    const time = this.from + ((x - left) / this.width()) * (this.to - this.from);
+    const time = this.from + ((x - this.left) / this.width()) * (this.to - this.from);
     return Math.min(this.last, Math.max(this.first, time));
   }
   /** Place of a moment, CSS pixels from the canvas' left. */
   xOf(time: number): number {
-    return left + ((time - this.from) / (this.to - this.from)) * this.width();
+    return this.left + ((time - this.from) / (this.to - this.from)) * this.width();
   }
   /** Place of a lane, CSS pixels from the canvas' top. */
   yOf(lane: string): number {
@@ -114,7 +124,7 @@ export class TimeBar {
 
   private eventAt(x: number, y: number): Event | null {
     const lane = this.lanes[Math.floor((y - 2) / laneHeight)];
-    if (!lane || x < left) return null;
+    if (!lane || x < this.left) return null;
     let best: Event | null = null;
     let least = 4.5;
     for (const event of lane.events) {
@@ -129,11 +139,9 @@ export class TimeBar {
 
   private showTip(x: number): void {
     this.tip.hidden = !this.hover;
-    if (!this.hover) return;
-    const { kind, id, other, time, cause } = this.hover;
-    const what = kind === "catch" ? `${id} catches ${other}` : kind === "birth" ? `${id} is born` : `${id} ${cause}`;
-    this.tip.textContent = `${time.toFixed(0)} s: ${what}`;
-    this.tip.style.left = `${Math.min(x + 10, this.canvas.clientWidth - 150)}px`;
+    if (!this.hover || !this.run) return;
+    this.tip.textContent = `${this.hover.time.toFixed(0)} s: ${shortSentence(this.run, this.hover)}`;
+    this.tip.style.left = `${Math.max(0, Math.min(x + 10, this.canvas.clientWidth - this.tip.clientWidth - 4))}px`;
   }
 
   draw(now: number): void {
@@ -151,26 +159,24 @@ export class TimeBar {
     g.clearRect(0, 0, width, height);
     g.font = "11px system-ui, sans-serif";
     g.textBaseline = "middle";
+    const { left } = this;
+    const { ink, muted, lanes } = theme();
     this.lanes.forEach((lane, i) => {
       const y = i * laneHeight + 2;
-      g.fillStyle = i % 2 ? "#f6f8f9" : "#eef1f4";
+      g.fillStyle = lanes[i % 2];
       g.fillRect(left, y, this.width(), laneHeight);
-      g.fillStyle = inkColour;
+      g.fillStyle = ink;
       g.textAlign = "left";
       g.fillText(lane.name, 8, y + laneHeight / 2);
-      g.fillStyle = "#6b7682";
+      g.fillStyle = muted;
       g.textAlign = "right";
       g.fillText(String(lane.events.length), left - 8, y + laneHeight / 2);
-      for (const event of lane.events) {
-        if (event.time < this.from || event.time > this.to) continue;
-        g.fillStyle = faded(colourOf(event.species), 0.75);
-        g.fillRect(this.xOf(event.time) - 0.75, y + 2, 1.5, laneHeight - 4);
-      }
+      this.drawEvents(g, lane, y + 2, laneHeight - 4);
     });
     this.drawAxis(g, this.lanes.length * laneHeight + 2);
     const x = this.xOf(now);
     if (x >= left - 1 && x <= left + this.width() + 1) {
-      g.fillStyle = "#111";
+      g.fillStyle = ink;
       g.fillRect(x - 0.75, 0, 1.5, this.lanes.length * laneHeight + 8);
       g.beginPath();
       g.moveTo(x - 5, this.lanes.length * laneHeight + 12);
@@ -180,15 +186,54 @@ export class TimeBar {
     }
   }
 
+  private drawEvents(g: CanvasRenderingContext2D, lane: Lane, y: number, height: number): void {
+    const seen = lane.events.slice(firstAfter(lane.events, this.from - 1e-9), firstAfter(lane.events, this.to));
+    if (!this.isDense(seen.length)) {
+      for (const event of seen) {
+        g.fillStyle = faded(colourOf(event.species), 0.85);
+        g.fillRect(this.xOf(event.time) - 0.75, y, 1.5, height);
+      }
+      return;
+    }
+    const bins = new Map<number, Map<number, number>>();
+    let most = 0;
+    for (const event of seen) {
+      const bin = Math.floor((this.xOf(event.time) - this.left) / binPixels);
+      const bySpecies = bins.get(bin) ?? new Map<number, number>();
+      bins.set(bin, bySpecies.set(event.species, (bySpecies.get(event.species) ?? 0) + 1));
+      most = Math.max(most, [...bySpecies.values()].reduce((a, b) => a + b));
+    }
+    for (const [bin, bySpecies] of bins) {
+      let bottom = y + height;
+      const total = [...bySpecies.values()].reduce((a, b) => a + b);
+      for (const [species, count] of [...bySpecies].sort((a, b) => a[0] - b[0])) {
+        const tall = height * Math.sqrt(total / most) * (count / total);
+        g.fillStyle = colourOf(species);
+        g.fillRect(this.left + bin * binPixels, bottom - tall, binPixels - 0.5, tall);
+        bottom -= tall;
+      }
+    }
+  }
+
+  /** Whether so many events in view are drawn by density. */
+  private isDense(count: number): boolean {
+    return count > densestPerPixel * this.width();
+  }
+
+  /** The lanes that are drawn by density now. */
+  get denseLanes(): string[] {
+    return this.lanes.filter(({ events }) => this.isDense(firstAfter(events, this.to) - firstAfter(events, this.from - 1e-9))).map(({ name }) => name);
+  }
+
   private drawAxis(g: CanvasRenderingContext2D, y: number): void {
     const rough = (this.to - this.from) / Math.max(2, this.width() / 90);
     const power = 10 ** Math.floor(Math.log10(rough));
     const step = [1, 2, 5, 10].map((n) => n * power).find((n) => n >= rough)!;
-    g.fillStyle = "#6b7682";
+    g.fillStyle = theme().muted;
     g.textAlign = "center";
     for (let time = Math.ceil(this.from / step) * step; time <= this.to + 1e-9; time += step) {
       g.fillRect(this.xOf(time), y, 1, 3);
-      g.fillText(`${Number(time.toFixed(3))} s`, Math.min(this.xOf(time), left + this.width() - 8), y + 11);
+      g.fillText(`${Number(time.toFixed(3))} s`, Math.min(this.xOf(time), this.left + this.width() - 8), y + 11);
     }
   }
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The world of one run in 3-D.
-import { AmbientLight, BoxGeometry, Color, DirectionalLight, InstancedMesh, Matrix4, MeshLambertMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, Color, DirectionalLight, Matrix4, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { colourOf, inactiveColour, selectedColour } from "./colours";
-import { makeGround } from "./ground";
+import { Bodies, sunAt } from "./bodies";
+import { branchColour, catchColour, colourOf, inactiveColour } from "./colours";
+import { Ground } from "./ground";
+import { Labels } from "./labels";
 import { Lines, type Mark, Marks } from "./marks";
 import { RobotShape } from "./robot";
-import type { Run } from "./run";
+import { firstAfter, type Run } from "./run";
+import { theme } from "./theme";
 
 export type View = "orbit" | "top" | "follow";
 
@@ -16,32 +19,47 @@ export interface Shown {
   links: boolean;
 }
 
+/** What is to be seen of a moment. */
+export interface Look {
+  time: number; // of the poses, and of what has just happened
+  rowTime: number; // of who lives in which body: just before `time` while a catch is shown
+  selected: number; // a body; -1: none
+  pair: readonly number[]; // the bodies that the camera stays with; may be empty
+  highlighted: ReadonlySet<number>; // individuals
+  flashSeconds: number; // how long a death is seen, ecology seconds
+  shown: Shown;
+}
+
 const trailTicks = 30;
-const flashSeconds = 6;
-/** In worlds of more robots, those smaller than so many pixels are drawn without their limbs. */
+/** Of more robots than that, those that are smaller than so many pixels are drawn without their limbs. */
 const manyRobots = 60;
 const farPixels = 16;
+/** A robot of that many pixels has a name tag. */
+const namedPixels = 64;
 
 export class World {
   readonly canvas = document.createElement("canvas");
-  readonly label = document.createElement("div");
+  readonly labels = new Labels();
   view: View = "orbit";
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(38, 1, 0.05, 400);
   private readonly controls: OrbitControls;
   private readonly shape: RobotShape;
-  private readonly boxes: InstancedMesh;
+  private readonly ground: Ground;
+  private readonly bodies: Bodies;
   private readonly marks: Marks;
   private readonly trails: Lines;
   private readonly links: Lines;
   private readonly pose = new Float32Array(128);
   private readonly matrix = new Matrix4();
-  private readonly colour = new Color();
   private readonly ringSize: number;
   /** Last drawn place of each robot: x, y, z. */
   readonly drawn: Float32Array;
+  /** The way that each robot was drawn to head, radians. */
+  readonly headings: Float32Array;
 
+  /** Throws where the browser has no WebGL. */
   constructor(
     readonly run: Run,
     onPick: (body: number) => void,
@@ -50,25 +68,25 @@ export class World {
     const { head } = run.recording;
     const { robots } = run;
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: "high-performance", preserveDrawingBuffer: true });
-    this.scene.background = new Color(0xffffff);
     this.scene.add(new AmbientLight(0xffffff, 1.9));
     const sun = new DirectionalLight(0xffffff, 1.9);
-    sun.position.set(4, -7, 10);
-    this.scene.add(sun, makeGround(head.arena));
+    sun.position.set(...sunAt);
+    this.ground = new Ground(head.arena);
+    this.scene.add(sun, this.ground.group);
     this.shape = new RobotShape(head);
-    this.boxes = new InstancedMesh(new BoxGeometry(1, 1, 1), new MeshLambertMaterial(), robots * this.shape.boxes.length);
-    this.boxes.frustumCulled = false;
+    this.bodies = new Bodies(robots * this.shape.boxes.length, !head.arena.height_field);
     this.marks = new Marks(robots);
     this.trails = new Lines(robots * trailTicks, 0.004);
     this.links = new Lines(robots, 0.1);
-    this.scene.add(this.boxes, this.marks.group, this.trails.object, this.links.object);
+    this.scene.add(this.bodies.group, this.marks.group, this.trails.object, this.links.object);
     this.drawn = new Float32Array(3 * robots);
+    this.headings = new Float32Array(robots);
     this.ringSize = Math.max(head.robot.bounding_radius_m * 1.15, 0.021 * head.arena.half_side_m);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.maxPolarAngle = 0.495 * Math.PI;
     this.controls.addEventListener("change", onLook);
-    this.label.className = "tag";
+    this.paint();
     this.look("orbit");
     let downAt = [0, 0];
     this.canvas.addEventListener("pointerdown", (e) => (downAt = [e.clientX, e.clientY]));
@@ -77,7 +95,14 @@ export class World {
     });
   }
 
-  /** Puts the camera at the start of a view. */
+  /** Takes the colours of the theme. */
+  paint(): void {
+    this.scene.background = new Color(theme().background);
+    this.ground.paint();
+    this.bodies.paint();
+  }
+
+  /** Puts the camera where a view begins. */
   look(view: View): void {
     const half = this.run.recording.head.arena.half_side_m;
     this.view = view;
@@ -88,7 +113,7 @@ export class World {
     this.camera.updateProjectionMatrix();
     if (view === "orbit") {
       this.controls.target.set(0, -0.14 * half, 0);
-      this.camera.position.set(0, -2.1 * half * fit, 2.3 * half * fit);
+      this.camera.position.set(0, -2.0 * half * fit, 2.4 * half * fit);
     } else if (view === "top") {
       this.controls.target.set(0, 0, 0);
       this.camera.position.set(0, -0.001, 3.05 * half * fit);
@@ -126,95 +151,113 @@ export class World {
 
   private readonly point = new Vector3();
 
-  /** Size of a robot on the screen. */
+  private placeOf(body: number): Vector3 {
+    return this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]);
+  }
+
+  /** How large a robot is on the screen. */
   private pixelsOf(body: number): number {
-    this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]);
     const focal = (0.5 * this.canvas.clientHeight) / Math.tan((0.5 * this.camera.fov * Math.PI) / 180);
-    return (2 * this.run.recording.head.robot.bounding_radius_m * focal) / this.point.distanceTo(this.camera.position);
+    return (2 * this.run.recording.head.robot.bounding_radius_m * focal) / this.placeOf(body).distanceTo(this.camera.position);
   }
 
   /** Place of a robot in the canvas, CSS pixels. */
   onScreen(body: number): [number, number] {
-    this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]).project(this.camera);
+    this.placeOf(body).project(this.camera);
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     return [((this.point.x + 1) / 2) * width, ((1 - this.point.y) / 2) * height];
   }
 
-  /** Draws a moment whose frames are ready. `selected`: a body or -1; `highlighted`: individuals. */
-  draw(time: number, selected: number, highlighted: ReadonlySet<number>, shown: Shown): void {
+  /** Draws a moment whose frames are ready. */
+  draw(look: Look): void {
     const { run } = this;
     const { agents, recording } = run;
-    const { head } = recording;
-    const row = run.rowAt(time);
-    let boxes = 0;
+    const row = run.rowAt(look.rowTime);
     const bodyOf = new Map<number, number>();
     for (let body = 0; body < run.robots; ++body) bodyOf.set(agents.id[row + body], body);
-    const filledTag = Math.max(...run.index.tags);
+    this.bodies.clear();
     for (let body = 0; body < run.robots; ++body) {
-      const active = agents.active[row + body] === 1;
-      const colour = active ? colourOf(agents.species[row + body]) : inactiveColour;
-      recording.poseInto(this.pose, time, body);
-      this.drawn.set(this.pose.subarray(0, 3), 3 * body);
-      const links = this.shape.place(this.pose, head.joints);
-      this.colour.set(colour);
-      const rootColour = this.colour.getHex();
-      const limbColour = this.colour.lerp(new Color(0x2b333d), 0.45).getHex();
-      const isFar = run.robots > manyRobots && this.pixelsOf(body) < farPixels;
-      for (const box of this.shape.boxes) {
-        if (isFar && box.link > 0) continue;
-        const index = boxes++;
-        this.boxes.setMatrixAt(index, this.matrix.multiplyMatrices(links[box.link], box.frame));
-        this.boxes.setColorAt(index, this.colour.setHex(box.link === 0 ? rootColour : limbColour));
-      }
-      const [, , , w, x, y, z] = this.pose;
-      const yaw = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
-      const mark: Mark = {
-        x: this.pose[0],
-        y: this.pose[1],
-        heading: yaw + head.robot.forward_rad,
-        colour,
-        filled: agents.tag[row + body] === filledTag,
-        size: this.ringSize,
-      };
-      const isMarked = highlighted.has(agents.id[row + body]);
-      this.marks.set(body, mark, body === selected ? selectedColour : isMarked ? "#e8b400" : null);
+      recording.poseInto(this.pose, look.time, body);
+      this.drawRobot(body, row, look);
     }
-    this.boxes.count = boxes;
-    this.flash(time);
+    this.bodies.done();
+    this.flash(look);
     this.marks.done();
-    this.boxes.instanceMatrix.needsUpdate = true;
-    if (this.boxes.instanceColor) this.boxes.instanceColor.needsUpdate = true;
-    this.drawTrails(time, row, selected, shown);
-    this.drawLinks(row, bodyOf, selected, shown);
-    if (this.view === "follow" && selected >= 0) this.followTo(selected);
+    this.drawTrails(look, row);
+    this.drawLinks(look, row, bodyOf);
+    if (look.pair.length > 0) this.stayWith(look.pair);
+    else if (this.view === "follow" && look.selected >= 0) this.followTo(look.selected);
+    this.ground.see(this.camera.position);
     this.renderer.render(this.scene, this.camera);
-    this.placeLabel(selected, row);
+    this.placeLabels(look, row);
+  }
+
+  private drawRobot(body: number, row: number, look: Look): void {
+    const { run, pose } = this;
+    const { agents } = run;
+    const { head } = run.recording;
+    const colour = agents.active[row + body] === 1 ? colourOf(agents.species[row + body]) : inactiveColour;
+    this.drawn.set(pose.subarray(0, 3), 3 * body);
+    const links = this.shape.place(pose, head.joints);
+    this.bodies.begin(colour);
+    const isFar = run.robots > manyRobots && this.pixelsOf(body) < farPixels;
+    for (const box of this.shape.boxes) {
+      if (!isFar || box.link === 0) this.bodies.add(this.matrix.multiplyMatrices(links[box.link], box.frame), box.link === 0);
+    }
+    const [, , , w, x, y, z] = pose;
+    const heading = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) + head.robot.forward_rad;
+    this.headings[body] = heading;
+    const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringSize };
+    const isMarked = look.highlighted.has(agents.id[row + body]);
+    this.marks.set(body, mark, body === look.selected ? theme().ink : isMarked ? branchColour : null);
   }
 
   private followTo(body: number): void {
-    const at = new Vector3(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]);
-    const move = at.sub(this.controls.target);
+    const move = this.placeOf(body).clone().sub(this.controls.target);
     this.controls.target.add(move);
     this.camera.position.add(move);
     this.camera.lookAt(this.controls.target);
     this.camera.updateMatrixWorld();
   }
 
-  private flash(time: number): void {
-    const marks: Mark[] = [];
-    const { events } = this.run;
-    for (let i = firstAfter(events, time - flashSeconds); i < events.length && events[i].time <= time; ++i) {
-      const event = events[i];
-      if (event.kind !== "death" && event.kind !== "activation") continue;
-      const age = (time - event.time) / flashSeconds;
-      const colour = event.kind === "death" ? selectedColour : colourOf(event.species);
-      marks.push({ x: event.x, y: event.y, heading: 0, colour, filled: false, size: this.ringSize * (1.2 + 2.2 * age) * (age < 1 ? 1 : 0) });
-    }
-    this.marks.flash(marks);
+  /** Keeps several robots in the picture, from the side from which one looks. */
+  private stayWith(bodies: readonly number[]): void {
+    const middle = new Vector3();
+    for (const body of bodies) middle.addScaledVector(this.placeOf(body), 1 / bodies.length);
+    let apart = 0;
+    for (const body of bodies) apart = Math.max(apart, this.placeOf(body).distanceTo(middle));
+    const wanted = (10 * this.run.recording.head.robot.bounding_radius_m + 2.6 * apart) * Math.max(1, 1.1 / this.camera.aspect);
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const flat = Math.hypot(offset.x, offset.y);
+    const direction = flat > 1e-3 ? new Vector3(offset.x / flat, offset.y / flat, 0.8).normalize() : new Vector3(0, -1, 0.8).normalize();
+    const step = 0.2; // a picture: the camera glides
+    const distance = offset.length() + step * (wanted - offset.length());
+    this.controls.target.lerp(middle, offset.length() > 3 * wanted ? 0.35 : step);
+    const now = offset.normalize().lerp(direction, step).normalize();
+    this.camera.position.copy(this.controls.target).addScaledVector(now, distance);
+    this.camera.lookAt(this.controls.target);
+    this.camera.updateMatrixWorld();
   }
 
-  private drawTrails(time: number, row: number, selected: number, shown: Shown): void {
+  private flash({ time, flashSeconds }: Look): void {
+    const marks: Mark[] = [];
+    const catches: Mark[] = [];
+    const { events } = this.run;
+    const { ink } = theme();
+    for (let i = firstAfter(events, time - flashSeconds); i < events.length && events[i].time <= time; ++i) {
+      const { kind, cause, species, time: then, x, y } = events[i];
+      if (kind !== "death" && kind !== "activation") continue;
+      const age = (time - then) / flashSeconds;
+      const mark = { x, y, heading: 0, filled: false, colour: ink, size: this.ringSize * (1.2 + 2.2 * age) };
+      if (kind === "activation") marks.push({ ...mark, colour: colourOf(species) });
+      else if (cause !== "caught") marks.push(mark);
+      else catches.push({ ...mark, colour: catchColour, size: this.ringSize * (1.35 + 0.5 * age) });
+    }
+    this.marks.flash(marks, catches);
+  }
+
+  private drawTrails({ time, selected, shown }: Look, row: number): void {
     const { track, agents, robots, recording } = this.run;
     this.trails.clear();
     const tick = row / robots;
@@ -237,7 +280,7 @@ export class World {
     this.trails.done();
   }
 
-  private drawLinks(row: number, bodyOf: Map<number, number>, selected: number, shown: Shown): void {
+  private drawLinks({ selected, shown }: Look, row: number, bodyOf: Map<number, number>): void {
     const { agents, robots } = this.run;
     this.links.clear();
     for (let body = 0; shown.links && body < robots; ++body) {
@@ -250,28 +293,22 @@ export class World {
     this.links.done();
   }
 
-  private placeLabel(selected: number, row: number): void {
-    this.label.hidden = selected < 0;
-    if (selected < 0) return;
-    const [x, y] = this.onScreen(selected);
-    this.label.textContent = `${this.run.agents.id[row + selected]}`;
-    this.label.style.transform = `translate(${Math.round(x + 12)}px, ${Math.round(y - 26)}px)`;
+  private placeLabels({ selected, pair }: Look, row: number): void {
+    const { agents, index, robots } = this.run;
+    this.labels.clear();
+    for (let body = 0; body < robots; ++body) {
+      const isMain = body === selected || pair.includes(body);
+      if (!isMain && this.pixelsOf(body) < namedPixels) continue;
+      const [x, y] = this.onScreen(body);
+      if (this.point.z > 1 || x < 0 || y < 0 || x > this.canvas.clientWidth || y > this.canvas.clientHeight) continue;
+      const id = agents.id[row + body];
+      this.labels.add(isMain ? `${index.species[agents.species[row + body]] ?? ""} ${id}` : `${id}`, x, y, isMain);
+    }
+    this.labels.done();
   }
 
   /** The picture of the canvas, as a PNG. */
   picture(): string {
     return this.canvas.toDataURL("image/png");
   }
-}
-
-/** The first event later than a moment. */
-export function firstAfter(events: readonly { time: number }[], time: number): number {
-  let low = 0;
-  let high = events.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (events[middle].time <= time) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

@@ -23,11 +23,13 @@ before(async () => {
   run("short", "--seed", 4, "--duration", 300);
   run("crowd", "--seed", 5, "--duration", 200, "--robots", 300);
   run("sensing", "--seed", 4, "--duration", 100, "--senses");
-  execFileSync(process.env.PREDATOR_PREY, ["--backend", "kinematic", "--out", at("set"), "--replicates", "2", "--duration", "200"]);
+  execFileSync(process.env.PREDATOR_PREY, ["--backend", "kinematic", "--out", at("set"), "--replicates", "2", "--shadow", "--duration", "200"]);
   show("long.html", "long");
+  show("short.html", "short");
   show("sensing.html", "sensing");
   show("two.html", "short", "long");
   show("crowd.html", "crowd");
+  show("pair.html", "set/replicate-00", "set/shadow/replicate-00");
   execFileSync(process.env.TROPHIC, ["show", at("short"), "--from", "75", "--to", "130.5", "--out", at("part.html")]);
   writeFileSync(at("wide.toml"), 'name = "wide"\nside_m = 400\n');
   run("wide", "--duration", 4, "--set", `ecology.arena=${at("wide.toml")}`);
@@ -155,7 +157,240 @@ test("page: branch selected in the tree -> its living robots are highlighted in 
   await leave(opened);
 });
 
-test("page: link -> opens at its moment, robot and view, and plays from there", async () => {
+/** The catches of a run, with the victim's origin and age at its death. */
+function catches(name) {
+  const births = new Map(rows(name, "events.csv").filter((row) => row.event === "birth").map((row) => [row.id, row]));
+  return rows(name, "events.csv").filter((row) => row.event === "catch").map((row) => {
+    const victim = births.get(row.victim_id);
+    return { ...row, time: Number(row.time_s), victim, text: `${row.species} ${row.id} catches ${victim.species} ${row.victim_id}: ${victim.origin}, lived ${(row.time_s - victim.time_s).toFixed(0)} s` };
+  });
+}
+
+test("without a moment in its address a page plays a catch by somebody who inherited its genome", async () => {
+  const opened = await browser.open(at("long.html"), "");
+  const event = await opened.evaluate(() => ({ ...window.trophic.event, playing: window.trophic.playing, speed: window.trophic.speed, now: window.trophic.time }));
+  const births = new Map(rows("long", "events.csv").filter((row) => row.event === "birth").map((row) => [row.id, row]));
+  const first = catches("long").find((one) => one.time >= 8 && births.get(one.id).origin === "inherited");
+  assert.deepEqual([event.kind, event.id, event.time], ["catch", Number(first.id), first.time]);
+  assert.deepEqual([event.playing, event.speed], [true, 1]);
+  assert.ok(event.now >= first.time - 8 && event.now < first.time, `${event.now} s`);
+  await leave(opened);
+});
+
+test("next catch begins before it, plays at 1x, names both and shows the victim in its body when it is caught", async () => {
+  const opened = await browser.open(at("long.html"), "#t=1000");
+  const next = catches("long").find((one) => one.time > 1000);
+  assert.equal(await opened.pixels("#c2002f"), 0);
+  await opened.page.keyboard.press("n");
+  const begun = await opened.evaluate(() => [window.trophic.time, window.trophic.speed, window.trophic.playing, window.trophic.selected]);
+  assert.ok(begun[0] >= next.time - 8 && begun[0] < next.time - 5, `${begun[0]} s`);
+  assert.deepEqual(begun.slice(1), [1, true, Number(next.id)]);
+  await opened.page.waitForFunction(() => !document.querySelector(".banner").hidden);
+  const banner = opened.page.locator(".banner");
+  assert.match(await banner.innerText(), new RegExp(`^${next.text} \\(in \\d s\\)$`));
+  await opened.evaluate(() => {
+    const app = window.trophic;
+    window.stood = {};
+    const look = (now) => {
+      if (app.time === app.event.time) window.stood.from ??= now;
+      if (app.time > app.event.time) window.stood.ms ??= now - window.stood.from;
+      if (window.stood.ms === undefined) requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+    app.time = app.event.time - 0.3;
+  });
+  await opened.page.waitForFunction(() => window.trophic.time === window.trophic.event.time, null, { timeout: 60000 });
+  const held = await opened.evaluate(() => [window.trophic.rowTime < window.trophic.time, [...document.querySelectorAll(".tag:not(.small)")].filter((tag) => !tag.hidden).map((tag) => tag.textContent).sort()]);
+  assert.deepEqual(held, [true, [`${next.species} ${next.id}`, `${next.victim.species} ${next.victim_id}`].sort()]);
+  assert.equal(await banner.innerText(), next.text);
+  assert.ok((await opened.pixels("#c2002f")) > 100);
+  await opened.page.waitForFunction(() => window.stood.ms !== undefined, null, { timeout: 60000 });
+  assert.ok((await opened.evaluate(() => window.stood.ms)) >= 1000, "the moment stands still");
+  await opened.page.waitForFunction(() => window.trophic.scene === null, null, { timeout: 120000 });
+  assert.deepEqual(await opened.evaluate(() => [window.trophic.playing, window.trophic.speed]), [false, 10]);
+  await leave(opened);
+});
+
+test("n and p go through the catches one by one, and Esc ends the scene", async () => {
+  const opened = await browser.open(at("long.html"), "#t=0");
+  const times = catches("long").map((one) => one.time);
+  const at_ = () => opened.evaluate(() => window.trophic.event.time);
+  for (const expected of [times[0], times[1], times[2]]) {
+    await opened.page.keyboard.press("n");
+    assert.equal(await at_(), expected);
+  }
+  await opened.page.keyboard.press("p");
+  assert.equal(await at_(), times[1]);
+  await opened.page.keyboard.press("Escape");
+  assert.deepEqual(await opened.evaluate(() => [window.trophic.scene, window.trophic.speed, window.trophic.playing]), [null, 10, false]);
+  await leave(opened);
+});
+
+test("a click on a catch in the bar of time shows the victim still in its body", async () => {
+  const opened = await browser.open(at("long.html"));
+  const event = catches("long")[5];
+  await opened.evaluate((time) => window.trophic.show(window.trophic.run.events.find((one) => one.kind === "catch" && one.time === time)), event.time);
+  await opened.settle();
+  const shown = await opened.evaluate((body) => window.trophic.run.agents.id[window.trophic.run.rowAt(window.trophic.rowTime) + body], Number(event.victim.body));
+  assert.equal(shown, Number(event.victim_id));
+  assert.equal(await opened.page.locator(".banner.happened").innerText(), event.text);
+  assert.ok((await opened.pixels("#c2002f")) > 10);
+  await leave(opened);
+});
+
+test("the list of events has every catch, is searched by words, and a line plays its catch", async () => {
+  const opened = await browser.open(at("long.html"));
+  await opened.page.keyboard.press("e");
+  const all = catches("long");
+  assert.equal(await opened.page.locator(".events .hint").innerText(), `${all.length} events`);
+  assert.match(await opened.page.locator(".events li").nth(3).innerText(), new RegExp(all[3].text));
+  await opened.page.keyboard.press("/");
+  await opened.page.keyboard.type(all[7].victim_id);
+  const found = all.filter((one) => one.id === all[7].victim_id || one.victim_id === all[7].victim_id || one.time_s === all[7].victim_id || one.text.split(/[\s:,]+/).includes(all[7].victim_id));
+  assert.equal(await opened.page.locator(".events li").count(), found.length);
+  await opened.page.locator(".events li button", { hasText: all[7].text }).click();
+  assert.equal(await opened.evaluate(() => window.trophic.scene.event.time), all[7].time);
+  await opened.page.locator(".events select").selectOption("birth");
+  assert.match(await opened.page.locator(".events .hint").innerText(), /^0 events$|^\d+ events?$/);
+  await leave(opened);
+});
+
+test("keys: help, speed, start, end", async () => {
+  const opened = await browser.open(at("short.html"), "#t=100");
+  const { page } = opened;
+  await page.keyboard.press("?");
+  assert.equal(await page.locator("dialog.help").isVisible(), true);
+  const help = await page.locator("dialog.help").innerText();
+  for (const word of ["space", "Home", "End", "Esc", "next catch", "caught", "perceives"]) assert.ok(help.includes(word), word);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator("dialog.help").isVisible(), false);
+  await page.keyboard.press("End");
+  assert.equal(await opened.evaluate(() => window.trophic.time), 300);
+  await page.keyboard.press("Home");
+  assert.equal(await opened.evaluate(() => window.trophic.time), 0);
+  for (const [key, speed] of [["ArrowUp", 20], ["+", 50], ["ArrowDown", 20], ["-", 10]]) {
+    await page.keyboard.press(key);
+    assert.equal(await opened.evaluate(() => window.trophic.speed), speed);
+  }
+  for (const [key, view] of [["t", "top"], ["f", "follow"], ["o", "orbit"]]) {
+    await page.keyboard.press(key);
+    assert.equal(await opened.evaluate(() => window.trophic.view), view);
+  }
+  await leave(opened);
+});
+
+test("every mark is in the legend, with how many live now", async () => {
+  const opened = await browser.open(at("short.html"), "#t=100");
+  const words = await opened.page.$$eval("header .legend li", (items) => items.map((item) => item.textContent));
+  const alive = (species) => rows("short", "agents.csv").filter((row) => row.time_s === "100" && row.species === species).length;
+  assert.deepEqual(words, [`prey ${alive("prey")}`, `predator ${alive("predator")}`, "tag +1", "tag -1", "not yet active", "caught", "other death", "becomes active", "selected", "its branch", "trail", "perceives"]);
+  await leave(opened);
+});
+
+test("the address follows what is shown", async () => {
+  const opened = await browser.open(at("short.html"), "#t=100");
+  await opened.evaluate(() => {
+    window.trophic.seek(140);
+    window.trophic.select(5);
+  });
+  await opened.page.waitForFunction(() => location.hash === "#t=140&robot=5", null, { timeout: 10000 });
+  await leave(opened);
+});
+
+test("in dark surroundings page and world are dark, and turn light again", async () => {
+  const dark = await browser.with({ viewport: { width: 1280, height: 800 }, colorScheme: "dark" });
+  const opened = await dark.open(at("short.html"), "#t=100");
+  const brightness = () => opened.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0) / 3);
+  assert.ok((await brightness()) < 60);
+  assert.ok((await opened.pixels("#12171d")) > 10000);
+  await opened.page.emulateMedia({ colorScheme: "light" });
+  await opened.settle();
+  assert.ok((await brightness()) > 200);
+  assert.equal(await opened.pixels("#12171d"), 0);
+  await leave(opened);
+});
+
+test("on a phone controls take two rows, and a sheet from below has the rest", async () => {
+  const phone = await browser.with({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const opened = await phone.open(at("short.html"), "#t=100");
+  const { page } = opened;
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  const tops = await page.$$eval(".controls > *", (ones) => ones.filter((one) => one.offsetHeight > 0 && one.className !== "space").map((one) => Math.round((one.offsetTop + one.offsetHeight / 2) / 12)));
+  assert.ok(new Set(tops).size <= 2, `rows at ${tops}`);
+  assert.equal(await page.locator("aside").isVisible(), false);
+  await page.getByRole("button", { name: "Details" }).click();
+  await page.waitForFunction(() => Math.abs(document.querySelector("aside").getBoundingClientRect().bottom - innerHeight) < 1);
+  await opened.evaluate(() => window.trophic.select(5));
+  await opened.settle();
+  assert.match(await page.locator(".inspector h2").innerText(), /5$/);
+  await page.locator("aside .close").click();
+  await page.waitForFunction(() => getComputedStyle(document.querySelector("aside")).visibility === "hidden");
+  await leave(opened);
+});
+
+test("extinct branches are collapsed: lines of those who have living descendants remain", async () => {
+  const opened = await browser.open(at("long.html"), "#t=6000");
+  const whole = await opened.evaluate(() => window.trophic.phylogeny.lines);
+  const taxa = rows("long", "phylogeny.csv");
+  assert.equal(whole, taxa.length);
+  const kept = new Set();
+  const parent = new Map(taxa.map((row) => [row.id, row.ancestor_id]));
+  for (const row of taxa) {
+    if (row.destruction_time !== "inf") continue;
+    for (let id = row.id; id !== undefined && !kept.has(id); id = parent.get(id) === id ? undefined : parent.get(id)) kept.add(id);
+  }
+  await opened.page.getByText("collapse extinct branches").click();
+  assert.equal(await opened.evaluate(() => window.trophic.phylogeny.lines), kept.size);
+  await opened.page.getByText("collapse extinct branches").click();
+  assert.equal(await opened.evaluate(() => window.trophic.phylogeny.lines), whole);
+  await leave(opened);
+});
+
+test("the inspector says in words where the one is that a robot perceives", async () => {
+  const opened = await browser.open(at("long.html"), "#t=3000");
+  const row = rows("long", "agents.csv").find((one) => one.time_s === "3000" && one.adversary_id !== "");
+  await opened.evaluate((id) => window.trophic.select(id), Number(row.id));
+  await opened.settle();
+  const said = Object.fromEntries(await opened.page.$$eval(".inspector dt", (terms) => terms.map((term) => [term.textContent, term.nextSibling.textContent])));
+  const other = rows("long", "agents.csv").find((one) => one.time_s === "3000" && one.id === row.adversary_id);
+  const bearing = Math.atan2(other.y_m - row.y_m, other.x_m - row.x_m) - Number(row.heading_rad);
+  const off = (Math.atan2(Math.sin(bearing), Math.cos(bearing)) * 180) / Math.PI;
+  const side = off > 0 ? "to the left" : "to the right";
+  const size = Math.abs(off);
+  const words = size < 15 ? "straight ahead" : size < 65 ? `ahead ${side}` : size < 115 ? side : size < 165 ? `behind ${side}` : "straight behind";
+  assert.equal(said.perceives, `${other.species} ${other.id}, ${Math.hypot(other.x_m - row.x_m, other.y_m - row.y_m).toFixed(1)} m ${words}`);
+  await leave(opened);
+});
+
+test("a browser without WebGL says so and still shows curves, phylogeny, events and the robot", async () => {
+  const without = await browser.with({ viewport: { width: 1280, height: 800 } });
+  await without.context.addInitScript(() => {
+    const before = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+      return kind.startsWith("webgl") ? null : before.call(this, kind, ...more);
+    };
+  });
+  const opened = await without.open(at("short.html"), "#t=100&robot=5");
+  assert.match(await opened.page.locator(".view .error").innerText(), /^This browser cannot draw the world/);
+  assert.match(await opened.page.locator(".inspector h2").innerText(), /5$/);
+  assert.ok((await opened.page.locator(".u-over").count()) >= 2);
+  await opened.page.keyboard.press("e");
+  assert.ok((await opened.page.locator(".events li").count()) > 0);
+  assert.equal(await opened.evaluate(() => window.trophicError), undefined);
+  await opened.page.close();
+});
+
+test("lanes with more events than fit are drawn by density", async () => {
+  const opened = await browser.open(at("long.html"), "#t=100");
+  const many = rows("long", "events.csv").filter((row) => row.event === "birth").length;
+  const width = await opened.evaluate(() => window.trophic.timebar.canvas.clientWidth);
+  assert.deepEqual(await opened.evaluate(() => window.trophic.timebar.denseLanes), many > 0.5 * (width - 118) ? ["births"] : []);
+  await opened.page.setViewportSize({ width: 640, height: 800 });
+  await opened.page.waitForFunction(() => window.trophic.timebar.denseLanes.includes("births"), null, { timeout: 10000 });
+  await leave(opened);
+});
+
+test("a link opens at its moment, robot and view, and playing goes on from there", async () => {
   const opened = await browser.open(at("long.html"), "#t=1234&robot=17&view=top");
   assert.deepEqual(await opened.evaluate(() => [window.trophic.time, window.trophic.selected, window.trophic.worlds[0].view]), [1234, 17, "top"]);
   assert.equal(await opened.evaluate(() => window.trophic.link()), "#t=1234&robot=17&view=top");
@@ -185,7 +420,16 @@ test("page: several runs -> side by side on one time bar", async () => {
   await leave(opened);
 });
 
-test("page: 300 robots -> stays fast enough to use", async () => {
+test("two runs of one name are told apart by their folders, and a shadow is called one", async () => {
+  const opened = await browser.open(at("pair.html"), "#t=10");
+  const captions = await opened.page.locator("figcaption").allInnerTexts();
+  assert.match(captions[0], /^set\/replicate-00 paper, kinematic/);
+  assert.match(captions[1], /^shadow\/replicate-00 .* neutral shadow$/);
+  assert.equal(captions[0].includes("shadow"), false);
+  await leave(opened);
+});
+
+test("300 robots stay usable", async () => {
   const opened = await browser.open(at("crowd.html"));
   const start = await opened.busySeconds();
   const pictures = 4;
@@ -229,7 +473,7 @@ test("inspector: run with senses.csv -> a brain's inputs, outputs and wanted tag
   await leave(opened);
 });
 
-test("analysis page: an analysis -> its table, and replays of runs in frames", async () => {
+test("a page of an analysis has its table, sorts it, gives its data, and replays a run in a frame of its own", async () => {
   execFileSync(process.env.TROPHIC, ["analyze", at("set"), "--html", at("analysis.html")]);
   const page = await browser.context.newPage();
   const complaints = [];
@@ -238,7 +482,22 @@ test("analysis page: an analysis -> its table, and replays of runs in frames", a
   page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
   page.on("request", (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
   await page.goto(`file://${at("analysis.html")}`);
-  assert.match(await page.locator("pre").textContent(), /velocity/);
+  assert.match(await page.locator("details pre").textContent(), /velocity/);
+  assert.match(await page.locator(".question").innerText(), /^What does inheritance do under the rules of paper\?/);
+  assert.match(await page.locator(".findings").innerText(), /too few runs for intervals and tests: 6 are needed, there are 2\./);
+  assert.match(await page.locator(".commands").innerText(), /trophic analyze \S*set --html \S*analysis.html$/m);
+  const { rules } = JSON.parse(readFileSync(join(at("set"), "replicate-00/manifest.json"), "utf8"));
+  assert.deepEqual(await page.$$eval(".rules dt", (slots) => slots.map((slot) => [slot.textContent, slot.nextSibling.textContent])), Object.entries(rules));
+  const means = async () => (await page.$$eval(".results tbody tr", (lines) => lines.map((line) => Number(line.cells[1].dataset.key))));
+  const before = await means();
+  await page.locator(".results th button", { hasText: "ours [95 %]" }).click();
+  assert.deepEqual(await means(), before.toSorted((a, b) => a - b));
+  await page.locator(".results th button", { hasText: "ours [95 %]" }).click();
+  assert.deepEqual(await means(), before.toSorted((a, b) => b - a));
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "metrics.csv" }).click()]);
+  assert.match(readFileSync(await download.path(), "utf8"), /^set,run,seed,metric,species,group,baseline,time_s,value,unit\npaper,replicate-00,/);
+  await page.locator("iframe").scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => document.querySelector("[data-replay='0']").getAttribute("aria-pressed") === "true");
   const buttons = page.locator(".replays button");
   assert.deepEqual(await buttons.allTextContents(), ["replicate-00", "replicate-01"]);
   for (const name of ["replicate-01", "replicate-00"]) {
@@ -247,12 +506,20 @@ test("analysis page: an analysis -> its table, and replays of runs in frames", a
     await frame.waitForFunction((name_) => window.trophicError || (document.title.includes(name_) && window.trophic?.settled), name);
     assert.equal(await frame.evaluate(() => window.trophicError), undefined);
     assert.match(await frame.title(), new RegExp(name));
-    await frame.evaluate(() => window.trophic.seek(100));
+    await frame.evaluate(() => {
+      window.trophic.play(false); // it opens at a catch, playing
+      window.trophic.seek(100);
+    });
     await frame.waitForFunction(() => window.trophic.settled);
     assert.equal(await frame.evaluate(() => window.trophic.time), 100);
     assert.equal(await frame.getByText("Copy link").count(), 0); // no reader could open it
   }
   assert.deepEqual(complaints, []);
-  assert.deepEqual(requests, [`file://${at("analysis.html")}`]);
+  assert.deepEqual(requests.filter((url) => !url.startsWith("data:")), [`file://${at("analysis.html")}`]);
+  const phone = await browser.with({ viewport: { width: 390, height: 844 }, isMobile: true });
+  const small = await phone.context.newPage();
+  await small.goto(`file://${at("analysis.html")}`);
+  assert.equal(await small.evaluate(() => document.documentElement.scrollWidth), 390);
+  await small.close();
   await page.close();
 });

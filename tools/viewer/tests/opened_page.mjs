@@ -13,13 +13,18 @@ export class Browser {
     return new Browser(browser, await browser.newContext({ viewport: { width: 1280, height: 800 } }));
   }
 
+  /** The same browser with other windows: `options` as playwright has them. */
+  async with(options) {
+    return new Browser(this.browser, await this.browser.newContext(options));
+  }
+
   constructor(browser, context) {
     this.browser = browser;
     this.context = context;
   }
 
-  /** Opens a file and waits until it shows the requested moment. */
-  async open(file, hash = "") {
+  /** Opens a file and waits until it shows what it was asked for. Without a moment in its link a page plays a catch. */
+  async open(file, hash = "#t=0") {
     const page = await this.context.newPage();
     const opened = new OpenedPage(page, `file://${file}`);
     opened.session = await this.context.newCDPSession(page);

@@ -14,6 +14,8 @@
 #include <trophic/pictures/drawing/drawing.hpp>
 #include <utility>
 
+#include "overlay.hpp"
+
 namespace trophic::drawing {
 
 namespace {
@@ -47,9 +49,13 @@ ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
   return model;
 }
 
-constexpr Colour floor_colour{0.965F, 0.97F, 0.975F};
-constexpr Colour grid_colour{0.86F, 0.88F, 0.9F};
-constexpr Colour wall_colour{0.72F, 0.76F, 0.8F};
+constexpr Colour floor_colour{0.885F, 0.905F, 0.925F};
+constexpr Colour grid_colour{0.8F, 0.83F, 0.86F};
+constexpr Colour wall_colour{0.66F, 0.7F, 0.75F};
+constexpr float shadow_opacity = 0.2F;
+/// The light as a slope: a shadow lies so many metres aside a metre of height.
+constexpr double light_x = -0.28;
+constexpr double light_y = 0.5;
 
 }  // namespace
 
@@ -95,27 +101,27 @@ class Drawing::Scene {
     mjv_defaultOption(&option);
     mj_forward(model_.get(), data_.get());
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
-    scene_.flags[mjRND_SHADOW] = 0;  // they darken the discs of tags, and take half of the time of a picture
-    // MuJoCo's background is black. A window needs a white sky; in a buffer it would cost more than `read` does.
+    scene_.flags[mjRND_SHADOW] = 0;  // MuJoCo's take half of the time of a picture: `add_shadow` draws simpler ones
+    // Where nothing is, MuJoCo draws black. A window needs a white sky; in a buffer it would cost more than `read` does.
     scene_.flags[mjRND_SKYBOX] = canvas_ == Canvas::window ? 1 : 0;
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
-    add_arena();
+    add_arena(Sight{camera}.eye_m);
     for (const FloorLine& line : picture.lines) add_line(line);
     for (const RobotLook& look : picture.robots) add_ring(look);
     for (const Flash& flash : picture.flashes) add_flash(flash);
     for (const RobotLook& look : picture.robots) add_body(look);
     mjr_render(view_, &scene_, &context_);
-    if (!picture.caption.empty()) {
-      mjr_text(mjFONT_NORMAL, picture.caption.c_str(), &context_, 0.012F, 0.018F, ink[0], ink[1], ink[2]);
-    }
+    legend_pixels_ = static_cast<int>(write_over(Overlay{context_, view_}, picture, camera));
   }
 
   void write(Corner corner, const std::string& left, const std::string& right) {
     const int place = corner == Corner::top_left    ? mjGRID_TOPLEFT
                       : corner == Corner::top_right ? mjGRID_TOPRIGHT
                                                     : mjGRID_BOTTOMLEFT;
-    mjr_overlay(mjFONT_NORMAL, place, view_, left.c_str(), right.empty() ? nullptr : right.c_str(), &context_);
+    mjrRect below = view_;  // what is written at the upper edge stays readable
+    below.height = std::max(1, view_.height - legend_pixels_);
+    mjr_overlay(mjFONT_NORMAL, place, below, left.c_str(), right.empty() ? nullptr : right.c_str(), &context_);
   }
 
   [[nodiscard]] Image read() const {
@@ -165,7 +171,7 @@ class Drawing::Scene {
     add(mjGEOM_BOX, {0.5 * length, 0.5 * pixels * pixel_m_, flat_m}, 0.5 * (from + to), turn, colour, 1.0F);
   }
 
-  void add_arena() {
+  void add_arena(const Eigen::Vector3d& eye_m) {
     const double half = arena_.half_side_m;
     add(mjGEOM_BOX, {half, half, 0.01}, {0, 0, -0.0105}, Eigen::Matrix3d::Identity(), floor_colour, 1.0F);
     const double step = half > 40 ? 10 : half > 15 ? 2 : 1;
@@ -178,8 +184,10 @@ class Drawing::Scene {
     const double height = 0.0175 * half;
     for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       const double long_m = half + 2 * thick;
+      const bool hides_the_floor = eye_m.x() * x + eye_m.y() * y > 1.02 * half;
       add(mjGEOM_BOX, {x != 0 ? thick : long_m, y != 0 ? thick : long_m, height},
-          {x * (half + thick), y * (half + thick), height}, Eigen::Matrix3d::Identity(), wall_colour, 1.0F);
+          {x * (half + thick), y * (half + thick), height}, Eigen::Matrix3d::Identity(), wall_colour,
+          hides_the_floor ? 0.25F : 1.0F);
     }
   }
 
@@ -224,12 +232,14 @@ class Drawing::Scene {
 
   void add_flash(const Flash& flash) {
     constexpr int sides = 48;
+    const Colour colour = flash.is_catch ? catch_colour : ink;
+    const double pixels = flash.is_catch ? std::max(3.0, 0.12 * flash.radius_m / pixel_m_) : 1.8;
+    const auto at = [&](double angle, double radius) {
+      return Eigen::Vector3d{flash.x_m + radius * std::cos(angle), flash.y_m + radius * std::sin(angle), 9e-3};
+    };
     for (int i = 0; i < sides; ++i) {
-      const auto corner = [&](int k) {
-        const double angle = 2.0 * std::numbers::pi * k / sides;
-        return Eigen::Vector3d{flash.x_m + flash.radius_m * std::cos(angle), flash.y_m + flash.radius_m * std::sin(angle), 9e-3};
-      };
-      add_segment(corner(i), corner(i + 1), 1.8, ink);
+      const auto corner = [&](int k) { return at(2.0 * std::numbers::pi * k / sides, flash.radius_m); };
+      add_segment(corner(i), corner(i + 1), pixels, colour);
     }
   }
 
@@ -240,8 +250,29 @@ class Drawing::Scene {
       for (const Box& box : robot_.links[i].boxes) {
         const Eigen::Isometry3d frame = frames[i] * Eigen::Translation3d{box.centre_m} * box.orientation;
         add(mjGEOM_BOX, box.half_extents_m, frame.translation(), frame.linear(), colour, 1.0F)->category = mjCAT_DYNAMIC;
+        if (!arena_.height_field) add_shadow(box, frame);
       }
     }
+  }
+
+  /// A rectangle round what a box hides of the light.
+  void add_shadow(const Box& box, const Eigen::Isometry3d& frame) {
+    const auto cast = [](const Eigen::Vector3d& v) { return Eigen::Vector2d{v.x() + light_x * v.z(), v.y() + light_y * v.z()}; };
+    std::array<Eigen::Vector2d, 3> edges;
+    for (int axis = 0; axis < 3; ++axis) {
+      edges[static_cast<std::size_t>(axis)] = cast(box.half_extents_m[axis] * frame.linear().col(axis));
+    }
+    const Eigen::Vector2d along =
+        std::ranges::max_element(edges, {}, [](const Eigen::Vector2d& edge) { return edge.norm(); })->normalized();
+    double half_length = 0.0;
+    double half_width = 0.0;
+    for (const Eigen::Vector2d& edge : edges) {
+      half_length += std::abs(edge.dot(along));
+      half_width += std::abs(edge.x() * along.y() - edge.y() * along.x());
+    }
+    const Eigen::Vector2d at = cast(frame.translation());
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd{std::atan2(along.y(), along.x()), Eigen::Vector3d::UnitZ()}.toRotationMatrix();
+    add(mjGEOM_BOX, {half_length, half_width, 1e-4}, {at.x(), at.y(), 7.5e-3}, turn, ink, shadow_opacity);
   }
 
   RobotModel robot_;
@@ -252,6 +283,7 @@ class Drawing::Scene {
   mjvScene scene_{};
   mjrContext context_{};
   mjrRect view_{};
+  int legend_pixels_ = 0;
   double ring_m_;
   double pixel_m_ = 0.01;  ///< approximate size of a pixel at the camera's target
 };

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <trophic/pictures/film/encoder.hpp>
@@ -18,38 +20,39 @@ extern "C" char** environ;
 
 namespace trophic::film {
 
+namespace {
+
+/// What ffmpeg is told of the coding that an ending asks for.
+const std::map<std::string, std::vector<std::string>, std::less<>>& codings() {
+  static const std::map<std::string, std::vector<std::string>, std::less<>> all{
+      {".mp4",
+       {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "20", "-preset", "veryfast", "-movflags", "+faststart", "-f", "mp4"}},
+      {".webm",
+       {"-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p", "-crf", "34", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4", "-f", "webm"}},
+      {".gif",
+       {"-filter_complex",
+        "[0:v]split[a][b];[a]palettegen=max_colors=96:stats_mode=diff[p];[b][p]paletteuse=dither=none:diff_mode=rectangle", "-f",
+        "gif"}}};
+  return all;
+}
+
+}  // namespace
+
+bool is_film(const std::filesystem::path& path) {
+  return codings().contains(path.extension().string());
+}
+
 Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s) : file_{path} {
+  const auto coding = codings().find(path.extension().string());
+  if (coding == codings().end()) throw std::invalid_argument{path.string() + ": must end in .mp4, .webm or .gif"};
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
-  std::vector<std::string> words{"ffmpeg",
-                                 "-v",
-                                 "error",
-                                 "-f",
-                                 "rawvideo",
-                                 "-pix_fmt",
-                                 "rgb24",
-                                 "-s",
-                                 size,
-                                 "-r",
-                                 std::to_string(pictures_per_s),
-                                 "-i",
-                                 "-",
-                                 "-an",
-                                 "-c:v",
-                                 "libx264",
-                                 "-pix_fmt",
-                                 "yuv420p",
-                                 "-crf",
-                                 "20",
-                                 "-preset",
-                                 "veryfast",
-                                 "-movflags",
-                                 "+faststart",
-                                 "-y",
-                                 "-f",
-                                 "mp4",
-                                 "file:" + file_.part().string()};
+  std::vector<std::string> words{
+      "ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size, "-r", std::to_string(pictures_per_s),
+      "-i",     "-",  "-an"};
+  words.insert(words.end(), coding->second.begin(), coding->second.end());
+  words.insert(words.end(), {"-y", "file:" + file_.part().string()});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -209,7 +209,12 @@ struct Session::Parts {
       footage.forget_before(time_s);
       const std::string moment = moment_text(controls, footage, has_ended);
       window.say(moment);
-      picture = drawing::picture_of(footage, time_s, controls.selected(), moment);
+      drawing::Sights sights{.marked = controls.selected(), .rows_s = {}, .named = {}, .has_lines = true};
+      if (controls.selected()) sights.named = {*controls.selected()};
+      sights.species.assign(footage.species().begin(), footage.species().end());
+      picture = drawing::picture_of(footage, time_s, sights, moment);
+      picture.legend = drawing::legend_of(footage.species(), footage.rows_at(time_s), footage.filled_tag(), true);
+      picture.has_scale = true;
       about = inspected(controls, footage);
     });
     const auto [width, height] = window.pixels();

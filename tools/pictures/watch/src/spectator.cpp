@@ -23,7 +23,8 @@ void Spectator::on_frame(const observe::Frame& frame) {
 
 void Spectator::on_event(const observe::Event& event, const View& view) {
   if (event.kind != observe::EventKind::death || !is_heard()) return;
-  exchange_->with_footage([&](LiveFootage& footage) { footage.add_death(view, event.body); });
+  const bool is_catch = event.cause == Cause::caught;
+  exchange_->with_footage([&](LiveFootage& footage) { footage.add_death(view, event.body, is_catch); });
 }
 
 void Spectator::on_tick(const View& view) {

@@ -69,12 +69,20 @@ struct Sight {
   return (sight.eye_m - sight.eye_m.z() / ray.z() * ray).head<2>();
 }
 
-/// Sees the whole arena from the south. `aspect`: width over height of the picture.
+/// Sees the whole arena from the south, as near as all of its corners are in the picture. `aspect`: width over height of the
+/// picture.
 [[nodiscard]] inline Camera whole_arena(const Arena& arena, double aspect) {
-  return {.at_m = {0, -0.09 * arena.half_side_m, 0},
-          .distance_m = 2.72 * std::max(1.0, 1.3 / aspect) * arena.half_side_m,
-          .azimuth_deg = 90.0,
-          .elevation_deg = -50.0};
+  const double half = arena.half_side_m;
+  Camera camera{.at_m = Eigen::Vector3d::Zero(), .distance_m = 2.2 * half, .azimuth_deg = 90.0, .elevation_deg = -50.0};
+  const auto corner = [&](double x, double y) { return *seen_at(camera, {1.05 * half * x, 1.05 * half * y, 0.0}); };
+  for (int i = 0; i < 60; ++i) {
+    const double low = corner(1, -1).y;
+    const double high = corner(1, 1).y;
+    camera.at_m.y() += 0.25 * (low + high + 0.1) * half;  // above it, title and legend are written
+    const double needed = std::max(corner(1, -1).x / aspect / 0.94, (high - low) / 1.7);
+    camera.distance_m *= 1.0 + 0.7 * (needed - 1.0);
+  }
+  return camera;
 }
 
 /// Sees the whole arena from above, north at the top.
@@ -91,6 +99,16 @@ struct Sight {
           .distance_m = 13.0 * robot.bounding_radius_m,
           .azimuth_deg = 90.0,
           .elevation_deg = -33.0};
+}
+
+/// Looks at two robots that are at most `apart_m` away from each other.
+[[nodiscard]] inline Camera near_pair(const RobotModel& robot, const Eigen::Vector3d& one_m, const Eigen::Vector3d& other_m,
+                                      double apart_m, double aspect) {
+  const Eigen::Vector3d middle = 0.5 * (one_m + other_m);
+  return {.at_m = {middle.x(), middle.y(), 0.0},
+          .distance_m = (11.0 * robot.bounding_radius_m + 1.3 * apart_m) * std::max(1.0, 1.2 / aspect),
+          .azimuth_deg = 90.0,
+          .elevation_deg = -40.0};
 }
 
 }  // namespace trophic::drawing

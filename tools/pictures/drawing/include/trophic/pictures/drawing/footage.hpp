@@ -11,6 +11,7 @@
 #include <string>
 #include <trophic/io/tables.hpp>
 #include <trophic/pictures/drawing/picture.hpp>
+#include <trophic/population/individual.hpp>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Death {
   double time_s = 0.0;
   double x_m = 0.0;
   double y_m = 0.0;
+  bool is_catch = false;
 };
 
 /// Time for which a trail and the ring round a death are visible, ecology seconds.
@@ -77,30 +79,68 @@ inline void add_sights(Picture& picture, std::span<const io::AgentRow> rows) {
 
 }  // namespace detail
 
-/// The picture of a moment. `marked`: the individual to highlight.
+/// What is to be seen of a moment beside its robots.
+struct Sights {
+  std::optional<IndividualId> marked = {};  ///< who is to be found at a glance
+  std::optional<double> rows_s =
+      {};  ///< who lives where is of this moment, not of the picture's: at its tick a catch's victim is gone
+  std::vector<IndividualId> named = {};   ///< whose names are written
+  std::vector<std::string> species = {};  ///< what their species are called
+  bool has_lines = true;                  ///< trails, and who perceives whom
+  double flash_s = drawing::flash_s;
+};
+
+/// The picture of a moment.
 template <Footage F>
-[[nodiscard]] Picture picture_of(const F& footage, double time_s, std::optional<IndividualId> marked, std::string caption) {
+[[nodiscard]] Picture picture_of(const F& footage, double time_s, const Sights& sights, std::string caption) {
   Picture picture;
   picture.caption = std::move(caption);
-  const std::span<const io::AgentRow> rows = footage.rows_at(time_s);
+  const std::span<const io::AgentRow> rows = footage.rows_at(sights.rows_s.value_or(time_s));
   for (std::size_t body = 0; body < rows.size(); ++body) {
+    const io::AgentRow& row = rows[body];
     picture.robots.push_back({.root = footage.root(time_s, body),
                               .joint_angles_rad = footage.joint_angles_rad(time_s, body),
-                              .colour = detail::colour(rows[body]),
-                              .filled = rows[body].tag == footage.filled_tag(),
-                              .is_marked = marked && rows[body].id == *marked});
-    detail::add_trail(picture, footage, time_s, body);
+                              .colour = detail::colour(row),
+                              .filled = row.tag == footage.filled_tag(),
+                              .is_marked = sights.marked && row.id == *sights.marked});
+    if (sights.has_lines) detail::add_trail(picture, footage, time_s, body);
+    if (std::ranges::find(sights.named, row.id) == sights.named.end()) continue;
+    const std::string species = row.species < sights.species.size() ? sights.species[row.species] + " " : "";
+    picture.names.push_back({picture.robots.back().root.position_m, species + std::to_string(row.id)});
   }
-  detail::add_sights(picture, rows);
+  if (sights.has_lines) detail::add_sights(picture, rows);
   for (const Death& death : footage.deaths()) {
-    const double age = (time_s - death.time_s) / flash_s;
+    const double age = (time_s - death.time_s) / sights.flash_s;
     if (age < 0.0 || age >= 1.0) continue;
-    picture.flashes.push_back({death.x_m, death.y_m, ring_radius_m(footage.robot(), footage.arena()) * (1.2 + 2.2 * age)});
+    const double wide = death.is_catch ? 1.3 + 0.5 * age : 1.2 + 2.2 * age;
+    picture.flashes.push_back({death.x_m, death.y_m, ring_radius_m(footage.robot(), footage.arena()) * wide, death.is_catch});
   }
   return picture;
 }
 
-/// Interpolates between two poses.
+/// Names every mark of a picture, and counts who lives at its moment. `species`: their names.
+[[nodiscard]] inline std::vector<LegendEntry> legend_of(std::span<const std::string> species, std::span<const io::AgentRow> rows,
+                                                        int filled_tag, bool has_lines) {
+  using Mark = LegendEntry::Mark;
+  std::vector<LegendEntry> legend;
+  for (Species i = 0; i < species.size(); ++i) {
+    const auto alive = std::ranges::count(rows, i, &io::AgentRow::species);
+    legend.push_back({Mark::species, species_colour(i), species[i] + " " + std::to_string(alive)});
+  }
+  const std::string sign = filled_tag > 0 ? "+" : "";
+  legend.push_back({Mark::filled, ink, "tag " + sign + std::to_string(filled_tag)});
+  legend.push_back({Mark::hollow, ink, "other tag"});
+  legend.push_back({Mark::species, inactive_colour, "not yet active"});
+  legend.push_back({Mark::catch_, catch_colour, "caught"});
+  legend.push_back({Mark::death, ink, "other death"});
+  legend.push_back({Mark::marked, ink, "selected"});
+  if (!has_lines) return legend;
+  legend.push_back({Mark::trail, ink, "trail"});
+  legend.push_back({Mark::sight, ink, "perceives"});
+  return legend;
+}
+
+/// The pose a part of the way from one to another.
 [[nodiscard]] inline Pose between(const Pose& from, const Pose& to, double part) {
   return {from.position_m + part * (to.position_m - from.position_m), from.orientation.slerp(part, to.orientation)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contents of a picture: robots, lines on the floor, flashes, a caption. Places and colours only; no rule, no recording, no
-// OpenGL.
+// What is to be drawn: robots, lines on the floor, flashes, names, a caption, a legend. Places and colours only; no rule, no
+// recording, no OpenGL.
 #pragma once
 
 #include <algorithm>
@@ -32,21 +32,43 @@ struct FloorLine {
   float opacity = 1.0F;
 };
 
-/// A widening ring at the place of a recent event.
+/// A widening ring where somebody has just died; with a cross in it for a catch.
 struct Flash {
   double x_m = 0.0;
   double y_m = 0.0;
   double radius_m = 0.0;
+  bool is_catch = false;
+};
+
+/// A text beside a point.
+struct Name {
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
+  std::string text;
+};
+
+/// A mark and its meaning.
+struct LegendEntry {
+  enum class Mark { species, filled, hollow, catch_, death, marked, trail, sight };
+  Mark mark = Mark::species;
+  Colour colour{};
+  std::string text;
 };
 
 struct Picture {
   std::vector<RobotLook> robots;
   std::vector<FloorLine> lines;
   std::vector<Flash> flashes;
+  std::vector<Name> names;
+  std::vector<LegendEntry> legend;
+  std::string title;
   std::string caption;
+  bool has_scale = false;  ///< a bar of metres, as long as it is where the camera looks
 };
 
-/// The radius of a robot's ring: round its body, and large enough for a picture of the whole arena.
+/// The mark of a catch.
+inline constexpr Colour catch_colour{0.76F, 0.0F, 0.18F};
+
+/// The radius of a robot's ring: round its body, and never too small to be seen in a picture of the whole arena.
 [[nodiscard]] inline double ring_radius_m(const RobotModel& robot, const Arena& arena) {
   return std::max(1.15 * robot.bounding_radius_m, 0.021 * arena.half_side_m);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sequence of pictures as an mp4 file, made by the program ffmpeg.
+// Pictures one after another as a film, by the program ffmpeg.
 #pragma once
 
 #include <sys/types.h>
@@ -11,7 +11,10 @@
 
 namespace trophic::film {
 
-/// An unfinished film: H.264 in a new mp4 file, which gets its name when it is finished.
+/// Whether a file's ending is that of a film: .mp4 (H.264), .webm (VP9) or .gif.
+[[nodiscard]] bool is_film(const std::filesystem::path& path);
+
+/// A film in the making: a new file, encoded by its ending, which has its name once it is finished.
 class Encoder {
  public:
   /// `width` and `height` are even. Throws std::runtime_error if ffmpeg cannot be started or the file exists.

@@ -36,7 +36,8 @@ class Controls {
 
   static constexpr const char* help = "space\nright arrow\nup, down\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
   static constexpr const char* help_meanings =
-      "pause, resume\none tick\nfaster, slower\nselect a robot\nfollow it\nthe next one\ndeselect\nwhole arena, from above\n"
+      "pause, resume\none tick\nfaster, slower\nselect a robot\nfollow it\nselect the next one\nselect none\nwhole arena, from "
+      "above\n"
       "turn, zoom\nmove\nthis help\nclose; the run continues";
 
   /// `elapsed_s` of real time have passed. Called before each drawing.

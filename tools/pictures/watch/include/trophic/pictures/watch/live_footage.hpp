@@ -49,8 +49,8 @@ class LiveFootage {
                        .roots = {frame.roots.begin(), frame.roots.end()},
                        .angles_rad = {frame.joint_angles_rad.begin(), frame.joint_angles_rad.end()}});
   }
-  void add_death(const View& view, BodyIndex body) {
-    deaths_.push_back({.time_s = view.time_s, .x_m = view.poses[body].x_m, .y_m = view.poses[body].y_m});
+  void add_death(const View& view, BodyIndex body, bool is_catch) {
+    deaths_.push_back({.time_s = view.time_s, .x_m = view.poses[body].x_m, .y_m = view.poses[body].y_m, .is_catch = is_catch});
   }
   void add_tick(const View& view) {
     if (!ticks_.empty() && ticks_.back().time_s >= view.time_s) ticks_.pop_back();
@@ -96,6 +96,7 @@ class LiveFootage {
   [[nodiscard]] const RobotModel& robot() const { return *robot_; }
   [[nodiscard]] const Arena& arena() const { return arena_; }
   [[nodiscard]] int filled_tag() const { return filled_tag_; }
+  [[nodiscard]] std::span<const std::string> species() const { return species_; }
   [[nodiscard]] const std::string& species(Species species) const { return species_.at(species); }
 
   /// Number of kept frames.

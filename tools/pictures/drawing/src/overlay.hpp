@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What is written over a picture: names, caption, title, legend, scale.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+#include <trophic/pictures/drawing/camera.hpp>
+#include <trophic/pictures/drawing/picture.hpp>
+
+namespace trophic::drawing {
+
+/// Texts and flat marks over what MuJoCo drew last; places are pixels from the lower left corner.
+class Overlay {
+ public:
+  Overlay(const mjrContext& context, const mjrRect& view) : context_{context}, view_{view} {}
+
+  void text(double x, double y, const std::string& text, const Colour& colour) const;
+  void bar(double x, double y, double width, double height, const Colour& colour, float opacity = 1.0F) const;
+  void disc(double x, double y, double radius, const Colour& colour) const;
+  void ring(double x, double y, double radius, double thickness, const Colour& colour) const;
+  void line(double x0, double y0, double x1, double y1, double thickness, const Colour& colour) const;
+
+  [[nodiscard]] double width_of(const std::string& text) const;
+  [[nodiscard]] double line_height() const { return context_.charHeight; }
+  [[nodiscard]] double width() const { return view_.width; }
+  [[nodiscard]] double height() const { return view_.height; }
+
+ private:
+  const mjrContext& context_;
+  mjrRect view_;
+};
+
+/// Writes what a picture says in words. Returns how many pixels of its upper edge title and legend take.
+double write_over(const Overlay& overlay, const Picture& picture, const Camera& camera);
+
+}  // namespace trophic::drawing

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: MIT
+// Worlds on one time bar, and beside them what is known of the run and the robot at hand.
+import { Controls, speeds } from "./controls";
+import { catchesOf, CatchScene, firstToShow, leadSeconds } from "./director";
+import { make } from "./element";
+import { makeFrame } from "./frame";
+import { Help } from "./help";
+import { keysOf, listenToKeys } from "./keys";
+import { legendOf } from "./legend";
+import { readLink, writeLink } from "./link";
+import { branchOf } from "./phylogeny";
+import type { Event, Run } from "./run";
+import { sentence } from "./sentences";
+import { Side, type Tab } from "./side";
+import { onThemeChange } from "./theme";
+import { TimeBar } from "./timebar";
+import type { View, World } from "./world";
+
+/** A death is seen for at least so long, ecology seconds, and for at least a second of the viewer's. */
+const leastFlashSeconds = 6;
+/** The sentence about an event stands for so many ecology seconds. */
+const bannerSeconds = 10;
+
+export class App {
+  time = 0;
+  playing = false;
+  speed = 10;
+  current = 0;
+  /** The individual at hand; NaN: nobody. */
+  selected = NaN;
+  /** Empty places are runs that cannot be drawn, as without WebGL. */
+  readonly worlds: (World | null)[] = [];
+  /** The event at hand, and the scene in which it is played. */
+  event: Event | null = null;
+  scene: CatchScene | null = null;
+  private before: { speed: number; playing: boolean } | null = null;
+  private readonly branches = new Map<number, Set<number>>();
+  private readonly shown = { trails: true, links: true };
+  private dirty = true;
+  private drawing = false;
+  private last = 0;
+  private addressAt = 0;
+  private pictureTimes: number[] = [];
+  private counts: HTMLElement[] = [];
+  private readonly legend = make("ul", "legend");
+  private readonly views = make("div", "views");
+  private readonly banner = make("p", "banner");
+  private readonly frames: HTMLElement[] = [];
+  readonly timebar = new TimeBar((time, event) => (event ? this.show(event) : this.seek(time)));
+  readonly side = new Side({ select: (id) => this.select(id), seek: (time) => this.seek(time), jump: (event) => this.jump(event) });
+  readonly help: Help;
+  private readonly controls: Controls;
+
+  constructor(readonly runs: Run[]) {
+    this.controls = new Controls(
+      {
+        play: (playing) => this.play(playing),
+        step: (ticks) => this.step(ticks),
+        setSpeed: (speed) => this.setSpeed(speed),
+        nextCatch: (direction) => this.nextCatch(direction),
+        look: (view) => this.look(view),
+        redraw: () => (this.dirty = true),
+        copyLink: () => void navigator.clipboard?.writeText(this.writeAddress()).catch(() => undefined),
+        help: () => this.help.toggle(),
+        sheet: () => this.side.open(!this.side.isOpen),
+      },
+      this.shown,
+    );
+    const keys = keysOf(this);
+    this.help = new Help(keys);
+    this.build();
+    runs.forEach((run, number) => this.addWorld(run, number));
+    this.views.style.setProperty("--columns", String(Math.ceil(Math.sqrt(runs.length))));
+    this.time = this.firstTime;
+    new ResizeObserver(() => this.resize()).observe(this.views);
+    window.addEventListener("hashchange", () => this.follow());
+    listenToKeys(keys, this.help);
+    onThemeChange(() => this.paint());
+    this.setCurrent(0);
+    this.follow();
+    this.resize();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  get run(): Run {
+    return this.runs[this.current];
+  }
+  get phylogeny(): Side["phylogeny"] {
+    return this.side.phylogeny;
+  }
+  get firstTime(): number {
+    return Math.min(...this.runs.map((run) => run.firstTime));
+  }
+  get lastTime(): number {
+    return Math.max(...this.runs.map((run) => run.lastTime));
+  }
+
+  private build(): void {
+    const header = make("header");
+    header.append(make("h1", "", "trophic"), this.legend);
+    const main = make("main");
+    main.append(this.views, this.side.element);
+    const footer = make("footer");
+    footer.append(this.controls.element, this.timebar.element);
+    document.getElementById("app")!.replaceChildren(header, main, footer, this.help.element);
+  }
+
+  private addWorld(run: Run, number: number): void {
+    const { frame, world } = makeFrame(run, {
+      pick: (body) => {
+        if (number !== this.current) this.setCurrent(number);
+        this.select(body < 0 ? NaN : run.agents.id[run.rowAt(this.rowTime) + body]);
+        if (body >= 0) this.side.open(true);
+      },
+      redraw: () => (this.dirty = true),
+      press: () => {
+        if (number !== this.current) this.setCurrent(number);
+      },
+    });
+    this.views.append(frame);
+    this.frames.push(frame);
+    this.worlds.push(world);
+  }
+
+  setCurrent(number: number): void {
+    if (number !== this.current) {
+      this.selected = NaN;
+      this.leaveScene();
+      this.event = null;
+    }
+    this.current = number;
+    this.frames.forEach((frame, i) => frame.classList.toggle("current", this.runs.length > 1 && i === number));
+    this.frames[number].append(this.banner);
+    this.showLegend();
+    this.timebar.show(this.run, this.firstTime, this.lastTime);
+    this.side.showRun(this.run);
+    this.showPlots();
+    this.select(this.selected);
+  }
+
+  private showLegend(): void {
+    const { items, counts } = legendOf(this.run);
+    this.counts = counts;
+    this.legend.replaceChildren(...items);
+    this.help.legend.replaceChildren(...legendOf(this.run).items);
+  }
+
+  /** Draws the current run's curves anew; the speed comes once its recording was read through. */
+  showPlots(): void {
+    this.side.showPlots(this.run, this.firstTime, this.lastTime);
+    this.dirty = true;
+  }
+
+  private paint(): void {
+    for (const world of this.worlds) world?.paint();
+    this.showLegend();
+    this.side.events.show(this.run);
+    this.showPlots();
+  }
+
+  select(id: number): void {
+    this.selected = this.run.individuals.has(id) ? id : NaN;
+    this.branches.clear();
+    if (!Number.isNaN(this.selected)) this.branches.set(this.current, branchOf(this.run, this.selected).descendants);
+    this.phylogeny.select(this.selected);
+    this.dirty = true;
+  }
+
+  look(view: View): void {
+    this.leaveScene();
+    for (const world of this.worlds) world?.look(view);
+    this.controls.showView(view);
+    this.dirty = true;
+  }
+  get view(): View {
+    return this.worlds[this.current]?.view ?? "orbit";
+  }
+
+  play(playing: boolean): void {
+    if (playing && this.time >= this.lastTime) this.time = this.firstTime;
+    this.playing = playing;
+    if (this.before) this.before.playing = playing;
+    this.dirty = true;
+  }
+
+  setSpeed(speed: number): void {
+    this.speed = speed;
+    if (this.before) this.before.speed = speed;
+    this.dirty = true;
+  }
+  /** The next speed of the list. */
+  faster(steps: number): void {
+    this.setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, speeds.indexOf(this.speed) + steps))]);
+  }
+
+  /** Goes to a moment; what was played is left. */
+  seek(time: number): void {
+    this.leaveScene();
+    this.goTo(time);
+  }
+  private goTo(time: number): void {
+    this.time = Math.min(this.lastTime, Math.max(this.firstTime, time));
+    this.dirty = true;
+  }
+
+  /** Shows the moment of an event and whom it happened to. */
+  show(event: Event): void {
+    this.seek(event.time);
+    this.event = event;
+    this.select(event.id);
+  }
+
+  /** Plays a catch from some seconds before it, or shows the moment of another event. */
+  jump(event: Event): void {
+    if (event.kind !== "catch") return this.show(event);
+    const before = this.before ?? { speed: this.speed, playing: this.playing };
+    this.leaveScene();
+    this.event = event;
+    this.scene = new CatchScene(event, this.run.lastTime);
+    this.before = before;
+    this.speed = 1;
+    this.playing = true;
+    this.controls.showView(null);
+    this.goTo(Math.max(this.run.firstTime, event.time - leadSeconds));
+    this.select(event.id);
+  }
+
+  /** Ends the scene that is played; speed and view are those before it. */
+  private leaveScene(): void {
+    if (!this.scene || !this.before) return;
+    this.scene = null;
+    this.speed = this.before.speed;
+    this.playing = this.before.playing;
+    this.before = null;
+    this.worlds[this.current]?.look(this.view);
+    this.controls.showView(this.view);
+    this.dirty = true;
+  }
+
+  step(ticks: number): void {
+    const { tick_s } = this.run.recording.head;
+    this.leaveScene();
+    this.play(false);
+    const now = this.time / tick_s;
+    this.seek((ticks > 0 ? Math.floor(now + 1e-9) + ticks : Math.ceil(now - 1e-9) + ticks) * tick_s);
+  }
+
+  nextCatch(direction: number): void {
+    const catches = catchesOf(this.run);
+    const isNear = this.event && Math.abs(this.time - this.event.time) <= bannerSeconds;
+    const here = isNear ? catches.indexOf(this.event!) : -1;
+    let next = here < 0 ? catches.findIndex((e) => e.time > this.time + 1e-6) : here + direction;
+    if (here < 0 && direction < 0) next = (next < 0 ? catches.length : next) - 1;
+    if (catches[next]) this.jump(catches[next]);
+  }
+
+  /** Esc: leaves what is open, then the scene, then the selection. */
+  leave(): void {
+    if (this.side.isOpen) this.side.open(false);
+    else if (this.scene) this.leaveScene();
+    else this.select(NaN);
+    (document.activeElement as HTMLElement | null)?.blur?.();
+  }
+  openTab(tab: Tab): void {
+    this.side.open(true);
+    this.side.show(tab);
+    this.dirty = true;
+  }
+
+  link(): string {
+    return writeLink({
+      time: this.time,
+      robot: Number.isNaN(this.selected) ? undefined : this.selected,
+      run: this.current > 0 ? this.current : undefined,
+      view: this.view,
+    });
+  }
+  private writeAddress(): string {
+    if (location.protocol !== "blob:") history.replaceState(null, "", this.link());
+    return location.href;
+  }
+
+  /** Goes where the link says; without one, plays a catch. */
+  private follow(): void {
+    const moment = readLink(location.hash);
+    if (moment.run !== undefined && this.runs[moment.run]) this.setCurrent(moment.run);
+    this.look(this.controls.isView(moment.view) ? moment.view : this.view);
+    if (moment.time !== undefined) {
+      this.play(false);
+      this.seek(moment.time);
+    }
+    if (moment.robot !== undefined) this.select(moment.robot);
+    const isStill = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (moment.time !== undefined || moment.robot !== undefined || isStill) return;
+    const good = firstToShow(this.run);
+    this.play(true);
+    if (good) this.jump(good);
+  }
+
+  resize(): void {
+    this.frames.forEach((frame, i) => this.worlds[i]?.resize(frame.clientWidth, frame.clientHeight));
+    this.side.resize();
+    this.dirty = true;
+  }
+
+  private tick(now: number): void {
+    const passed = Math.min(0.25, (now - this.last) / 1000);
+    this.last = now;
+    if (this.playing && !this.drawing) this.advance(passed);
+    if (this.dirty && !this.drawing) void this.draw();
+    if (now - this.addressAt > 1000 && this.settled) {
+      this.addressAt = now;
+      if (location.hash !== this.link()) this.writeAddress();
+    }
+    requestAnimationFrame((next) => this.tick(next));
+  }
+
+  private advance(passed: number): void {
+    if (this.scene) {
+      const { time, isOver } = this.scene.advance(this.time, passed, this.speed);
+      this.goTo(time);
+      if (isOver) this.leaveScene();
+      return;
+    }
+    this.goTo(this.time + passed * this.speed);
+    if (this.time >= this.lastTime) this.play(false);
+  }
+
+  /** Who lives where is asked of just before a catch while that is on show: at its own tick the victim's body has its successor. */
+  get rowTime(): number {
+    const { event, time } = this;
+    if (!event || event.kind !== "catch" || time !== event.time) return time;
+    const isHeld = this.scene ? this.scene.isHeld(time) : !this.playing;
+    return isHeld ? time - 0.5 * this.run.recording.head.tick_s : time;
+  }
+
+  private async draw(): Promise<void> {
+    this.drawing = true;
+    this.dirty = false;
+    const { time, rowTime } = this;
+    const within = (run: Run, moment: number): number => Math.min(run.lastTime, Math.max(run.firstTime, moment));
+    await Promise.all(this.runs.map((run) => run.recording.prepare(run.recording.frameAt(within(run, time)))));
+    const start = performance.now();
+    this.worlds.forEach((world, number) => {
+      if (!world) return;
+      const { run } = world;
+      const isCurrent = number === this.current;
+      const body = isCurrent && !Number.isNaN(this.selected) ? run.bodyOf(this.selected, within(run, rowTime)) : -1;
+      world.draw({
+        time: within(run, time),
+        rowTime: within(run, rowTime),
+        selected: body,
+        pair: isCurrent ? this.pair : [],
+        highlighted: this.branches.get(number) ?? new Set(),
+        flashSeconds: this.scene ? 4 : Math.max(leastFlashSeconds, this.speed),
+        shown: this.shown,
+      });
+    });
+    this.controls.show(time, this.playing, this.speed);
+    this.timebar.draw(time);
+    this.side.at(time);
+    this.showTexts(within(this.run, rowTime));
+    this.pictureTimes.push(performance.now() - start);
+    if (this.pictureTimes.length > 30) this.pictureTimes.shift();
+    this.drawing = false;
+  }
+
+  /** The bodies of a catch that is played. */
+  private get pair(): number[] {
+    const { scene, run } = this;
+    if (!scene) return [];
+    const victim = run.individuals.get(scene.event.other);
+    return victim ? [scene.event.body, victim.body] : [scene.event.body];
+  }
+
+  private showTexts(time: number): void {
+    const { run, event } = this;
+    const row = run.rowAt(time);
+    const branch = this.branches.get(this.current);
+    let living = 0;
+    const alive = run.index.species.map(() => 0);
+    for (let at = row; at < row + run.robots; ++at) {
+      if (branch?.has(run.agents.id[at])) ++living;
+      ++alive[run.agents.species[at]];
+    }
+    this.counts.forEach((count, species) => (count.textContent = String(alive[species])));
+    this.side.inspector.show(run, this.selected, time, this.worlds[this.current], living);
+    const isNear = event !== null && Math.abs(this.time - event.time) <= Math.max(bannerSeconds, this.speed);
+    this.banner.hidden = !isNear;
+    if (!isNear) return;
+    const ahead = event.time - this.time;
+    this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "");
+    this.banner.classList.toggle("happened", ahead <= 0 && (event.kind === "catch" || event.kind === "death"));
+  }
+
+  /** What the last pictures took, ms each. */
+  get pictureMs(): number[] {
+    return [...this.pictureTimes];
+  }
+
+  /** Whether what is drawn is the moment that was asked for. */
+  get settled(): boolean {
+    return !this.dirty && !this.drawing;
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What keys and pointer do, and the legend, in a window of their own.
+import { make, makeButton } from "./element";
+
+/** Keys as the browser names them, what the help calls them, what they do. */
+export interface Key {
+  keys: string[];
+  name: string;
+  meaning: string;
+  work: () => void;
+}
+
+const pointer: [string, string][] = [
+  ["click a robot", "select it; beside all of them: nobody"],
+  ["drag, wheel, right drag", "turn, come nearer, move"],
+  ["click on the time bar or a curve", "go to that moment"],
+  ["wheel, drag, double click on the time bar", "zoom, move, all of it"],
+];
+
+export class Help {
+  readonly element = make("dialog", "help");
+  readonly legend = make("ul", "legend");
+
+  constructor(keys: Key[]) {
+    const list = make("dl");
+    for (const [name, meaning] of [...keys.map((key): [string, string] => [key.name, key.meaning]), ...pointer]) {
+      list.append(make("dt", "", name), make("dd", "", meaning));
+    }
+    this.element.append(make("h2", "", "Marks"), this.legend, make("h2", "", "Keys and pointer"), list, makeButton("Close", "(Esc)", () => this.element.close()));
+    this.element.addEventListener("click", (e) => {
+      if (e.target === this.element) this.element.close();
+    });
+  }
+
+  toggle(): void {
+    if (this.element.open) this.element.close();
+    else this.element.showModal();
+  }
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Keys, in the order in which the help lists them.
+import type { App } from "./app";
+import type { Help, Key } from "./help";
+
+export function keysOf(app: App): Key[] {
+  return [
+    { keys: [" "], name: "space", meaning: "play or pause", work: () => app.play(!app.playing) },
+    { keys: ["ArrowLeft"], name: "←", meaning: "a tick back", work: () => app.step(-1) },
+    { keys: ["ArrowRight"], name: "→", meaning: "a tick on", work: () => app.step(1) },
+    { keys: ["ArrowUp", "+"], name: "↑, +", meaning: "faster", work: () => app.faster(1) },
+    { keys: ["ArrowDown", "-"], name: "↓, −", meaning: "slower", work: () => app.faster(-1) },
+    { keys: ["Home"], name: "Home", meaning: "to the start", work: () => app.seek(app.firstTime) },
+    { keys: ["End"], name: "End", meaning: "to the end", work: () => app.seek(app.lastTime) },
+    { keys: ["n"], name: "n", meaning: "the next catch, from some seconds before it", work: () => app.nextCatch(1) },
+    { keys: ["p"], name: "p", meaning: "the catch before", work: () => app.nextCatch(-1) },
+    { keys: ["o"], name: "o", meaning: "turn, zoom and move freely", work: () => app.look("orbit") },
+    { keys: ["t"], name: "t", meaning: "from above", work: () => app.look("top") },
+    { keys: ["f"], name: "f", meaning: "follow the selected robot", work: () => app.look("follow") },
+    { keys: ["e"], name: "e", meaning: "the list of events", work: () => app.openTab("events") },
+    {
+      keys: ["/"],
+      name: "/",
+      meaning: "search the list of events",
+      work: () => {
+        app.openTab("events");
+        app.side.events.search.focus();
+      },
+    },
+    { keys: ["Escape"], name: "Esc", meaning: "close, end the scene, select nobody", work: () => app.leave() },
+    { keys: ["?"], name: "?", meaning: "this help", work: () => app.help.toggle() },
+  ];
+}
+
+/** Does what a key is for, unless somebody types a text. */
+export function listenToKeys(keys: Key[], help: Help): void {
+  window.addEventListener("keydown", (e) => {
+    const isText = e.target instanceof HTMLSelectElement || (e.target instanceof HTMLInputElement && e.target.type === "search" && e.key !== "Escape");
+    if (isText || e.ctrlKey || e.metaKey || e.altKey || (help.element.open && e.key !== "?")) return;
+    const key = keys.find((one) => one.keys.includes(e.key));
+    if (!key) return;
+    e.preventDefault();
+    key.work();
+  });
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Name tags over the world: of the robot at hand, of a pair that is followed, and of all that are near.
+import { make } from "./element";
+
+const most = 40;
+
+export class Labels {
+  readonly element = make("div", "labels");
+  private readonly tags: HTMLElement[] = [];
+  private used = 0;
+
+  clear(): void {
+    this.used = 0;
+  }
+
+  /** A name beside a place, CSS pixels. */
+  add(text: string, x: number, y: number, isMain: boolean): void {
+    if (this.used >= most) return;
+    let tag = this.tags[this.used];
+    if (!tag) {
+      tag = make("span");
+      this.tags.push(tag);
+      this.element.append(tag);
+    }
+    ++this.used;
+    tag.className = isMain ? "tag" : "tag small";
+    tag.textContent = text;
+    tag.hidden = false;
+    tag.style.transform = `translate(${Math.round(x + 12)}px, ${Math.round(y - 26)}px)`;
+  }
+
+  done(): void {
+    for (let i = this.used; i < this.tags.length; ++i) this.tags[i].hidden = true;
+  }
+}

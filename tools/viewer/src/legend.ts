@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Names every colour and mark of a run's world.
+import { branchColour, catchColour, colourOf } from "./colours";
+import { make } from "./element";
+import type { Run } from "./run";
+
+const tagName = (tag: number): string => `tag ${tag > 0 ? "+" : ""}${tag}`;
+
+function sign(kind: string, text: string, colour = ""): HTMLElement {
+  const item = make("li", "", text);
+  const mark = make("i", kind);
+  if (colour) mark.style.setProperty("--mark", colour);
+  item.prepend(mark);
+  return item;
+}
+
+/** The list's items, counting who lives at a moment: `counts` has a number a species. */
+export function legendOf(run: Run): { items: HTMLElement[]; counts: HTMLElement[] } {
+  const counts: HTMLElement[] = [];
+  const { species, tags } = run.index;
+  const items = species.map((name, number) => {
+    const item = sign("species", name, colourOf(number));
+    const count = make("b", "count");
+    counts.push(count);
+    item.append(" ", count);
+    return item;
+  });
+  items.push(
+    sign("filled", tagName(Math.max(...tags))),
+    sign("hollow", tags.length === 2 ? tagName(Math.min(...tags)) : "other tags"),
+    sign("grey", "not yet active"),
+    sign("caught", "caught", catchColour),
+    sign("dead", "other death"),
+    sign("awake", "becomes active", colourOf(0)),
+    sign("selected", "selected"),
+    sign("branch", "its branch", branchColour),
+    sign("trail", "trail", colourOf(0)),
+    sign("link", "perceives", colourOf(species.length > 1 ? 1 : 0)),
+  );
+  return { items, counts };
+}

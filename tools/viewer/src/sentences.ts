@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What happened and what is seen, in words.
+import type { Event, Run } from "./run";
+
+const deaths: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age" };
+
+/** "was caught", or the cause itself if it is a rule's own. */
+export function deathWords(cause: string): string {
+  return deaths[cause] ?? `died: ${cause}`;
+}
+
+/** "predator 19". */
+export function nameOf(run: Run, id: number): string {
+  const one = run.individuals.get(id);
+  return one ? `${run.index.species[one.species] ?? "robot"} ${id}` : `robot ${id}`;
+}
+
+/** "inherited, lived 92 s", of somebody who dies at a moment. */
+export function lifeWords(run: Run, id: number, time: number): string {
+  const one = run.individuals.get(id);
+  if (!one) return "";
+  return `${one.origin ? `${one.origin}, ` : ""}lived ${(time - one.birth).toFixed(0)} s`;
+}
+
+/** "predator 19 catches prey 4: inherited, lived 92 s". */
+export function sentence(run: Run, event: Event): string {
+  if (event.kind !== "catch" && event.kind !== "death") return shortSentence(run, event);
+  const dead = event.kind === "catch" ? event.other : event.id;
+  const life = lifeWords(run, dead, event.time);
+  return shortSentence(run, event) + (life ? `: ${life}` : "");
+}
+
+/** "predator 19 catches prey 4". */
+export function shortSentence(run: Run, event: Event): string {
+  const who = nameOf(run, event.id);
+  switch (event.kind) {
+    case "catch":
+      return `${who} catches ${nameOf(run, event.other)}`;
+    case "birth":
+      return `${who} is born${Number.isNaN(event.parent) ? `, genome ${event.origin}` : ` to ${event.parent}`}`;
+    case "death":
+      return `${who} ${deathWords(event.cause)}${Number.isNaN(event.other) ? "" : ` by ${nameOf(run, event.other)}`}`;
+    case "activation":
+      return `${who} becomes active`;
+    case "tag_switch":
+      return `${who} switches its tag`;
+    default:
+      return `${who}: ${event.kind.replaceAll("_", " ")}`;
+  }
+}
+
+/** A direction as seen from a robot: "ahead to the left". `bearing`: radians to the left of where it heads. */
+export function directionWords(bearing: number): string {
+  const turn = Math.atan2(Math.sin(bearing), Math.cos(bearing));
+  const side = turn > 0 ? "to the left" : "to the right";
+  const off = (Math.abs(turn) * 180) / Math.PI;
+  if (off < 15) return "straight ahead";
+  if (off < 65) return `ahead ${side}`;
+  if (off < 115) return side;
+  if (off < 165) return `behind ${side}`;
+  return "straight behind";
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Beside the world, or on a phone a sheet from below: the robot at hand, curves, phylogeny and the list of events.
+import { make, makeButton } from "./element";
+import { EventList } from "./eventlist";
+import { Inspector } from "./inspector";
+import { PhylogenyView } from "./phylogeny";
+import { Plot, seriesOf } from "./plots";
+import type { Event, Run } from "./run";
+
+export type Tab = "overview" | "phylogeny" | "events";
+const tabs: [Tab, string, string][] = [
+  ["overview", "Overview", "curves and phylogeny"],
+  ["phylogeny", "Phylogeny", "the phylogeny alone"],
+  ["events", "Events", "what happened, as a list (e)"],
+];
+
+export interface SideActions {
+  select: (id: number) => void;
+  seek: (time: number) => void;
+  jump: (event: Event) => void;
+}
+
+export class Side {
+  readonly element = make("aside");
+  readonly inspector: Inspector;
+  readonly phylogeny: PhylogenyView;
+  readonly events: EventList;
+  private readonly buttons = new Map<Tab, HTMLButtonElement>();
+  private readonly curves = make("div", "curves");
+  readonly plots: { population: Plot; tags: Plot; speed: Plot };
+  private drawnTab: Tab = "overview";
+
+  constructor(actions: SideActions) {
+    const { select, seek, jump } = actions;
+    this.inspector = new Inspector(select);
+    this.phylogeny = new PhylogenyView(select);
+    this.events = new EventList(jump);
+    this.plots = {
+      population: new Plot("individuals", null, seek),
+      tags: new Plot("share that shows the filled tag", [0, 1], seek),
+      speed: new Plot("speed over a minute, mean and middle half, cm/s", null, seek),
+    };
+    this.curves.append(this.plots.population.element, this.plots.tags.element, this.plots.speed.element);
+    const row = make("nav", "tabs");
+    for (const [tab, text, title] of tabs) {
+      const button = makeButton(text, title, () => this.show(tab));
+      this.buttons.set(tab, button);
+      row.append(button);
+    }
+    row.append(make("span", "space"), makeButton("×", "close (Esc)", () => this.open(false)));
+    row.lastElementChild!.className = "close";
+    this.element.append(row, this.inspector.element, this.curves, this.phylogeny.element, this.events.element);
+    this.show("overview");
+  }
+
+  get tab(): Tab {
+    return this.drawnTab;
+  }
+
+  show(tab: Tab): void {
+    this.drawnTab = tab;
+    for (const [name, button] of this.buttons) button.setAttribute("aria-pressed", String(name === tab));
+    this.curves.hidden = tab !== "overview";
+    this.phylogeny.element.hidden = tab === "events";
+    this.events.element.hidden = tab !== "events";
+    this.resize();
+  }
+
+  /** On a phone: brings the sheet up or puts it away. */
+  open(isOpen: boolean): void {
+    this.element.classList.toggle("open", isOpen);
+    this.resize();
+  }
+  get isOpen(): boolean {
+    return this.element.classList.contains("open");
+  }
+
+  /** Shows the curves of a run; the speed once its recording was read through. */
+  showPlots(run: Run, first: number, last: number): void {
+    const series = seriesOf(run);
+    const { species } = run.index;
+    this.plots.population.show(series.population, species, first, last);
+    this.plots.tags.show(series.tags, species, first, last);
+    this.plots.speed.show(series.speed, species, first, last);
+  }
+
+  showRun(run: Run): void {
+    this.phylogeny.show(run);
+    this.events.show(run);
+  }
+
+  at(time: number): void {
+    for (const plot of Object.values(this.plots)) plot.at(time);
+    this.phylogeny.draw(time);
+    this.events.at(time);
+  }
+
+  resize(): void {
+    for (const plot of Object.values(this.plots)) plot.resize();
+  }
+}
