@@ -175,12 +175,12 @@ void describe(AnalysisPage& page, std::span<const analysis::ShadowedSet> sets, c
     add_command(page, set.ours);
   }
   const bool has_shadow = std::ranges::any_of(sets, [](const analysis::ShadowedSet& set) { return set.shadow.has_value(); });
-  page.question = sets.size() > 1 ? "In what do " + sets[0].ours.label + " and " + sets[1].ours.label + " differ?"
-                  : has_shadow
-                      ? "What does inheritance do under the rules of " + sets[0].ours.label +
-                            "? Each metric is compared with the neutral shadow: the same rules and seeds, with nothing inherited."
-                      : "What do the runs of " + sets[0].ours.label +
-                            " measure? Without a neutral shadow no difference can be put down to inheritance.";
+  page.question =
+      sets.size() > 1 ? "In what do " + sets[0].ours.label + " and " + sets[1].ours.label + " differ?"
+      : has_shadow
+          ? "Does inheritance matter under the rules of " + sets[0].ours.label +
+                "? Each metric is compared with the neutral shadow: the same rules and seeds, with nothing inherited."
+          : "Runs of " + sets[0].ours.label + ". Without a neutral shadow no difference can be attributed to inheritance.";
   add_findings(page, sets, rows);
   page.commands.push_back(command);
   page.downloads.push_back({"table.csv", table_csv(page.rows)});

@@ -166,7 +166,7 @@ function catches(name) {
   });
 }
 
-test("without a moment in its address a page plays a catch by somebody who inherited its genome", async () => {
+test("without a moment in its address a page plays a catch by an individual that inherited its genome", async () => {
   const opened = await browser.open(at("long.html"), "");
   const event = await opened.evaluate(() => ({ ...window.trophic.event, playing: window.trophic.playing, speed: window.trophic.speed, now: window.trophic.time }));
   const births = new Map(rows("long", "events.csv").filter((row) => row.event === "birth").map((row) => [row.id, row]));
@@ -390,7 +390,7 @@ test("lanes with more events than fit are drawn by density", async () => {
   await leave(opened);
 });
 
-test("a link opens at its moment, robot and view, and playing goes on from there", async () => {
+test("a link opens at its moment, robot and view, and playing continues from there", async () => {
   const opened = await browser.open(at("long.html"), "#t=1234&robot=17&view=top");
   assert.deepEqual(await opened.evaluate(() => [window.trophic.time, window.trophic.selected, window.trophic.worlds[0].view]), [1234, 17, "top"]);
   assert.equal(await opened.evaluate(() => window.trophic.link()), "#t=1234&robot=17&view=top");
@@ -420,7 +420,7 @@ test("page: several runs -> side by side on one time bar", async () => {
   await leave(opened);
 });
 
-test("two runs of one name are told apart by their folders, and a shadow is called one", async () => {
+test("two runs of one name are labelled by their folders, and a shadow is labelled as one", async () => {
   const opened = await browser.open(at("pair.html"), "#t=10");
   const captions = await opened.page.locator("figcaption").allInnerTexts();
   assert.match(captions[0], /^set\/replicate-00 paper, kinematic/);

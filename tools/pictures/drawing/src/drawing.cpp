@@ -102,7 +102,7 @@ class Drawing::Scene {
     mj_forward(model_.get(), data_.get());
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
     scene_.flags[mjRND_SHADOW] = 0;  // MuJoCo's take half of the time of a picture: `add_shadow` draws simpler ones
-    // Where nothing is, MuJoCo draws black. A window needs a white sky; in a buffer it would cost more than `read` does.
+    // MuJoCo draws black in empty places. A window needs a white sky; in a buffer it would cost more than `read` does.
     scene_.flags[mjRND_SKYBOX] = canvas_ == Canvas::window ? 1 : 0;
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written over a picture: names, caption, title, legend, scale.
+// Text over a picture: names, caption, title, legend, scale.
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -22,7 +22,7 @@ namespace trophic::film {
 
 namespace {
 
-/// What ffmpeg is told of the coding that an ending asks for.
+/// Options of ffmpeg for the coding of a file name's ending.
 const std::map<std::string, std::vector<std::string>, std::less<>>& codings() {
   static const std::map<std::string, std::vector<std::string>, std::less<>> all{
       {".mp4",

@@ -79,9 +79,9 @@ inline void add_sights(Picture& picture, std::span<const io::AgentRow> rows) {
 
 }  // namespace detail
 
-/// What is to be seen of a moment beside its robots.
+/// The visible parts of a moment other than its robots.
 struct Sights {
-  std::optional<IndividualId> marked = {};  ///< who is to be found at a glance
+  std::optional<IndividualId> marked = {};  ///< highlighted individual
   std::optional<double> rows_s =
       {};  ///< who lives where is of this moment, not of the picture's: at its tick a catch's victim is gone
   std::vector<IndividualId> named = {};   ///< whose names are written

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be drawn: robots, lines on the floor, flashes, names, a caption, a legend. Places and colours only; no rule, no
+// A picture: robots, lines on the floor, flashes, names, a caption, a legend. Places and colours only; no rule, no
 // recording, no OpenGL.
 #pragma once
 
@@ -32,7 +32,7 @@ struct FloorLine {
   float opacity = 1.0F;
 };
 
-/// A widening ring where somebody has just died; with a cross in it for a catch.
+/// A widening ring where an individual has just died; with a cross in it for a catch.
 struct Flash {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -40,7 +40,7 @@ struct Flash {
   bool is_catch = false;
 };
 
-/// A text beside a point.
+/// A text next to a point.
 struct Name {
   Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
   std::string text;
