@@ -483,7 +483,7 @@ test("a page of an analysis has its table, sorts it, gives its data, and replays
   page.on("request", (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
   await page.goto(`file://${at("analysis.html")}`);
   assert.match(await page.locator("details pre").textContent(), /velocity/);
-  assert.match(await page.locator(".question").innerText(), /^What does inheritance do under the rules of paper\?/);
+  assert.match(await page.locator(".question").innerText(), /^Does inheritance matter under the rules of paper\?/);
   assert.match(await page.locator(".findings").innerText(), /too few runs for intervals and tests: 6 are needed, there are 2\./);
   assert.match(await page.locator(".commands").innerText(), /trophic analyze \S*set --html \S*analysis.html$/m);
   const { rules } = JSON.parse(readFileSync(join(at("set"), "replicate-00/manifest.json"), "utf8"));
