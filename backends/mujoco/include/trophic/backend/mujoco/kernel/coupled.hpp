@@ -39,7 +39,7 @@ class CoupledSearch {
   /// the warm start; the minimum becomes the trial point of all links. False where rows go on changing: MuJoCo's line search must
   /// do it.
   [[nodiscard]] bool minimise(const LaneState& state) {
-    recall_rows(work_);
+    first_rows(model_, state, work_);
     read_warm_start(state);
     evaluate_contacts();
     for (int step = 0; step < most_steps; ++step) {
