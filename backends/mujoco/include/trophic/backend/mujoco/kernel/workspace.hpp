@@ -160,6 +160,8 @@ struct CoupledWork {
   std::vector<std::size_t> order;  ///< of each link among them; the number of links for the others
   std::vector<double> x;
   SymmetricSystem system;
+  SymmetricSystem trees;  ///< A and b before contacts add to them
+  std::vector<double> trees_x;
   std::vector<TrialPoint> trials;  ///< of lanes that are not being solved
 
   [[nodiscard]] std::span<const std::size_t> coordinates_of(const CoupledContact& contact) const {
