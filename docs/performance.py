@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Draws docs/performance.png from what bench_mujoco printed.
+"""Draws docs/performance.png and fills the tables of speed in README.md and backends/mujoco/README.md from what bench_mujoco
+printed. All of it anew, measurement included: cmake --build build/ci --target performance
 
-    build/ci/tests/bench/bench_mujoco > docs/performance.txt && python3 docs/performance.py docs/performance.txt docs/performance.png
+    python3 docs/performance.py docs/performance.txt docs/performance.png README.md backends/mujoco/README.md
 """
 import re
 import sys
@@ -35,8 +36,64 @@ def read(path):
     return table
 
 
-def main(source, target):
+def number(speed):
+    """Steps per second as the documents write them; empty where not measured."""
+    if speed is None:
+        return ""
+    return f"{speed / 1e6:.2f} million" if speed >= 99500 else f"{speed / 1e3:.0f} thousand"
+
+
+def rows_of(path):
+    """Header of a table in the documents -> its rows, made from what bench_mujoco printed."""
+    times, speeds, brief = [], [], []
+    inside = False
+    with open(path) as file:
+        for line in file:
+            inside = inside or "bytes per robot" in line
+            if not re.match(r"\s+\d+\s", line):
+                continue
+            if inside:
+                robots, whole, one, two, memory = (None if cell == "-" else float(cell) for cell in line.split())
+                start = f"| {robots:,.0f} | {number(whole)} | {number(one)} | {number(two)} |".replace("|  |", "| |")
+                brief.append(start)
+                speeds.append(f"{start} {memory:,.0f} |")
+            else:
+                robots, whole, *ways = line.replace("= 1/", "").split()
+                cells = (f"{time if float(time) < 100 else round(float(time))} ({ratio(times_faster)})"
+                         for time, times_faster in zip(ways[::2], ways[1::2]))
+                whole = whole if float(whole) < 100 else round(float(whole))
+                times.append(f"| {robots} | {whole} | " + " | ".join(cells) + " |")
+    return {
+        "| robots | one model | islands, 1 thread |": times,
+        "| robots | one model | fast, 1 thread |": speeds,
+        "| robots | one MuJoCo model |": brief,
+    }
+
+
+def ratio(text):
+    return text if float(text) < 100 else f"{float(text):.0f}"
+
+
+def fill(document, tables):
+    """Replaces the rows of each table that the document has."""
+    with open(document) as file:
+        lines = file.read().splitlines()
+    for header, rows in tables.items():
+        starts = [i for i, line in enumerate(lines) if line.startswith(header)]
+        for start in starts:
+            end = start + 2
+            while end < len(lines) and lines[end].startswith("|"):
+                end += 1
+            lines[start + 2:end] = rows
+    with open(document, "w") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def main(source, target, *documents):
     table = read(source)
+    tables = rows_of(source)
+    for document in documents:
+        fill(document, tables)
     figure, axes = plt.subplots(figsize=(7.0, 4.2), dpi=150)
     for (label, colour, marker, style), column in zip(WAYS, (2, 1, 0)):
         points = [(robots, speeds[column]) for robots, speeds in sorted(table.items()) if speeds[column]]
@@ -61,6 +118,6 @@ def main(source, target):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
     main(*sys.argv[1:])

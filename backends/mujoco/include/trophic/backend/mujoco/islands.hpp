@@ -117,11 +117,14 @@ class Islands {
       const std::span<const double> root = states.positions(i);
       discs_.push_back({root[0], root[1], robot_.bounding_radius_m + slack_m_[i]});
     }
-    const std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
+    std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
     const auto model_of = [&](const std::vector<std::size_t>& group) -> CompiledModel& {
       return model_for({group.size(), std::ranges::any_of(group, [&](std::size_t robot) { return near_wall(discs_[robot]); })});
     };
     const auto first_fitting = std::ranges::find_if(groups, [&](const auto& group) { return by_kernel(group.size()); });
+    // Robots near walls share lanes, so that the other sets need not look for walls.
+    const auto first_single = std::ranges::find_if(groups, [](const auto& group) { return group.size() == 1; });
+    std::stable_partition(first_single, groups.end(), [&](const auto& group) { return near_wall(discs_[group.front()]); });
     const std::span large{groups.begin(), first_fitting};
     models_of_large_.clear();
     for (const std::vector<std::size_t>& group : large) models_of_large_.push_back(&model_of(group));

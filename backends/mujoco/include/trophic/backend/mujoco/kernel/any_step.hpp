@@ -27,14 +27,16 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
 /// angles it can take sines of, search settled, result below MuJoCo's bound for accelerations; all this for its whole company.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned forward(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes) {
   move_links(model, state, work);
+  place_centres(model, work);
   work.doubtful = Mask{};
   unsigned coupled = find_link_contacts(model, state, work, lanes);
   coupled |= find_field_contacts(model, state, work, lanes);
   limit_joints(model, state, work);
   find_contacts(model, state, work);
   lanes = complete(work, lanes & ~lane_bits(work.doubtful));
-  if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, work, apart);
+  if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, state, work, apart);
   if (const unsigned together = lanes & coupled; together != 0) lanes &= ~minimise_coupled(model, state, work, together);
+  work.rows_known = true;
 
   const LinkWork& root = work.links[0];
   Mask good = mask_of(lanes);

@@ -2,6 +2,8 @@
 // Second stage of a step: contacts of boxes with planes, joint limits, and the constraint rows that they make.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
 
 namespace trophic::backend::kernel {
@@ -12,6 +14,9 @@ inline constexpr double out_of_reach = 1e30;
 /// Corners nearer to a plane than this, m, are in contact or not by rounding alone, as those of a robot that is set down flat
 /// are; MuJoCo's rounding must decide.
 inline constexpr double doubtful_m = 1e-12;
+
+/// A sphere farther than this, m, from a plane has no corner in or near it: far above rounding.
+inline constexpr double sphere_gap_m = 1e-9;
 
 /// Impedance of a row at signed distance r (MuJoCo's solimp): x = |r| / width; y = x^2 / mid up to the midpoint, then
 /// 1 - (1 - x)^2 / (1 - mid), 1 from x = 1; imp = dmin + y (dmax - dmin).
@@ -45,12 +50,17 @@ TROPHIC_LANES_INLINE void limit_joints(const KernelModel& model, const LaneState
   }
 }
 
+/// On which side of a box a corner lies along an axis: -1.0 or 1.0, from the corner's bits.
+[[nodiscard]] constexpr double sign_of(unsigned corner, unsigned axis) {
+  return (corner >> axis & 1u) != 0 ? 1.0 : -1.0;
+}
+
 /// Finds the contacts of one link with plane `index`, MuJoCo's plane-box rule: of the corners that are not above the box's centre
 /// those below the plane, four at most in the order of the corners' sign bits; the contact point lies half the depth above the
 /// corner. Returns their largest number in any lane.
 template <int Axis>
 TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelLink& link, const LinkWork& pose,
-                                         std::size_t index, const Real& origin_m, ContactWork* slots, Mask& doubtful) {
+                                         std::size_t index, const Real& origin_m, ContactWork* slots, Workspace& work) {
   const Plane& plane = model.planes[index];
   std::size_t counts[lane_count] = {};
   std::size_t opened = 0;
@@ -71,27 +81,36 @@ TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelL
     const Real reach_m = abs(rise[0]) + abs(rise[1]) + abs(rise[2]);
     if (lane_bits(centre_m < reach_m + doubtful_m) == 0) continue;
 
-    const Vec3 centre = pose.anchor + rotate(pose.rotation, c.data());
+    const Vec3 centre = work.box_centres[b];
     Vec3 half[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const double* axis = box.axes.data() + 3 * k;
       half[k] = (box.aligned ? pose.rotation.column[k] : rotate(pose.rotation, axis)) * broadcast(box.half_extents_m[k]);
     }
-    std::size_t found[lane_count] = {};
+    std::uint32_t hits = 0;  // bit corner * lane_count + lane: this corner is in contact in this lane
+    Real distances_m[8];
+    Mask doubtful{};
+#pragma GCC unroll 8
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const double sx = (corner & 1u) != 0 ? 1.0 : -1.0;
-      const double sy = (corner & 2u) != 0 ? 1.0 : -1.0;
-      const double sz = (corner & 4u) != 0 ? 1.0 : -1.0;
-      const Real below_m = sx * rise[0] + sy * rise[1] + sz * rise[2];
-      const Real distance_m = centre_m + below_m;
-      doubtful |= abs(distance_m) < doubtful_m;
-      const unsigned hits = lane_bits((below_m <= 0.0) & (distance_m < 0.0));
-      if (hits == 0) continue;
+      const Real below_m = sign_of(corner, 0) * rise[0] + sign_of(corner, 1) * rise[1] + sign_of(corner, 2) * rise[2];
+      distances_m[corner] = centre_m + below_m;
+      doubtful |= abs(distances_m[corner]) < doubtful_m;
+      hits |= lane_bits((below_m <= 0.0) & (distances_m[corner] < 0.0)) << (corner * lane_count);
+    }
+    work.doubtful |= doubtful;
+    std::size_t found[lane_count] = {};
+    while (hits != 0) {
+      const unsigned corner = static_cast<unsigned>(std::countr_zero(hits)) / lane_count;
+      const Real& distance_m = distances_m[corner];
       Vec3 point;
-      for (int i = 0; i < 3; ++i) point[i] = centre[i] + (sx * half[0][i] + sy * half[1][i] + sz * half[2][i]);
+      for (int i = 0; i < 3; ++i) {
+        point[i] =
+            centre[i] + (sign_of(corner, 0) * half[0][i] + sign_of(corner, 1) * half[1][i] + sign_of(corner, 2) * half[2][i]);
+      }
       point[Axis] -= (0.5 * plane.sign) * distance_m;
-      for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        if ((hits & (1u << lane)) == 0 || found[lane] == 4) continue;
+      for (; hits != 0 && static_cast<unsigned>(std::countr_zero(hits)) / lane_count == corner; hits &= hits - 1) {
+        const std::size_t lane = static_cast<unsigned>(std::countr_zero(hits)) % lane_count;
+        if (found[lane] == 4) continue;
         ++found[lane];
         const std::size_t slot = counts[lane]++;
         if (slot == opened) {
@@ -132,9 +151,11 @@ TROPHIC_LANES_INLINE void collide_all(const KernelModel& model, std::size_t inde
   const Real origin_m = plane.sign * state.position[Axis] - plane.offset_m;
   if (lane_bits(origin_m < model.bounding_radius_m) == 0) return;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const Real height_m = origin_m + plane.sign * work.links[i].sphere_centre[Axis];
+    if (lane_bits(height_m < model.links[i].sphere_radius_m + sphere_gap_m) == 0) continue;
     const std::size_t first = work.contact_count;
     const std::size_t count =
-        collide<Axis>(model, model.links[i], work.links[i], index, origin_m, work.contacts.data() + first, work.doubtful);
+        collide<Axis>(model, model.links[i], work.links[i], index, origin_m, work.contacts.data() + first, work);
     if (count == 0) continue;
     for (std::size_t c = first; c < first + count; ++c) {
       make_rows<Axis>(model, model.links[i], work.links[i], plane, work.contacts[c]);

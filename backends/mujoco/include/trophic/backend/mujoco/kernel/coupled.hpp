@@ -39,13 +39,14 @@ class CoupledSearch {
   /// the warm start; the minimum becomes the trial point of all links. Returns false if rows keep changing: then MuJoCo's line
   /// search must solve it.
   [[nodiscard]] bool minimise(const LaneState& state) {
-    recall_rows(work_);
+    first_rows(model_, state, work_);
     read_warm_start(state);
     evaluate_contacts();
     for (int step = 0; step < most_steps; ++step) {
       solve();
       const bool changed = evaluate_contacts();
-      if ((lane_bits(evaluate_trial(model_, work_)) & lanes_) != 0 || changed) continue;
+      trees_known_ = (lane_bits(evaluate_trial(model_, work_)) & lanes_) == 0;
+      if (!trees_known_ || changed) continue;
       remember_rows(work_, lanes_);
       return true;
     }
@@ -244,8 +245,25 @@ class CoupledSearch {
     return changed;
   }
 
-  /// x and the trial point become the minimum of the quadratic of the rows that push now.
+  /// x and the trial point become the minimum of the quadratic of the rows that push now. The trees are computed anew only if
+  /// rows of planes or joint limits changed.
   void solve() {
+    if (trees_known_) {
+      own_.system = own_.trees;
+      own_.x = own_.trees_x;
+    } else {
+      eliminate_trees();
+      write_down_trees();
+      own_.trees = own_.system;
+      own_.trees_x = own_.x;
+    }
+    for (const CoupledContact& contact : own_.contacts) add_rows(contact);
+    own_.system.solve(own_.x);
+    spread();
+  }
+
+  /// Eliminates the hinges that are not kept.
+  void eliminate_trees() {
     gather_active(model_, work_);
     for (std::size_t i = model_.links.size() - 1; i > 0; --i) {
       LinkWork& link = work_.links[i];
@@ -259,10 +277,6 @@ class CoupledSearch {
       kernel::add(link.articulated, parent.articulated);
       parent.force = parent.force + link.force;
     }
-    write_down_trees();
-    for (const CoupledContact& contact : own_.contacts) add_rows(contact);
-    own_.system.solve(own_.x);
-    spread();
   }
 
   /// A and b: a hinge's inertia is U = inertia S of all links beyond it, with a hinge further in S_k' U, with the root U itself.
@@ -353,6 +367,7 @@ class CoupledSearch {
   unsigned lanes_;
   std::array<std::size_t, lane_count> rank_{};  ///< among the robots of `lanes`
   std::size_t first_root_ = 0;
+  bool trees_known_ = false;  ///< whether `trees` are those of the rows of planes and limits that push now
 };
 
 }  // namespace trophic::backend::kernel

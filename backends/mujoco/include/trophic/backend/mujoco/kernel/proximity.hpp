@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
@@ -14,28 +15,27 @@ namespace trophic::backend::kernel {
   return rotation.column[0][i][lane] * a[0] + rotation.column[1][i][lane] * a[1] + rotation.column[2][i][lane] * a[2];
 }
 
-/// A box of the robot in a lane, from the origin of the robot's root, with its centre, which is computed once a stage.
-[[nodiscard]] TROPHIC_LANES_INLINE PlacedBox& centred_box(const KernelModel& model, const LinkWork& link, std::size_t box,
-                                                          std::size_t lane, Workspace& work) {
-  const std::size_t slot = lane * model.boxes.size() + box;
-  PlacedBox& placed = work.placed_boxes[slot];
-  if (work.box_placed[slot] != Placed::none) return placed;
-  work.box_placed[slot] = Placed::centre;
-  for (int i = 0; i < 3; ++i) {
-    placed.centre_m[i] = link.anchor[i][lane] + rotated(link.rotation, model.boxes[box].centre_m.data(), i, lane);
+/// Centres of all boxes, from the origin of the root.
+TROPHIC_LANES_INLINE void place_centres(const KernelModel& model, Workspace& work) {
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const KernelLink& link = model.links[i];
+    const LinkWork& pose = work.links[i];
+    for (std::size_t b = link.first_box; b < link.first_box + link.boxes; ++b) {
+      work.box_centres[b] = pose.anchor + rotate(pose.rotation, model.boxes[b].centre_m.data());
+    }
   }
-  return placed;
 }
 
-/// And with its extents and axes.
+/// A box of the robot in a lane, from the origin of the robot's root; computed once a stage.
 [[nodiscard]] TROPHIC_LANES_INLINE const PlacedBox& placed_box(const KernelModel& model, const LinkWork& link, std::size_t box,
                                                                std::size_t lane, Workspace& work) {
-  PlacedBox& placed = centred_box(model, link, box, lane, work);
-  Placed& state = work.box_placed[lane * model.boxes.size() + box];
-  if (state == Placed::whole) return placed;
-  state = Placed::whole;
+  const std::size_t slot = lane * model.boxes.size() + box;
+  PlacedBox& placed = work.placed_boxes[slot];
+  if (work.box_placed[slot] != 0) return placed;
+  work.box_placed[slot] = 1;
   const KernelBox& from = model.boxes[box];
   for (std::size_t k = 0; k < 3; ++k) {
+    placed.centre_m[k] = work.box_centres[box][static_cast<int>(k)][lane];
     placed.half_m[k] = from.geom_half_extents_m[k];
     for (int i = 0; i < 3; ++i) placed.axis[k][i] = rotated(link.rotation, from.geom_axes.data() + 3 * k, i, lane);
   }
@@ -98,41 +98,58 @@ struct LinkOf {
   if (!sure) work.doubtful[a.lane] = work.doubtful[b.lane] = -1;
 }
 
-/// Appends the contacts of the boxes of two links: spheres around boxes, then separating axes, then MuJoCo's test. `apart_m`:
-/// from the origin of a's robot to that of b's.
+/// Appends the contacts of box `i` of a link and box `j` of another, whose spheres overlap: separating axes, then MuJoCo's test.
+/// `apart_m`: from the origin of a's robot to that of b's; `between_m`: from the first box's centre to the second's.
+[[gnu::noinline]] inline void collide_boxes(const KernelModel& model, const LinkOf& a, std::size_t i, const LinkOf& b,
+                                            std::size_t j, const std::array<double, 3>& apart_m, const double (&between_m)[3],
+                                            Workspace& work) {
+  const PlacedBox& box_a = placed_box(model, work.links[a.link], i, a.lane, work);
+  const PlacedBox& box_b = placed_box(model, work.links[b.link], j, b.lane, work);
+  const std::size_t row = a.lane * model.boxes.size() + i;
+  std::uint8_t& last_gap = work.last_gap[row * work.placed_boxes.size() + b.lane * model.boxes.size() + j];
+  if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, work);
+}
+
+/// Contacts of the boxes of links of two robots.
 TROPHIC_LANES_INLINE void collide_links(const KernelModel& model, const LinkOf& a, const LinkOf& b,
                                         const std::array<double, 3>& apart_m, Workspace& work) {
   const KernelLink& link_a = model.links[a.link];
   const KernelLink& link_b = model.links[b.link];
   for (std::size_t i = link_a.first_box; i < link_a.first_box + link_a.boxes; ++i) {
-    const PlacedBox& at_a = centred_box(model, work.links[a.link], i, a.lane, work);
     for (std::size_t j = link_b.first_box; j < link_b.first_box + link_b.boxes; ++j) {
-      const PlacedBox& at_b = centred_box(model, work.links[b.link], j, b.lane, work);
       double between_m[3];
       double square_m2 = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
-        between_m[k] = at_b.centre_m[k] + apart_m[k] - at_a.centre_m[k];
+        const int axis = static_cast<int>(k);
+        between_m[k] = work.box_centres[j][axis][b.lane] + apart_m[k] - work.box_centres[i][axis][a.lane];
         square_m2 += between_m[k] * between_m[k];
       }
       const double reach_m = model.boxes[i].radius_m + model.boxes[j].radius_m;
-      if (!(square_m2 <= reach_m * reach_m)) continue;  // nor where a number is NaN
-      const PlacedBox& box_a = placed_box(model, work.links[a.link], i, a.lane, work);
-      const PlacedBox& box_b = placed_box(model, work.links[b.link], j, b.lane, work);
-      const std::size_t row = a.lane * model.boxes.size() + i;
-      std::uint8_t& last_gap = work.last_gap[row * work.placed_boxes.size() + b.lane * model.boxes.size() + j];
-      if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, work);
+      if (square_m2 <= reach_m * reach_m) collide_boxes(model, a, i, b, j, apart_m, between_m, work);
     }
   }
 }
 
-/// Contacts of links of one robot that MuJoCo would collide.
+/// Contacts of links of one robot that MuJoCo would collide: spheres around links, then around boxes, of all robots at once.
 TROPHIC_LANES_INLINE void collide_own_links(const KernelModel& model, Workspace& work, unsigned lanes) {
   for (const LinkPair& pair : model.pairs) {
-    const double reach_m = model.links[pair.first].sphere_radius_m + model.links[pair.second].sphere_radius_m;
-    const unsigned near =
-        overlapping(work.links[pair.first].sphere_centre, work.links[pair.second].sphere_centre, reach_m) & lanes;
-    for (std::size_t lane = 0; near != 0 && lane < lane_count; ++lane) {
-      if ((near & (1u << lane)) != 0) collide_links(model, {pair.first, lane}, {pair.second, lane}, {}, work);
+    const KernelLink& first = model.links[pair.first];
+    const KernelLink& second = model.links[pair.second];
+    const unsigned near = overlapping(work.links[pair.first].sphere_centre, work.links[pair.second].sphere_centre,
+                                      first.sphere_radius_m + second.sphere_radius_m) &
+                          lanes;
+    if (near == 0) continue;
+    for (std::size_t i = first.first_box; i < first.first_box + first.boxes; ++i) {
+      const Vec3 centre = work.box_centres[i];
+      for (std::size_t j = second.first_box; j < second.first_box + second.boxes; ++j) {
+        unsigned hits = overlapping(centre, work.box_centres[j], model.boxes[i].radius_m + model.boxes[j].radius_m) & near;
+        for (; hits != 0; hits &= hits - 1) {
+          const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
+          double between_m[3];
+          for (int k = 0; k < 3; ++k) between_m[k] = work.box_centres[j][k][lane] - centre[k][lane];
+          collide_boxes(model, {pair.first, lane}, i, {pair.second, lane}, j, {}, between_m, work);
+        }
+      }
     }
   }
 }
@@ -162,7 +179,7 @@ TROPHIC_LANES_INLINE void collide_robots(const KernelModel& model, const LaneSta
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned find_link_contacts(const KernelModel& model, const LaneState& state, Workspace& work,
                                                                unsigned lanes) {
   work.link_contacts.clear();
-  std::ranges::fill(work.box_placed, Placed::none);
+  std::ranges::fill(work.box_placed, std::uint8_t{0});
   collide_own_links(model, work, lanes);
   for (std::size_t b = 1; b < lane_count; ++b) {
     const unsigned others = work.company[b] & lanes & ((1u << b) - 1);

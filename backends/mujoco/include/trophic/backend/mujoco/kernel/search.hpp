@@ -104,9 +104,8 @@ TROPHIC_LANES_INLINE void search_line(const KernelModel& model, Workspace& work,
   for_each_contact(model, work, MoveContact{model.friction, &changed, &along});
 }
 
-/// The first guess of the rows that push: of a corner those that pushed when it last touched the plane, all where it has not, and
-/// all joint limits that are passed. It is more often right than MuJoCo's, the rows at the last acceleration (the warm start),
-/// and changes nothing but the number of steps: the minimum is one and is computed from the rows that push there.
+/// The rows that pushed last: of a corner those when it last touched the plane, all where it has not, and all joint limits that
+/// are passed.
 TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
   for (std::size_t c = 0; c < work.contact_count; ++c) {
     ContactWork& contact = work.contacts[c];
@@ -120,6 +119,26 @@ TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
     }
   }
   for (HingeWork& hinge : work.hinges) hinge.limit_active = hinge.limit_weight > 0.0;
+}
+
+/// The rows that push at the last acceleration, MuJoCo's guess.
+TROPHIC_LANES_INLINE void guess_rows(const KernelModel& model, const LaneState& state, Workspace& work) {
+  const LaneArray& warm = state.acceleration;
+  LinkWork& root = work.links[0];
+  root.trial = {root.rotation * Vec3{{warm[3], warm[4], warm[5]}}, {{warm[0], warm[1], warm[2]}}};
+  for (std::size_t i = 1; i < model.links.size(); ++i) {
+    work.hinges[i - 1].trial = warm[5 + i];
+    work.links[i].trial = work.links[model.links[i].parent].trial + work.links[i].axis * warm[5 + i];
+  }
+  evaluate_trial(model, work);
+}
+
+/// The first guess of the rows that push: those that pushed last, which is more often right than MuJoCo's guess, or that where
+/// nothing is known of the last step. It changes nothing but the number of steps: the minimum is one and is computed from the
+/// rows that push there.
+TROPHIC_LANES_INLINE void first_rows(const KernelModel& model, const LaneState& state, Workspace& work) {
+  recall_rows(work);
+  if (!work.rows_known) guess_rows(model, state, work);
 }
 
 /// Keeps which rows push in `lanes`.
@@ -139,14 +158,19 @@ TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
   }
 }
 
-/// The acceleration that minimises the cost, as `trial` of links and hinges. A lane whose rows stay the same keeps its
-/// solution bitwise, independent of the others. Returns those of `lanes` that did not settle.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned minimise(const KernelModel& model, Workspace& work, unsigned lanes) {
-  recall_rows(work);
+/// The acceleration that minimises the cost, as `trial` of links and hinges. A lane whose rows no longer change stays at its
+/// solution bitwise whatever happens in the others. Returns those of `lanes` that did not settle.
+[[nodiscard]] TROPHIC_LANES_INLINE unsigned minimise(const KernelModel& model, const LaneState& state, Workspace& work,
+                                                     unsigned lanes) {
+  first_rows(model, state, work);
   Mask changed{};
   for (int step = 0; step < largest_steps; ++step) {
     if (step >= full_steps) accept_trial(model, work);
-    solve_active(model, work);
+    if (step == 0 || step >= full_steps) {
+      solve_active(model, work);
+    } else {
+      solve_changed(model, work, lanes);
+    }
     changed = evaluate_trial(model, work);
     if ((lane_bits(changed) & lanes) == 0) break;
     if (step >= full_steps) search_line(model, work, changed);

@@ -138,13 +138,19 @@ TROPHIC_LANES_INLINE void eliminate_hinge(LinkWork& link, LinkWork& parent) {
   return x;
 }
 
-/// Calls `visit.template operator()<Axis>(contact, sign, link)` for each contact.
-template <class Visitor>
-TROPHIC_LANES_INLINE void for_each_contact(const KernelModel& model, Workspace& work, Visitor visit) {
+/// Any link.
+struct EveryLink {
+  TROPHIC_LANES_INLINE bool operator()(const LinkWork&) const { return true; }
+};
+
+/// Calls `visit.template visit<Axis>(contact, sign, link)` for each contact of the links for which `wanted` is true.
+template <class Visitor, class Wanted = EveryLink>
+TROPHIC_LANES_INLINE void for_each_contact(const KernelModel& model, Workspace& work, Visitor visit, Wanted wanted = {}) {
   for (std::size_t g = 0; g < work.group_count; ++g) {
     const ContactGroup& group = work.groups[g];
     const Plane& plane = model.planes[group.plane];
     LinkWork& link = work.links[group.link];
+    if (!wanted(link)) continue;
     ContactWork* const first = work.contacts.data() + group.first;
     ContactWork* const last = first + group.count;
     switch (plane.axis) {
@@ -169,12 +175,8 @@ struct AddContact {
   }
 };
 
-/// Solves for the joint and root accelerations x of `articulated`, `force` of all links and `load` (added to the diagonal),
-/// `torque` of all hinges: sets `trial` of all links and hinges.
-TROPHIC_LANES_INLINE void solve_tree(const KernelModel& model, Workspace& work) {
-  for (std::size_t i = model.links.size() - 1; i > 0; --i) {
-    eliminate_hinge(work.links[i], work.links[model.links[i].parent]);
-  }
+/// Solves for the root, then outwards for all hinges: sets `trial` of all links and hinges.
+TROPHIC_LANES_INLINE void solve_outwards(const KernelModel& model, Workspace& work) {
   work.links[0].trial = solve_root(work.links[0].articulated, work.links[0].force);
   for (std::size_t i = 1; i < model.links.size(); ++i) {
     LinkWork& link = work.links[i];
@@ -185,25 +187,59 @@ TROPHIC_LANES_INLINE void solve_tree(const KernelModel& model, Workspace& work) 
   }
 }
 
+/// Solves for the joint and root accelerations x of `articulated`, `force` of all links and `load` (added to the diagonal),
+/// `torque` of all hinges.
+TROPHIC_LANES_INLINE void solve_tree(const KernelModel& model, Workspace& work) {
+  for (std::size_t i = model.links.size() - 1; i > 0; --i) {
+    eliminate_hinge(work.links[i], work.links[model.links[i].parent]);
+  }
+  solve_outwards(model, work);
+}
+
+/// Inertia and force of a link without contacts, torque of its hinge with the limit if that pushes now.
+TROPHIC_LANES_INLINE void gather_link(Workspace& work, std::size_t i) {
+  LinkWork& link = work.links[i];
+  expand(link.inertia, link.articulated);
+  link.force = link.bias;
+  if (i == 0) return;
+  const HingeWork& hinge = work.hinges[i - 1];
+  link.load = where(hinge.limit_active, hinge.limit_weight);
+  link.torque = hinge.torque + where(hinge.limit_active, hinge.limit_side * hinge.limit_weight * hinge.limit_offset);
+}
+
 /// Inertias, forces and torques of all links with the rows that push now.
 TROPHIC_LANES_INLINE void gather_active(const KernelModel& model, Workspace& work) {
-  for (LinkWork& link : work.links) {
-    expand(link.inertia, link.articulated);
-    link.force = link.bias;
-  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) gather_link(work, i);
   for_each_contact(model, work, AddContact{model.friction});
-  for (std::size_t j = 0; j < model.hinges.size(); ++j) {
-    const HingeWork& hinge = work.hinges[j];
-    LinkWork& link = work.links[j + 1];
-    link.load = where(hinge.limit_active, hinge.limit_weight);
-    link.torque = hinge.torque + where(hinge.limit_active, hinge.limit_side * hinge.limit_weight * hinge.limit_offset);
-  }
 }
 
 /// The minimum of the quadratic of the rows that push now.
 TROPHIC_LANES_INLINE void solve_active(const KernelModel& model, Workspace& work) {
   gather_active(model, work);
   solve_tree(model, work);
+}
+
+/// As `solve_active`, where the last solution differs only by rows that `evaluate_trial` changed in `lanes`: links without such
+/// rows in them or further out are as they were.
+TROPHIC_LANES_INLINE void solve_changed(const KernelModel& model, Workspace& work, unsigned lanes) {
+  for (LinkWork& link : work.links) link.is_stale = (lane_bits(link.changed) & lanes) != 0;
+  for (std::size_t i = model.links.size() - 1; i > 0; --i) {
+    if (work.links[i].is_stale) work.links[model.links[i].parent].is_stale = true;
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (work.links[i].is_stale) gather_link(work, i);
+  }
+  for_each_contact(model, work, AddContact{model.friction}, [](const LinkWork& link) { return link.is_stale; });
+  for (std::size_t i = model.links.size() - 1; i > 0; --i) {
+    LinkWork& link = work.links[i];
+    LinkWork& parent = work.links[model.links[i].parent];
+    if (link.is_stale) {
+      eliminate_hinge(link, parent);
+    } else if (parent.is_stale) {
+      pass_inwards(link, parent);
+    }
+  }
+  solve_outwards(model, work);
 }
 
 /// Replaces the trial acceleration a by that of Euler's method implicit in joint damping B: (M + h B) x = M a.
@@ -233,27 +269,30 @@ TROPHIC_LANES_INLINE Mask update_rows(const Vec3& residual, double mu, double si
   return changed;
 }
 
-/// Residuals at the trial point; the rows that push there become the active ones. `changed`: lanes where they differ from before.
+/// Residuals at the trial point; the rows that push there become the active ones.
 struct TryContact {
   double mu;
-  Mask* changed;
   template <int Axis>
-  TROPHIC_LANES_INLINE void visit(ContactWork& contact, double sign, const LinkWork& link) const {
+  TROPHIC_LANES_INLINE void visit(ContactWork& contact, double sign, LinkWork& link) const {
     const Vec3 motion = point_motion(link.trial, contact.point);
     for (int k = 0; k < 3; ++k) contact.trial[k] = motion[(Axis + k) % 3] + contact.offset[k];
-    *changed |= update_rows(contact.trial, mu, sign, contact.active);
+    link.changed |= update_rows(contact.trial, mu, sign, contact.active);
   }
 };
 
-/// Evaluates all rows at the trial point. Returns the lanes in which another set of rows pushes than before.
+/// Evaluates all rows at the trial point; `changed` of a link becomes the lanes in which its rows differ from before. Returns
+/// the lanes in which any do.
 TROPHIC_LANES_INLINE Mask evaluate_trial(const KernelModel& model, Workspace& work) {
-  Mask changed{};
-  for_each_contact(model, work, TryContact{model.friction, &changed});
-  for (HingeWork& hinge : work.hinges) {
+  work.links[0].changed = Mask{};
+  for (std::size_t j = 0; j < work.hinges.size(); ++j) {
+    HingeWork& hinge = work.hinges[j];
     const Mask now = hinge.limit_offset - hinge.limit_side * hinge.trial < 0.0;
-    changed |= hinge.limit_active ^ now;
+    work.links[j + 1].changed = hinge.limit_active ^ now;
     hinge.limit_active = now;
   }
+  for_each_contact(model, work, TryContact{model.friction});
+  Mask changed{};
+  for (const LinkWork& link : work.links) changed |= link.changed;
   return changed;
 }
 

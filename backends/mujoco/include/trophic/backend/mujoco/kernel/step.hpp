@@ -20,6 +20,9 @@ using StepFunction = unsigned (*)(const KernelModel&, LaneState&, Workspace&, un
 /// `step_portable` is compiled for a processor that has them: with -ffp-contract=off).
 [[nodiscard]] [[gnu::target("avx2")]] unsigned step_avx2(const KernelModel& model, LaneState& state, Workspace& work,
                                                          unsigned lanes);
+/// The same operations with the registers and masks of AVX-512. Programs that compile the kernel themselves do without it.
+[[nodiscard]] [[gnu::target("avx2,avx512f,avx512dq,avx512vl")]] unsigned step_avx512(const KernelModel& model, LaneState& state,
+                                                                                     Workspace& work, unsigned lanes);
 #endif
 
 /// The fastest that this processor has.

@@ -76,6 +76,8 @@ struct LinkWork {
   Real torque;           ///< joint torque minus S' force
   Spatial acceleration;  ///< of the current point of the search, without drift
   Spatial trial;         ///< of the point that the search tries
+  Mask changed;          ///< where other rows of its contacts and its hinge push there than before
+  bool is_stale;         ///< whether its articulated inertia must be computed anew
 };
 
 /// One hinge during a step.
@@ -158,6 +160,8 @@ struct CoupledWork {
   std::vector<std::size_t> order;  ///< of each link among them; the number of links for the others
   std::vector<double> x;
   SymmetricSystem system;
+  SymmetricSystem trees;  ///< A and b before contacts add to them
+  std::vector<double> trees_x;
   std::vector<TrialPoint> trials;  ///< of lanes that are not being solved
 
   [[nodiscard]] std::span<const std::size_t> coordinates_of(const CoupledContact& contact) const {
@@ -168,9 +172,6 @@ struct CoupledWork {
     return {first, first + system.column_size(), first + 2 * system.column_size()};
   }
 };
-
-/// The known part of a box's pose.
-enum class Placed : std::uint8_t { none, centre, whole };
 
 /// Scratch memory of one thread.
 struct Workspace {
@@ -184,9 +185,11 @@ struct Workspace {
   std::size_t contact_count = 0;
   /// Bits of the rows that pushed when a corner of a box last touched a plane, by plane, box, corner and lane.
   std::vector<std::uint8_t> pushing_rows;
-  std::vector<PlacedBox> placed_boxes;  ///< lane by lane, from the origin of each robot's root
-  std::vector<Placed> box_placed;       ///< what of them is known in this stage
-  std::vector<std::uint8_t> last_gap;   ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
+  bool rows_known = false;               ///< whether these robots took a step since `forget_rows`
+  std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
+  std::vector<std::uint8_t> box_placed;  ///< whether it is computed in this stage
+  std::vector<Vec3> box_centres;         ///< of all robots, from the origins of their roots
+  std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
   std::vector<LinkContact> link_contacts;
   std::vector<FieldContact> field_contacts;
   CoupledWork coupled;
@@ -204,6 +207,7 @@ struct Workspace {
         pushing_rows(model.planes.size() * model.boxes.size() * 8 * lane_count, all_rows),
         placed_boxes(lane_count * model.boxes.size()),
         box_placed(placed_boxes.size()),
+        box_centres(model.boxes.size()),
         last_gap(placed_boxes.size() * placed_boxes.size()),
         collider{model.box_depth},
         stage{model},
@@ -213,7 +217,10 @@ struct Workspace {
   }
 
   /// To be called when other robots come into the lanes.
-  void forget_rows() { std::ranges::fill(pushing_rows, all_rows); }
+  void forget_rows() {
+    std::ranges::fill(pushing_rows, all_rows);
+    rows_known = false;
+  }
 };
 
 }  // namespace trophic::backend::kernel
