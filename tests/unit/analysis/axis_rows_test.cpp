@@ -26,6 +26,6 @@ TEST_CASE("sweep_effects.csv and its summary say what is decided") {
   CHECK(text.find("\na,1,0,hunger,predator,all,ticks,raw,2,6,11.25,0.25,11,") != std::string::npos);
   std::ostringstream out;
   print_axis_effects(out, effects);
-  CHECK(out.str().find("of 3 effects of an axis are decided (Holm); the largest of each:") != std::string::npos);
-  CHECK(out.str().find("a 0 -> 2") != std::string::npos);
+  CHECK(out.str().find("of 3 effects of an axis are significant (Holm); the largest of each:") != std::string::npos);
+  CHECK(out.str().find("0 -> 2\n") != std::string::npos);
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>
-#include <tools/analysis/report/text_table.hpp>
+#include <tools/analysis/report/columns.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -54,20 +54,22 @@ void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects) 
       *found = &effect;
     }
   }
-  out << "averaged over the other axes, " << decided << " of " << effects.size() << " effects of an axis are decided (Holm)";
+  out << "averaged over the other axes, " << decided << " of " << effects.size() << " effects of an axis are significant (Holm)";
   if (largest.empty()) {
     out << "\n";
     return;
   }
   out << "; the largest of each:\n";
   constexpr std::size_t shown = 20;
+  Columns columns{{"effect of an axis", "difference [95 %]", "axis", "values"}};
   for (std::size_t i = 0; i < std::min(shown, largest.size()); ++i) {
     const AxisEffect& effect = *largest[i];
     const Reading reading{effect.name};
-    out << padded(metric_title(effect.name) + (effect.over_shadow ? ", over shadow" : ""), 44)
-        << padded(reading.with_interval(effect.difference.value, effect.difference.interval, true), 28) << effect.axis << " "
-        << effect.reference << " -> " << effect.value << "\n";
+    columns.add({metric_title(effect.name) + (effect.over_shadow ? ", over shadow" : ""),
+                 reading.with_interval(effect.difference.value, effect.difference.interval, true), effect.axis,
+                 effect.reference + " -> " + effect.value});
   }
+  columns.print(out);
   if (largest.size() > shown) out << "and " << largest.size() - shown << " more: decided in sweep_effects.csv\n";
 }
 
