@@ -343,7 +343,9 @@ Command analyze() {
             return 0;
           },
       .subcommands = {},
-      .version = {}};
+      .version = {},
+      .examples = {"trophic analyze runs/paper --out analysis", "trophic analyze --compare runs/paper runs/released --metric velocity:predator",
+                   "trophic analyze runs/sweep --reference 3 --jobs 4"}};
 }
 
 }  // namespace trophic::command

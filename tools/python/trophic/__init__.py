@@ -7,7 +7,7 @@ import importlib
 # Where each name is; a module is imported when it is first asked for, as numpy, pandas and matplotlib need not all be there.
 _MODULES = {"Recording": "recording", "RecordingError": "recording", "read_replay": "recording",
             "Run": "runs", "Runs": "runs", "Analysis": "runs", "RunError": "runs", "read_run": "runs", "read_runs": "runs", "read_study": "runs",
-            "read_analysis": "runs", "run": "start", "analyze": "start", "ProgramError": "start"}
+            "read_analysis": "runs", "to_parquet": "runs", "show": "start", "run": "start", "analyze": "start", "ProgramError": "start"}
 __all__ = sorted(_MODULES)
 
 
