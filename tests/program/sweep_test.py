@@ -341,7 +341,7 @@ class Killed(Sweeps):
         program.send_signal(signal.SIGTERM)
         said = program.communicate(timeout=600)
         self.assertEqual(program.returncode, 3, said)
-        self.assertIn("the same command goes on with these and no others", said[1])
+        self.assertIn("the same command resumes these and no others", said[1])
         self.assert_done(self.run_words(*words))
         self.assert_same()
 

@@ -45,7 +45,7 @@ class Notebook(unittest.TestCase):
     def test_every_cell(self):
         notebook, files = self.execute(pathlib.Path(PREDATOR_PREY).parent)
         outputs = "".join(str(cell.get("outputs", "")) for cell in notebook.cells)
-        for text in ("<td>shadow</td><td>6</td>", "caught", "n = 6 runs and 6 of the shadow", "image/png", "runs_needed", ");"):
+        for text in ("<td>shadow</td><td>6</td>", "caught", "n = 6 runs and 6 of the shadow", "image/png", "runs_needed", ")n"):
             self.assertIn(text, outputs)
         self.assertEqual(files, ["analysis", "runs"])
 

@@ -342,5 +342,6 @@ def _newick(tree: pandas.DataFrame) -> str:
                 if place > 0:
                     waiting.append(("text", ","))
             pieces.append("(")
-        lines.append("".join(pieces) + ";")
+        text = "".join(pieces)
+        lines.append((text if text.startswith("(") else f"({text})n{root}:0") + ";")  # ape reads no tree of a tip alone
     return "\n".join(lines) + "\n"
