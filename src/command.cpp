@@ -4,3 +4,4 @@
 #include <trophic/command/run_command.ipp>
 #include <trophic/command/run_experiment.ipp>
 #include <trophic/command/sweep.ipp>
+#include <trophic/command/sweep_status.ipp>

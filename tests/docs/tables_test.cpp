@@ -11,6 +11,7 @@
 #include <string_view>
 #include <tools/analysis/report/ablation_tables.hpp>
 #include <tools/analysis/report/axis_rows.hpp>
+#include <tools/analysis/report/means_table.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/sweep_rows.hpp>
 #include <tools/gait_evolution/history.hpp>
@@ -96,6 +97,8 @@ std::string document() {
                                 "everybody who shares it\nhas from then on.") +
          section<analysis::MetricRow>("metrics.csv",
                                       "What the analysis measured: every value and every curve of every run, one value a row.") +
+         section<analysis::MeanRow>("means.csv", "Each metric of a set next to each of its nulls, for tables of a paper.") +
+         section<analysis::SetDifferenceRow>("differences.csv", "Each metric of two sets that were compared.") +
          section<analysis::SwapRow>("ablations.csv", "What each swap of a rule changes, one effect a row.") +
          section<analysis::CellRow>("cells.csv",
                                     "The cells of a sweep. After these columns stands one for each setting that varies between "

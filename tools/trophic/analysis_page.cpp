@@ -50,7 +50,7 @@ h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2.2rem; border-bo
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.15rem 1rem; } dt { color: #5b6673; } dd { margin: 0; }
 pre { font: 12.5px/1.4 ui-monospace, monospace; overflow-x: auto; background: #f5f7f9; padding: 0.8rem; }
 .figures { columns: 22rem; column-gap: 1.2rem; } figure { break-inside: avoid; margin: 0 0 1.2rem; }
-figure.wide { column-span: all; } img { max-width: 100%; }
+figure.wide { column-span: all; } figcaption { font-size: 12.5px; color: #5b6673; } img { max-width: 100%; }
 .replays button { font: inherit; margin: 0 0.4rem 0.4rem 0; padding: 0.25rem 0.7rem; border: 1px solid #8d98a5; border-radius: 4px; background: #fff; }
 .replays button[aria-pressed="true"] { background: #1b2430; color: #fff; }
 iframe { width: 100%; height: min(92vh, 56rem); border: 1px solid #ccd2d9; display: none; }
@@ -84,7 +84,7 @@ void append_figures(std::string& page, const std::vector<AnalysisPage::Figure>& 
   for (const AnalysisPage::Figure& figure : figures) {
     page.append(figure.name.ends_with("film_strip") ? "<figure class=\"wide\">" : "<figure>");
     page.append("<img alt=\"").append(escaped(figure.name + ": " + figure.caption)).append("\" src=\"data:image/png;base64,");
-    page.append(replay::base64(figure.png)).append("\"></figure>\n");
+    page.append(replay::base64(figure.png)).append("\"><figcaption>").append(escaped(figure.caption)).append("</figcaption></figure>\n");
   }
   page.append("</div>\n");
 }
@@ -134,7 +134,7 @@ std::vector<AnalysisPage::Figure> read_figures(const std::filesystem::path& fold
     }
     figures.push_back({.name = name, .caption = caption.get<std::string>(), .png = read_whole_file(folder / (name + ".png"))});
     if (!figures.back().png.starts_with("\x89PNG"))
-      throw std::invalid_argument{(folder / (name + ".png")).string() + ": is no PNG"};
+      throw std::invalid_argument{(folder / (name + ".png")).string() + ": is not a PNG"};
   }
   return figures;
 }

@@ -15,13 +15,13 @@ namespace trophic::command {
 /// The command as it was typed, words separated by blanks.
 [[nodiscard]] std::string command_line(int argc, const char* const* argv);
 
-/// What an exception says to a user.
+/// The text of an exception for users.
 [[nodiscard]] const char* what_of(const std::exception& error);
 
 /// Says what went wrong in one line on standard error and returns `run_error`. Takes no memory, as there may be none.
 [[nodiscard]] int report_failure(const char* called, const std::exception& error);
 
-/// What a program does in main: `work`, which returns the exit code, with report_failure for what it throws.
+/// Calls `work`, which returns the exit code, and report_failure for exceptions: the body of a program's main.
 template <class Work>
 [[nodiscard]] int guarded(const char* called, Work&& work) {
   try {
@@ -31,9 +31,9 @@ template <class Work>
   }
 }
 
-/// Reads the arguments and returns the exit code of the command's work. `--help`, `--version` and `--completion bash` print and
-/// return 0. What is wrong with the arguments, and every std::invalid_argument, is one line on standard error and `usage_error`;
-/// every other exception `run_error`.
+/// Reads the arguments and returns the exit code of the command's work. `--help`, `--version` and `--completion SHELL` print and
+/// return 0. Wrong arguments, and every std::invalid_argument, give one line on standard error and `usage_error`; every other
+/// exception gives `run_error`.
 [[nodiscard]] int run_command(int argc, const char* const* argv, const Command& command);
 
 }  // namespace trophic::command
