@@ -4,6 +4,7 @@
 #include <trophic/command/run_command.ipp>
 #include <trophic/command/run_experiment.ipp>
 #include <trophic/command/sweep.ipp>
+#include <trophic/command/sweep_status.ipp>
 #include <trophic/command/table_experiment.hpp>
 
 template class trophic::command::TableExperiment<trophic::rules::Paper>;

@@ -208,6 +208,7 @@
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/params.hpp>
 #include <trophic/rules/print_table.hpp>
+#include <trophic/rules/printed_rules.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/slots.hpp>

@@ -35,7 +35,7 @@ LIES = [
     ("commands", "README.md", "```text\ntrophic-predator-prey --set rules.mutation.sd=-1\n```", "refused"),
     ("commands", "README.md", "```text\ntrophic-predator-prey --rules no_such\n```", "refused"),
     ("commands", "README.md", "```text\ntrophic evolve-gait --robot models/robots/no_such.toml\n```", "there is no models/robots/no_such.toml"),
-    ("commands", "README.md", "```sh\npython3 examples/figures/plot.py --no-such x\n```", "has no --no-such"),
+    ("commands", "README.md", "```sh\ntrophic plot --no-such x\n```", "has no --no-such"),
     ("commands", "README.md", "```text\nbuild/ci/tests/bench/bench_no_such\n```", "builds no 'bench_no_such'"),
     ("commands", "README.md", "The flag `--no-such-flag` does it.", "no program has --no-such-flag"),
     ("excerpts", "README.md", "<!-- from examples/01_minimal.cpp -->\n```cpp\nint no_such;\n```", "are not in examples/01_minimal.cpp"),

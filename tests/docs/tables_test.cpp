@@ -11,6 +11,7 @@
 #include <string_view>
 #include <tools/analysis/report/ablation_tables.hpp>
 #include <tools/analysis/report/axis_rows.hpp>
+#include <tools/analysis/report/means_table.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/sweep_rows.hpp>
 #include <tools/gait_evolution/history.hpp>
@@ -102,6 +103,8 @@ Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
 on.)");
   text += section<analysis::MetricRow>("metrics.csv",
                                        "Results of the analysis: every value and every curve of every run, one value per row.");
+  text += section<analysis::MeanRow>("means.csv", "Each metric of a set next to each of its nulls, for tables of a paper.");
+  text += section<analysis::SetDifferenceRow>("differences.csv", "Each metric of two sets that were compared.");
   text += section<analysis::SwapRow>("ablations.csv", "The effects of rule swaps, one per row.");
   text += section<analysis::CellRow>(
       "cells.csv",

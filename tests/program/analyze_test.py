@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""analyze_test.py PREDATOR_PREY TROPHIC PLOT: from replicates to figures, as users run it: files, errors, exit codes."""
+"""analyze_test.py PREDATOR_PREY TROPHIC: from replicates to figures, as users meet it: files, errors, exit codes."""
 
 import csv
 import html
@@ -16,7 +16,7 @@ import unittest
 import figures_python
 from in_folder import InFolderWithSets
 
-PREDATOR_PREY, TROPHIC, PLOT = (sys.argv.pop(1) for _ in range(3))
+PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches", "trajectories"]
 
 
@@ -88,7 +88,11 @@ class Analyze(InFolderWithSets):
             shadows = [r for r in csv.DictReader(table) if r["baseline"] == "shadow"]
         self.assertEqual({r["set"] for r in shadows}, {"paper"})
         named = self.analyze(self.sets / "paper", "--shadow", "paper/shadow", "--out", "named")
-        self.assertEqual(named.stdout.replace("named", "analysis"), result.stdout)
+        self.assertEqual(named.stdout.replace("named/", "analysis/"), result.stdout)
+        self.assertEqual(result.stdout.count("\n  inconclusive "), 1)
+        self.assertIn("runs needed: in each set", result.stdout)
+        self.assertLess(len(result.stdout.splitlines()), 20)
+        self.assertIn("uniform_density", self.analyze("paper", "--all", "--out", "all").stdout)
         wrong = self.analyze("paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
         self.assertEqual(wrong.returncode, 2)
         self.assertIn("is not a neutral shadow of paper/replicate-00: params/", wrong.stderr)
@@ -103,7 +107,7 @@ class Analyze(InFolderWithSets):
                 more = [option] if option == "--published" else [option, 1000]
                 result = self.analyze(*arguments, *more, "--out", out)
                 self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertIn(f"too few runs for a conclusion: 6 are needed, paper has {count}", result.stdout)
+                self.assertIn(f"too few runs for a test: 6 are needed, paper has {count}", result.stdout)
                 for word in words:
                     self.assertNotIn(word, result.stdout)
                 readings = [r for c in self.summary(out)["sets"][0]["claims"] for r in c["readings"]]
@@ -121,6 +125,7 @@ class Analyze(InFolderWithSets):
         self.assertIn("the claims are about runs of 6000 s", result.stdout)
         # A sixth of the published time has far fewer deaths.
         self.assertEqual(next(c for c in claims if c["claim"] == "prey caught in a run")["summary"], "not reproduced")
+        self.assertIn("these are points without bodies", result.stdout)
         for claim in claims:
             self.assertIn(f"\n{claim['claim']}: {claim['summary']}\n", result.stdout)
         for reading in readings:
@@ -165,8 +170,8 @@ class Analyze(InFolderWithSets):
         self.assertFalse((self.folder / "pooled").exists())
         compared = self.analyze("--compare", "paper", other, "--out", "compared")
         self.assertEqual(compared.returncode, 0, compared.stderr)
-        self.assertIn("raw: b - a [95 %]", compared.stdout)
-        self.assertIn("without a shadow of each set no difference can be put down to inheritance", compared.stdout)
+        self.assertIn("the differences are raw", compared.stdout)
+        self.assertIn("without a shadow of each set no difference can be attributed to inheritance", compared.stdout)
         summary = self.summary("compared")
         self.assertEqual([s["set"] for s in summary["sets"]], ["paper", "released"])
         self.assertTrue(any(d["raw"]["value"] for d in summary["differences"]))
@@ -181,7 +186,7 @@ class Analyze(InFolderWithSets):
         shutil.copytree(self.sets / "released-as-shadow", self.folder / "released/shadow")
         compared = self.analyze("--compare", "paper", "released")
         self.assertEqual(compared.returncode, 0, compared.stderr)
-        self.assertIn("over shadows: (b - shadow) - (a - shadow) [95 %], p", compared.stdout)
+        self.assertIn("the answer is the difference over shadows: (b - shadow) - (a - shadow)", compared.stdout)
         summary = self.summary()
         both = [{m["metric"] + m["species"] + m["group"]: m for m in s["metrics"]} for s in summary["sets"]]
         for d in summary["differences"]:
@@ -189,8 +194,75 @@ class Analyze(InFolderWithSets):
             expected = b["baselines"][0]["difference"] - a["baselines"][0]["difference"]
             self.assertAlmostEqual(d["over_shadow"]["value"], expected)
             for part in ("raw", "over_shadow"):
-                if d[part]["p"] is not None:
+                if d[part]["p"] is not None and not d["same_as"]:
                     self.assertGreaterEqual(d[part]["p_adjusted"], d[part]["p"])
+
+    def test_folders_for_results_are_new_and_claimed_before_work(self):
+        (self.folder / "analysis").mkdir()
+        done = self.analyze("paper")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("files   analysis-1/{metrics.csv,means.csv,means.tex,summary.json}", done.stdout)
+        self.assertEqual(list((self.folder / "analysis").iterdir()), [])
+        with open(self.folder / "paper/replicate-02/events.csv", "a") as table:
+            table.write("changed\n")
+        began = time.monotonic()
+        refused = self.analyze("paper", "--out", "analysis-1")
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+        self.assertIn("analysis-1: exists already", refused.stderr)
+        self.assertLess(time.monotonic() - began, 1.0)
+        broken = self.analyze("paper", "--out", "broken")
+        self.assertEqual(broken.returncode, 2)
+        self.assertIn("the table was cut or changed after the run", broken.stderr)
+        self.assertFalse((self.folder / "broken").exists())
+
+    def test_metrics_by_name_are_fewer_tests(self):
+        few = self.analyze("--compare", "paper", self.sets / "released", "--metric", "deaths:prey:all", "hunger", "population:prey:all")
+        self.assertEqual(few.returncode, 0, few.stderr)
+        self.assertIn("p: corrected for 3 comparisons (Holm)", few.stdout)
+        with open(self.folder / "analysis/differences.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["metric"] for row in rows], ["deaths", "population", "hunger"])
+        self.assertEqual({row["compared"] for row in rows}, {"raw"})
+        wrong = self.analyze("paper", "--metric", "hungr", "--out", "wrong")
+        self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
+        self.assertIn("did you mean hunger?", wrong.stderr)
+        self.assertFalse((self.folder / "wrong").exists())
+
+    def test_what_is_the_same_twice_is_tested_once(self):
+        shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
+        self.analyze("paper")
+        with open(self.folder / "analysis/means.csv", newline="") as file:
+            rows = {(row["metric"], row["species"], row["group"]): row for row in csv.DictReader(file) if row["null"] == "shadow"}
+        self.assertEqual(rows["population", "predator", "all"]["same_as"], "population:prey:all")
+        self.assertEqual(rows["velocity", "predator", "active"]["same_as"], "velocity:predator:all")
+        self.assertEqual(rows["velocity_stored", "prey", "all"]["same_as"], "velocity:prey:all")
+        for row in rows.values():
+            self.assertFalse(row["same_as"] and row["p_holm"], row)
+        tested = [row for row in rows.values() if row["p_holm"]]
+        self.assertGreater(len(tested), 20)
+        self.assertEqual(len({row["p"] for row in tested}), len(tested))
+
+    def test_columns_of_ones_own_are_metrics_with_shadow_and_interval(self):
+        shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
+        for k, folder in enumerate(sorted(self.folder.glob("paper/**/replicate-0*"))):
+            in_shadow = folder.parent.name == "shadow"
+            (folder / "own.csv").write_text(f"time_s,crowd\n0,nan\n100,{(1 if in_shadow else 3) + 0.01 * k}\n300,{2 + 0.01 * k}\n")
+        done = self.analyze("paper", "--column", "own.csv:crowd:robots", "--metric", "crowd")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"crowd, robots +2\.\d+ \[")
+        (metric,) = self.summary()["sets"][0]["metrics"]
+        self.assertEqual((metric["metric"], metric["unit"], metric["runs"], metric["baselines"][0]["name"]), ("crowd", "robots", 6, "shadow"))
+        self.assertTrue(metric["baselines"][0]["differs"])
+        (self.folder / "paper/replicate-00/own.csv").write_text("time_s,crowd\n0,nan\n")
+        short = self.analyze("paper", "--column", "own.csv:crowd", "--out", "short")
+        self.assertEqual(short.returncode, 0)
+        self.assertIn("replicate-00/own.csv: crowd has no value; the run is left out of its mean", short.stderr)
+        (self.folder / "paper/replicate-00/own.csv").unlink()
+        for column, sentence in (("own.csv:crowd", "paper/replicate-00 has no such file"), ("own.csv", "must be FILE:COLUMN")):
+            refused = self.analyze("paper", "--column", column, "--out", "wrong")
+            self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+            self.assertIn(sentence, refused.stderr)
+            self.assertFalse((self.folder / "wrong").exists())
 
     def test_bad_input_is_named_and_the_rest_is_used(self):
         for replicate in (0, 1):  # as of runs that were killed before their tables had a checksum
@@ -246,26 +318,37 @@ class Analyze(InFolderWithSets):
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
         self.analyze(self.sets / "released", "--out", "plain")
-        self.assertEqual(self.call(figures_python.PYTHON, PLOT, "plain").returncode, 0)
+        self.assertEqual(self.call(TROPHIC, "plot", "plain").returncode, 0)
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
         self.analyze("paper", "--out", "analysis")
-        result = self.call(figures_python.PYTHON, PLOT, "analysis", "--trophic", TROPHIC)
+        result = self.call(TROPHIC, "plot", "analysis", "--style", "ieee")
         self.assertEqual(result.returncode, 0, result.stderr)
         has_film = "built without pictures" not in self.call(TROPHIC, "film", "paper/replicate-00", "-o", "probe.png").stderr
         captions = json.loads((self.folder / "analysis/figures/captions.json").read_text())
         self.assertEqual(list(captions), FIGURES + ["film_strip"] * has_film)
+        tex = (self.folder / "analysis/figures/captions.tex").read_text()
+        self.assertIn("\\newcommand{\\trophicWallSticking}{Windows of 200 s", tex)
         for name, caption in captions.items():
             self.assertRegex(caption, r"n = \d+ runs|replicate-00: ", name)
         for name in captions:
             for ending in ("png", "pdf"):
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
+        again = self.call(TROPHIC, "plot", "analysis")
+        self.assertEqual((again.returncode, again.stdout), (2, ""))
+        self.assertIn("figures: exists already; nothing is overwritten", again.stderr)
+        self.analyze("--compare", "paper", self.sets / "released", "--out", "compared")
+        compared = self.call(TROPHIC, "plot", "compared")
+        self.assertEqual(compared.returncode, 0, compared.stderr)
+        self.assertIn("forest", json.loads((self.folder / "compared/figures/captions.json").read_text()))
         shutil.rmtree(self.folder / "paper")
-        partly = self.call(figures_python.PYTHON, PLOT, "analysis", "--out", "partly")
+        partly = self.call(TROPHIC, "plot", "analysis", "--out", "partly")
         self.assertEqual(partly.returncode, 0, partly.stderr)
         self.assertIn("phylogeny: left out: ", partly.stderr)
-        self.assertIn("5 figures", partly.stdout)
-        self.assertIn("not what trophic analyze writes", self.call(figures_python.PYTHON, PLOT, "partly").stderr)
-
+        self.assertIn("4 figures", partly.stdout)
+        wrong = self.call(TROPHIC, "plot", "partly")
+        self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
+        self.assertIn("not what trophic analyze writes", wrong.stderr)
+        self.assertIn("is not a folder", self.call(TROPHIC, "plot", "nowhere").stderr)
 
     def test_a_page_of_table_figures_and_replays(self):
         set_, figures = self.sets / "released", self.folder / "figures"
@@ -278,6 +361,7 @@ class Analyze(InFolderWithSets):
         self.assertFalse((self.folder / "analysis").exists())  # only a page was asked for
         page = (self.folder / "page.html").read_text()
         table = done.stdout[: done.stdout.index("page    ")]
+        self.assertIn("<figcaption>n = 3 &lt;runs&gt;</figcaption>", page)
         self.assertIn(html.escape(table, quote=False).replace('"', "&quot;"), page)
         self.assertIn("n = 3 &lt;runs&gt;", page)
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:)[^"]*"', page), [])
@@ -296,7 +380,7 @@ class Analyze(InFolderWithSets):
                 self.assertTrue(refused.stderr.startswith(f"trophic analyze: {sentence}"), refused.stderr)
         self.assertEqual((self.folder / "page.html").read_text(), page)
         (figures / "one.png").write_bytes(b"no picture")
-        self.assertIn("figures/one.png: is no PNG", self.call(TROPHIC, "analyze", set_, "--html", "x.html", "--figures", "figures").stderr)
+        self.assertIn("figures/one.png: is not a PNG", self.call(TROPHIC, "analyze", set_, "--html", "x.html", "--figures", "figures").stderr)
         self.assertFalse((self.folder / "x.html").exists())
 
 

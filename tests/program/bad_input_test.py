@@ -14,7 +14,7 @@ import unittest
 from in_folder import InFolder
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
-HAS_MUJOCO = ", mujoco" in subprocess.run([PREDATOR_PREY, "--help"], capture_output=True, text=True).stdout
+HAS_MUJOCO = ", mujoco" in subprocess.run([PREDATOR_PREY, "--help"], env={**os.environ, "COLUMNS": "200"}, capture_output=True, text=True).stdout
 MEMORY = 2 << 30
 
 

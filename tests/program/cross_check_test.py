@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""cross_check_test.py TROPHIC PREDATOR_PREY FIGURE: walks and ecologies on two engines, from the command to the figure."""
+"""cross_check_test.py TROPHIC PREDATOR_PREY: walks and ecologies on two engines, from the command to the figure."""
 
 import csv
 import subprocess
@@ -10,7 +10,7 @@ import unittest
 import figures_python
 from in_folder import InFolderWithSets
 
-TROPHIC, PREDATOR_PREY, FIGURE = (sys.argv.pop(1) for _ in range(3))
+TROPHIC, PREDATOR_PREY = (sys.argv.pop(1) for _ in range(2))
 
 
 class CrossCheck(InFolderWithSets):
@@ -41,9 +41,9 @@ class CrossCheck(InFolderWithSets):
         self.assertIn("equivalent", {r["conclusion"] for r in metrics})
         if not figures_python.PYTHON:
             self.skipTest("the figure needs matplotlib and pandas")
-        drawn = subprocess.run([figures_python.PYTHON, FIGURE, self.folder / "out"], capture_output=True, text=True)
+        drawn = subprocess.run([TROPHIC, "plot", self.folder / "out"], capture_output=True, text=True)
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        self.assertGreater((self.folder / "out/cross_check.png").stat().st_size, 10_000)
+        self.assertGreater((self.folder / "out/figures/cross_check.png").stat().st_size, 10_000)
 
     def test_refusals(self):
         (self.folder / "there").mkdir()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The Python that can draw figures: the one that runs the tests or else the system's, which apt-get's modules belong to."""
 
+import os
 import subprocess
 import sys
 
@@ -13,3 +14,5 @@ def can_draw(python: str) -> bool:
 
 
 PYTHON = next(filter(can_draw, (sys.executable, "/usr/bin/python3")), None)
+if PYTHON is not None:  # for `trophic plot`
+    os.environ["TROPHIC_PYTHON"] = PYTHON

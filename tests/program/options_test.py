@@ -33,6 +33,9 @@ COMMANDS = {
     "cross-check": [TROPHIC, "cross-check", "--seconds", "0.2"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
     "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
+    "plot": [TROPHIC, "plot", "run"],
+    "cite": [TROPHIC, "cite", "run"],
+    "help": [TROPHIC, "help"],
     "show": [TROPHIC, "show", "run"],
     "film": [TROPHIC, "film", "run", "--out", "new.png"],
     "export": [TROPHIC, "export", "run", "--out", "new.glb"],
@@ -47,7 +50,7 @@ def options_of(command):
     """The options that take a value, as --help lists them."""
     program = command[:2] if command[0] == TROPHIC else command[:1]
     text = subprocess.run([*program, "--help"], capture_output=True, text=True, check=True).stdout
-    return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (?:UINT|FLOAT|TEXT)", text, re.M)
+    return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (?:N|X|TEXT|SHELL)\b", text, re.M)
 
 
 def without(command, option):

@@ -121,7 +121,7 @@ class Senses(InFolder):
         tables = list((self.folder / "sweep").rglob("senses.csv"))
         self.assertEqual(len(tables), 2)
         done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--senses", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--senses: not with --sweep; it is set in the sweep's file\n"))
+        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--senses: not with --sweep; its file has it\n"))
 
     def test_states_of_a_table_whose_rules_keep_some(self):
         rules = ("--rules", "released", "--seed", 3)
@@ -153,7 +153,7 @@ class Senses(InFolder):
         self.assertEqual(len(tables), 2)
         self.assertEqual(tables[0].read_text().splitlines()[0], "time_s,tick,body,id")
         done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--states", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--states: not with --sweep; it is set in the sweep's file\n"))
+        self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]), (2, "--states: not with --sweep; its file has it\n"))
 
 
 if __name__ == "__main__":

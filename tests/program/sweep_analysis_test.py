@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""sweep_analysis_test.py PREDATOR_PREY TROPHIC SWEEP: a sweep from its folder to figures, as users run it: files, errors, exit codes."""
+"""sweep_analysis_test.py PREDATOR_PREY TROPHIC: a sweep from its folder to figures, as users meet it: files, errors, exit codes."""
 
 import csv
 import json
@@ -12,7 +12,7 @@ import unittest
 import figures_python
 from in_folder import InFolderWithSets
 
-PREDATOR_PREY, TROPHIC, SWEEP = (sys.argv.pop(1) for _ in range(3))
+PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 SPEEDS, TICKS, REPLICATES, UNTIL_S = (1.0, 4.0), (15, 25), 6, 400.0
 FILES = ("cells.csv", "runs.csv", "sweep_metrics.csv", "sweep_differences.csv", "sweep_effects.csv", "summary.json")
 
@@ -82,7 +82,7 @@ class SweepAnalysis(InFolderWithSets):
         result = self.analyzed("--jobs", 2)
         self.assertEqual(result.stderr, "")
         for text in ("sweep of 4 cells, 48 runs of 400 s", "axis backend.speed_scale: 1.0, 4.0", "reference: cell 0 (speed_scale 1.0, base_ticks 15)",
-                     "seed by seed; p corrected for all of them (Holm)", "deaths prey", "/3 ", "no conclusion on "):
+                     "seed by seed; p corrected for all of them (Holm)", "deaths prey", "/3 ", "inconclusive: "):
             self.assertIn(text, result.stdout)
         self.assertNotIn("no effect", result.stdout)
         self.assertEqual({path.name for path in (self.folder / "analysis").iterdir()}, set(FILES))
@@ -164,7 +164,7 @@ class SweepAnalysis(InFolderWithSets):
         few = [row for row in table(self.folder / "analysis/sweep_differences.csv") if row["cell"] == "1"]
         self.assertTrue(any(row["difference"] for row in few))
         self.assertEqual({(row["p"], row["significant"], row["lower"]) for row in few}, {("", "", "")})
-        self.assertIn("too few runs for a conclusion in ", result.stdout)
+        self.assertIn("too few runs for a test in ", result.stdout)
         self.assertEqual(len(json.loads((self.folder / "analysis/summary.json").read_text())["sweep"]["missing"]), 2)
         shutil.rmtree(self.folder / "sweep/cell-000")
         again = self.analyze("sweep", "--allow-missing", "--out", "none")
@@ -209,7 +209,7 @@ class SweepAnalysis(InFolderWithSets):
         cell = "sweep/cell-000/replicate-00"
         for arguments, part in ((["sweep", "other"], "sweep: is a sweep, which must be analyzed alone"),
                                 ([cell, "sweep"], "sweep: is a sweep, which must be analyzed alone"),
-                                (["--compare", "sweep", cell], "--compare sweep: must be no sweep"),
+                                (["--compare", "sweep", cell], "--compare sweep: is a sweep"),
                                 (["sweep", "--published"], "not with --shadow or --published"),
                                 (["sweep", "--shadow", "other"], "not with --shadow or --published"),
                                 ([cell, "--reference", 1], "--reference: only with a sweep"),
@@ -223,9 +223,16 @@ class SweepAnalysis(InFolderWithSets):
             with self.subTest(arguments=arguments):
                 self.refused(part, *arguments)
         self.assertIn("runs of 200 s", self.analyzed("--until", 200).stdout)
-        again = self.analyze("sweep")
+        again = self.analyze("sweep", "--out", "analysis")
         self.assertEqual(again.returncode, 2)
         self.assertIn("exists already", again.stderr)
+
+    def test_named_metrics_are_on_the_screen(self):
+        shown = self.analyzed("--metric", "deaths:prey:all", "hunger").stdout
+        self.assertRegex(shown, r"metric +cell +mean +reference +difference \[95 %\] +p +g +runs +runs needed\n")
+        for cell in (1, 2, 3):
+            for metric in ("deaths prey", "hunger predator"):
+                self.assertRegex(shown, rf"\n{metric} +{cell} \(speed_scale [14].0, base_ticks \d+\) .*\[.*\] +[<0-9].* 6\+6")
 
     def test_rule_tables_may_be_an_axis(self):
         plan = [line for line in self.lines if line["cell"] == 0]
@@ -238,21 +245,21 @@ class SweepAnalysis(InFolderWithSets):
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
         self.analyzed()
-        result = call(figures_python.PYTHON, SWEEP, "analysis", cwd=self.folder)
+        result = call(TROPHIC, "plot", "analysis", cwd=self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         names = {path.name for path in (self.folder / "analysis/figures").iterdir()}
         for name in ("response-deaths", "heat-deaths-speed_scale-base_ticks", "response-velocity"):
             for ending in ("png", "pdf"):
                 self.assertIn(f"{name}.{ending}", names)
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
-        one = call(figures_python.PYTHON, SWEEP, "analysis", "--metric", "deaths:prey:caught", "--axes",
+        one = call(TROPHIC, "plot", "analysis", "--metric", "deaths:prey:caught", "--axes",
                    "rules.starvation.interval.base_ticks", "--out", "one", cwd=self.folder)
-        self.assertEqual((one.returncode, one.stdout), (0, "1 figures in one\n"), one.stderr)
+        self.assertEqual((one.returncode, one.stdout), (0, "1 figures in one, with captions.json and captions.tex\n"), one.stderr)
         for arguments, part in ((["--metric", "no"], "--metric no: no such metric"), (["--axes", "no"], "--axes no: must be one of ")):
-            wrong = call(figures_python.PYTHON, SWEEP, "analysis", *arguments, cwd=self.folder)
-            self.assertEqual(wrong.returncode, 1)
+            wrong = call(TROPHIC, "plot", "analysis", "--out", "wrong", *arguments, cwd=self.folder)
+            self.assertEqual(wrong.returncode, 2)
             self.assertIn(part, wrong.stderr)
-        self.assertIn("not what trophic analyze writes of a sweep", call(figures_python.PYTHON, SWEEP, "sweep", cwd=self.folder).stderr)
+        self.assertIn("not what trophic analyze writes", call(TROPHIC, "plot", "sweep", cwd=self.folder).stderr)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_tables_read_in_pandas(self):

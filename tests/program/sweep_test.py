@@ -183,6 +183,18 @@ class Ways(Sweeps):
         self.assert_done(self.run_words("parallel", "--jobs", "2", command, ":::", "1", "2", "3", "4"))
         self.assert_same()
 
+    def test_printed_slurm_script_by_array_ids(self):
+        printed = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--sbatch", "3")
+        self.assertEqual((printed.returncode, printed.stderr), (0, ""))
+        self.assertFalse((self.folder / "out").exists())
+        for line in (r"#SBATCH --array=1-3", r"#SBATCH --time=\d+:\d\d:00", r"#SBATCH --mem=\d+M", r"#SBATCH --output=slurm-%A_%a.log",
+                     r"#SBATCH --signal=B:TERM@120", r"# \d+ runs in \d+ cells, about .* of one core"):
+            self.assertRegex(printed.stdout, rf"(?m)^{line}")
+        self.write("job.sh", printed.stdout)
+        for task in (2, 1, 3):
+            self.assert_done(self.run_words("bash", "job.sh", env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)}))
+        self.assert_same()
+
     @unittest.skipUnless(shutil.which("snakemake"), "needs Snakemake")
     def test_snakemake(self):
         words = ["snakemake", "--cores", "2", "--snakefile", OPTIONS.sweeps / "Snakefile", "--config", "sweep=sweep.toml",
@@ -290,6 +302,29 @@ class Killed(Sweeps):
         self.assert_done(self.run_words(*words))
         self.assert_same()
 
+    def status(self):
+        done = self.run_words(OPTIONS.program, "--status", "--out", "out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def test_status_says_what_runs_is_interrupted_and_is_done(self):
+        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "2", "--checkpoint-s", "50"]
+        program = self.start(*words)
+        self.wait_for_work(self.at_work)
+        running = self.status()
+        self.assertRegex(running, r"out: 4 runs: 0 done, [12] running, 0 failed, \d interrupted, \d missing\n")
+        self.assertIn(f"running on {socket.gethostname()} (process {program.pid}): cell-00", running)
+        self.assertIn("left: unknown", running)
+        program.kill()
+        program.wait()
+        killed = self.status()
+        self.assertRegex(killed, r"0 done, 0 running, 0 failed, [12] interrupted, [23] missing\n")
+        self.assertIn("  interrupted: cell-00", killed)
+        self.assert_done(self.run_words(*words))
+        self.assertEqual(self.status(), "out: 4 runs: 4 done, 0 running, 0 failed, 0 interrupted, 0 missing\n")
+        shutil.rmtree(self.folder / "out/cell-001/replicate-01")
+        self.assertRegex(self.status(), r"3 done, 0 running, 0 failed, 0 interrupted, 1 missing\nleft: about .* of one core \(0.\d+ core-hours\)")
+
     def test_one_of_two_is_killed(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1", "--checkpoint-s", "50"]
         lives, dies = self.start(*words), self.start(*words)
@@ -306,7 +341,7 @@ class Killed(Sweeps):
         program.send_signal(signal.SIGTERM)
         said = program.communicate(timeout=600)
         self.assertEqual(program.returncode, 3, said)
-        self.assertIn("the same command continues these and no others", said[1])
+        self.assertIn("the same command resumes these and no others", said[1])
         self.assert_done(self.run_words(*words))
         self.assert_same()
 
@@ -382,15 +417,23 @@ class Refusals(Sweeps):
             self.write("bad.toml", "engine = \"kinematic\"\n" + text if "engine" not in text else text)
             self.assertIn(says, self.refused(file="bad.toml"), text)
 
+    def test_status_of_another_folder(self):
+        (self.folder / "out").mkdir()
+        for arguments, says in (([], "--status: needs --out"), (["--out", "out"], "--status: out is not a sweep's folder: it has no plan.jsonl")):
+            done = self.run_words(OPTIONS.program, "--status", *arguments)
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1))
+            self.assertIn(says, done.stderr)
+
     def test_options(self):
         for arguments, says in {
+            ("--sbatch", "0"): "--sbatch 0: must be >= 1",
             ("--shard", "5/4"): "5/4: must be I/N with 1 <= I <= N",
             ("--jobs", "0"): "--jobs 0: must be >= 1",
             ("--lease-s", "0"): "--lease-s 0: must be >= 1",
             ("--set", "rules.mutation.sd=0.1"): "--set: not with --sweep",
             ("--replicates", "3"): "--replicates: not with --sweep",
             ("--agents-every", "3"): "--agents-every: not with --sweep",
-            ("--senses",): "--senses: not with --sweep; it is set in the sweep's file",
+            ("--senses",): "--senses: not with --sweep; its file has it",
             ("--seed", "3"): "--seed: not with --sweep",
             ("--resume",): "--resume: not with --sweep",
         }.items():

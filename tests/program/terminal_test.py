@@ -7,6 +7,7 @@ import os
 import pathlib
 import pty
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -63,7 +64,7 @@ class Completion(InFolder):
         return result.stdout.split("\n")[:-1]
 
     def test_options_and_their_words(self):
-        self.assertEqual(self.offered(PREDATOR_PREY, "--re"), ["--replicates", "--resume", "--replay-hz"])
+        self.assertEqual(self.offered(PREDATOR_PREY, "--re"), ["--replicates", "--replay-hz", "--resume"])
         self.assertEqual(self.offered(PREDATOR_PREY, "--rules", ""), ["paper", "released"])
         self.assertEqual(self.offered(PREDATOR_PREY, "--rules", "=", "re"), ["released"])
         self.assertEqual(self.offered(PREDATOR_PREY, "--seed", "1", "--backend", "k"), ["kinematic"])
@@ -83,13 +84,89 @@ class Completion(InFolder):
         self.assertEqual(self.offered(TROPHIC, "analyze", "--fit"), [""])
 
 
+@unittest.skipUnless(shutil.which("zsh"), "no zsh")
+class ZshCompletion(InFolder):
+    """What zsh prints when Tab is pressed twice, in a terminal of its own."""
+
+    def offered(self, program, typed):
+        (self.folder / "script").write_text(subprocess.run([program, "--completion", "zsh"], capture_output=True, text=True, check=True).stdout)
+        ask = f"""
+zmodload zsh/zpty
+zpty tab zsh -f -i
+zpty -w tab "cd {self.folder}; PS1=; PATH={pathlib.Path(program).parent}:$PATH; stty columns 200 rows 60; autoload -Uz compinit; compinit -u -D; source ./script; LISTMAX=1000; setopt no_beep; print REA''DY"
+zpty -r tab line '*READY*'
+zpty -n -w tab {typed!r}$'\\t\\t'
+repeat 40; do
+  sleep 0.1
+  while zpty -rt tab line; do print -rn -- "$line"; done
+done
+zpty -d tab
+"""
+        shown = subprocess.run(["zsh", "-f", "-c", ask], capture_output=True, text=True, cwd=self.folder, timeout=60)
+        return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown.stdout)
+
+    def test_options_words_and_commands(self):
+        for program, typed, words in ((TROPHIC, "trophic ana", ["analyze"]),
+                                      (TROPHIC, "trophic evolve-gait --fitn", ["--fitness"]),
+                                      (PREDATOR_PREY, "trophic-predator-prey --rules relea", ["released"]),
+                                      (PREDATOR_PREY, "trophic-predator-prey --re", ["--replicates", "--resume", "number of runs"])):
+            with self.subTest(typed):
+                shown = self.offered(program, typed)
+                for word in words:
+                    self.assertIn(word, shown)
+                self.assertNotIn("not found", shown)
+
+
+class Help(InFolder):
+    def text(self, columns, *command):
+        return subprocess.run(command, capture_output=True, text=True, check=True, env={**os.environ, "COLUMNS": str(columns)}).stdout
+
+    def test_groups_exit_codes_and_examples_at_the_terminals_width(self):
+        for columns in (60, 80, 110):
+            text = self.text(columns, PREDATOR_PREY, "--help")
+            head, examples = text.split("\nExamples:\n")
+            self.assertLessEqual(max(map(len, head.splitlines())), columns)
+            self.assertEqual(len(examples.splitlines()), 3)
+            for group in ("What to run:", "How long and how many:", "A sweep:", "Where, and what is written:", "Look:", "Resume and branch:", "Print:"):
+                self.assertIn(f"\n\n{group}\n  --", head)
+            self.assertIn("\n\nExit codes: 0 done; 1 ", head)
+
+    def test_examples_are_accepted(self):
+        """Each example's options are those of its command."""
+        for command in ([PREDATOR_PREY], *([TROPHIC, name] for name in ("analyze", "plot", "cite", "show", "help"))):
+            text = self.text(200, *command, "--help")
+            for example in text.split("\nExamples:\n")[1].splitlines():
+                for option in re.findall(r"--[a-z-]+", example):
+                    self.assertIn(f"{option} ", text)
+
+    def test_help_of_a_command_is_its_help(self):
+        self.assertEqual(self.text(80, TROPHIC, "help", "plot"), self.text(80, TROPHIC, "plot", "--help"))
+        self.assertEqual(self.text(80, TROPHIC, "help"), self.text(80, TROPHIC, "--help"))
+        wrong = subprocess.run([TROPHIC, "help", "slot"], capture_output=True, text=True)
+        self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
+        self.assertIn("did you mean slots?", wrong.stderr)
+
+    def test_every_slot_is_asked_about_with_its_policies(self):
+        text = self.text(80, TROPHIC, "help", "slots")
+        include = pathlib.Path(__file__).resolve().parents[2] / "include/trophic"
+        slots = re.findall(r"^(\w+) \((\w+)\)\n  (.*\?)\n  policies: (.*)\n  swap: with_\1<", text, re.M)
+        self.assertEqual(len(slots), text.count("\n  policies: "))
+        for slot, kind, question, policies in slots:
+            folder = include / kind / slot
+            self.assertTrue((folder / "contract.hpp").exists(), folder)
+            there = {path.stem for path in folder.glob("*.hpp")} | {path.name for path in folder.iterdir() if path.is_dir()}
+            self.assertEqual(set(policies.removeprefix("list of: ").split()), there - {"contract", "detail", "list"}, slot)
+        self.assertIn("Who becomes a parent?", self.text(80, TROPHIC, "help", "slots", "parent"))
+        self.assertIn("velocity_stored", self.text(80, TROPHIC, "help", "metrics"))
+
+
 class Tool(InFolder):
     def call(self, *arguments):
         return subprocess.run([TROPHIC, *arguments], capture_output=True, text=True, cwd=self.folder)
 
     def test_commands(self):
         text = self.call("--help").stdout
-        for command in ("analyze", "ablation-table", "cross-check", "evolve-gait", "measure-gait"):
+        for command in ("analyze", "plot", "cite", "help", "ablation-table", "cross-check", "evolve-gait", "measure-gait"):
             self.assertIn(command, text)
             inner = self.call(command, "--help")
             self.assertEqual((inner.returncode, inner.stderr), (0, ""))
@@ -98,8 +175,8 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], "trophic: needs a command: analyze, ablation-table, cross-check, evolve-gait, measure-gait, show, film or export\n"),
-            (["analyse"], "trophic: analyse: must be analyze, ablation-table, cross-check, evolve-gait, measure-gait, show, film or export; did you mean analyze?\n"),
+            ([], "trophic: needs a command: analyze, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait or help\n"),
+            (["analyse"], "trophic: analyse: must be analyze, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait or help; did you mean analyze?\n"),
             (["analyze", "--publish"], "trophic analyze: --publish: unknown option; did you mean --published? (--help lists all)\n"),
             (["ablation-table"], "trophic ablation-table: runs is required\n"),
         ):

@@ -64,7 +64,7 @@ svg.bar { width: 9rem; height: 1rem; display: block; } .bar .axis { stroke: var(
 .above { stroke: var(--up); fill: var(--up); } .below { stroke: var(--down); fill: var(--down); } .neither { stroke: var(--soft); fill: var(--soft); }
 pre { font: 12.5px/1.4 ui-monospace, monospace; overflow-x: auto; background: var(--faint); padding: 0.8rem; border-radius: 6px; } summary { cursor: pointer; color: var(--soft); margin: 0.8rem 0; }
 .figures { columns: 22rem; column-gap: 1.2rem; } figure { break-inside: avoid; margin: 0 0 1.2rem; }
-figure.wide { column-span: all; } img { max-width: 100%; background: #fff; }
+figure.wide { column-span: all; } figcaption { font-size: 12.5px; color: var(--soft); } img { max-width: 100%; background: #fff; }
 .replays button, .downloads a { font: inherit; color: inherit; display: inline-block; margin: 0 0.4rem 0.4rem 0; padding: 0.25rem 0.7rem; border: 1px solid var(--line); border-radius: 4px; background: var(--faint); text-decoration: none; cursor: pointer; }
 .replays button[aria-pressed="true"] { background: var(--strong); color: var(--on-strong); }
 iframe { width: 100%; height: min(92vh, 56rem); border: 1px solid var(--line); border-radius: 6px; background: var(--faint); }
@@ -204,7 +204,7 @@ void append_figures(std::string& page, const std::vector<AnalysisPage::Figure>& 
   for (const AnalysisPage::Figure& figure : figures) {
     page.append(figure.name.ends_with("film_strip") ? "<figure class=\"wide\">" : "<figure>");
     page.append("<img alt=\"").append(escaped(figure.name + ": " + figure.caption)).append("\" src=\"data:image/png;base64,");
-    page.append(replay::base64(figure.png)).append("\"></figure>\n");
+    page.append(replay::base64(figure.png)).append("\"><figcaption>").append(escaped(figure.caption)).append("</figcaption></figure>\n");
   }
   page.append("</div>\n");
 }
@@ -263,7 +263,7 @@ std::vector<AnalysisPage::Figure> read_figures(const std::filesystem::path& fold
     }
     figures.push_back({.name = name, .caption = caption.get<std::string>(), .png = read_whole_file(folder / (name + ".png"))});
     if (!figures.back().png.starts_with("\x89PNG"))
-      throw std::invalid_argument{(folder / (name + ".png")).string() + ": is no PNG"};
+      throw std::invalid_argument{(folder / (name + ".png")).string() + ": is not a PNG"};
   }
   return figures;
 }

@@ -41,12 +41,12 @@ std::string baseline_words(const std::string& name) {
 
 std::optional<Finding> finding_of(const analysis::ShadowedSet& set, const analysis::SummaryRow& row, bool says_set) {
   const analysis::Comparison* null = null_of(row);
-  if (null == nullptr || !null->difference || !null->interval || !row.ours.mean) return std::nullopt;
+  if (null == nullptr || !null->difference.value || !null->difference.interval || !row.ours.mean) return std::nullopt;
   const Reading reading{row.name};
-  const double half = 0.5 * (null->interval->upper - null->interval->lower);
+  const double half = 0.5 * (null->difference.interval->upper - null->difference.interval->lower);
   if (!(half > 0.0)) return std::nullopt;
   Finding finding;
-  finding.strength = std::abs(*null->difference) / half;
+  finding.strength = std::abs(*null->difference.value) / half;
   finding.differs = null->conclusion() == analysis::TestResult::above || null->conclusion() == analysis::TestResult::below;
   std::string title = analysis::metric_title(row.name);
   std::ranges::replace(title, '_', ' ');
@@ -54,9 +54,9 @@ std::optional<Finding> finding_of(const analysis::ShadowedSet& set, const analys
   const std::string unit = comma == std::string::npos ? "" : " " + title.substr(comma + 2);
   title.resize(std::min(comma, title.size()));
   finding.sentence = (says_set ? set.ours.label + ": " : "") + title + ": " + reading(*row.ours.mean) + unit + ", " +
-                     reading(std::abs(*null->difference)) + unit + (*null->difference >= 0.0 ? " above " : " below ") +
+                     reading(std::abs(*null->difference.value)) + unit + (*null->difference.value >= 0.0 ? " above " : " below ") +
                      baseline_words(null->baseline) + " (95 % interval of the difference " +
-                     reading(null->interval->lower, true) + " to " + reading(null->interval->upper, true) + unit + "; " +
+                     reading(null->difference.interval->lower, true) + " to " + reading(null->difference.interval->upper, true) + unit + "; " +
                      std::to_string(row.ours.runs) + " runs).";
   return finding;
 }
@@ -107,7 +107,7 @@ AnalysisPage::Row row_of(const analysis::ShadowedSet& set, const analysis::Summa
   const analysis::Comparison* null = null_of(row);
   if (null == nullptr) return made;
   made.baseline = null->baseline + " " + reading(null->value);
-  made.difference = reading.with_interval(null->difference, null->interval, true);
+  made.difference = reading.with_interval(null->difference.value, null->difference.interval, true);
   switch (null->conclusion()) {
     case analysis::TestResult::above:
       made.conclusion = "above";
@@ -122,10 +122,10 @@ AnalysisPage::Row row_of(const analysis::ShadowedSet& set, const analysis::Summa
       made.conclusion = "too few runs";
       break;
   }
-  if (!null->difference || !null->interval) return made;
-  made.value = null->difference;
-  made.lower = null->interval->lower;
-  made.upper = null->interval->upper;
+  if (!null->difference.value || !null->difference.interval) return made;
+  made.value = null->difference.value;
+  made.lower = null->difference.interval->lower;
+  made.upper = null->difference.interval->upper;
   return made;
 }
 

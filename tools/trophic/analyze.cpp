@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `trophic analyze`, from runs to results: metrics with intervals beside the paper's values and their nulls.
+// `trophic analyze`, from runs to results: metrics with intervals next to the paper's values and their nulls.
 #include "commands.hpp"
 
 #include <algorithm>
@@ -13,10 +13,16 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tools/analysis/data/pooled_runs.hpp>
+#include <tools/analysis/data/shadow.hpp>
+#include <tools/analysis/metrics/metric_choice.hpp>
+#include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
+#include <tools/analysis/metrics/sweep_values.hpp>
 #include <tools/analysis/report/claim_conclusion.hpp>
 #include <tools/analysis/report/claims_text.hpp>
 #include <tools/analysis/report/compare_sets.hpp>
+#include <tools/analysis/report/means_table.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/summary.hpp>
 #include <tools/analysis/report/summary_json.hpp>
@@ -44,6 +50,10 @@ struct Options {
   std::optional<std::string> shadow;
   std::optional<double> until_s;
   bool published = false;
+  bool all = false;
+  std::vector<std::string> metrics;
+  std::vector<std::string> columns;
+  std::optional<std::uint64_t> jobs;
   SweepOptions sweep;
   std::optional<std::string> out;
   std::string html;
@@ -54,19 +64,19 @@ struct Options {
 inline constexpr std::uint64_t default_replays = 2;
 inline constexpr std::uint64_t most_replays = 20;
 
-/// Where tables go: where --out says, else into "analysis", unless a page is all that is asked for.
-[[nodiscard]] std::optional<std::filesystem::path> make_out(const Options& options) {
-  if (!options.out && !options.html.empty()) return std::nullopt;
-  return io::make_new_folder(options.out.value_or("analysis"));
+/// Where tables go: where --out says, else into "analysis" or the next free one, unless a page is all that is asked for.
+[[nodiscard]] std::unique_ptr<ResultFolder> make_out(const Options& options) {
+  if (!options.out && !options.html.empty()) return nullptr;
+  return std::make_unique<ResultFolder>(options.out);
 }
 
-void tell(const analysis::ShadowedSet& set) {
+void print_remarks(const analysis::ShadowedSet& set) {
   for (const std::string& remark : set.ours.remarks) std::cerr << "trophic analyze: " << remark << "\n";
   if (!set.shadow) return;
   for (const std::string& remark : set.shadow->remarks) std::cerr << "trophic analyze: " << remark << "\n";
 }
 
-/// The first runs of the sets as a viewer shows them; what cannot be shown is told of.
+/// The first runs of the sets as a viewer shows them; what cannot be shown is reported.
 [[nodiscard]] std::vector<AnalysisPage::Replay> replays_of(const Options& options, std::span<const analysis::ShadowedSet> sets) {
   std::vector<AnalysisPage::Replay> replays;
   const std::uint64_t most = options.replays.value_or(default_replays);
@@ -120,63 +130,136 @@ void write_page(const Options& options, std::span<const analysis::ShadowedSet> s
             << megabytes_text(html.size()) << "\n";
 }
 
-void finish(const Options& options, const std::optional<std::filesystem::path>& out, std::span<const analysis::ShadowedSet> sets,
-            const Json& json, const std::string& table) {
-  std::cout << table;
-  if (out) {
-    analysis::write_metrics(*out / "metrics.csv", sets);
-    write_json(*out / "summary.json", json);
-    std::cout << "files   " << out->string() << "/{metrics.csv,summary.json}\n";
-  }
-  if (!options.html.empty()) write_page(options, sets, table);
-  flush_output();
-}
+/// What was measured, for people and for papers.
+struct Results {
+  std::vector<analysis::SummarizedSet> sets;
+  std::vector<analysis::SetDifference> differences = {};  ///< of two sets that are compared
+  std::string shown;                                      ///< on the screen
+  std::string whole;                                      ///< on the page
+};
 
-[[nodiscard]] Json json_of(std::span<const analysis::ShadowedSet> sets) {
+void write_tables(const Options& options, const std::filesystem::path& out, std::span<const analysis::ShadowedSet> sets,
+                  const Results& results) {
+  std::string names = "metrics.csv,means.csv,means.tex";
+  analysis::write_metrics(out / "metrics.csv", sets);
+  analysis::write_means(out / "means.csv", results.sets);
+  std::string tex;
+  for (const analysis::SummarizedSet& set : results.sets) tex += analysis::means_tex(set);
+  write_new_file(out / "means.tex", tex);
   Json json;
   json["trophic"] = trophic::version;
-  for (const analysis::ShadowedSet& set : sets) {
-    json["sets"].push_back(analysis::summary_json(set, analysis::summarize(set.ours.runs, set.shadow_runs())));
+  for (const analysis::SummarizedSet& set : results.sets) json["sets"].push_back(analysis::summary_json(*set.set, set.rows));
+  if (!options.compare.empty()) {
+    json["differences"] = analysis::differences_json(results.differences);
+    analysis::write_differences(out / "differences.csv", results.differences);
+    write_new_file(out / "differences.tex", analysis::differences_tex(sets[0], sets[1], results.differences));
+    names += ",differences.csv,differences.tex";
   }
-  return json;
+  write_json(out / "summary.json", json);
+  std::cout << "files   " << out.string() << "/{" << names << ",summary.json}\n";
+}
+
+void finish(const Options& options, ResultFolder* out, std::span<const analysis::ShadowedSet> sets, const Results& results) {
+  std::cout << results.shown;
+  if (out != nullptr) {
+    write_tables(options, out->path(), sets, results);
+    out->keep();
+  }
+  if (!options.html.empty()) write_page(options, sets, results.whole);
+  flush_output();
 }
 
 [[nodiscard]] std::vector<std::filesystem::path> folders(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
 }
 
-void measure(const Options& options) {
-  const std::array sets{analysis::read_shadowed_set(folders(options.runs), options.shadow, options.until_s)};
-  const auto out = make_out(options);
-  tell(sets[0]);
-  std::ostringstream table;
-  if (options.published) {
-    analysis::print_claims(table, sets[0].ours, analysis::judge_claims(sets[0].ours.runs));
-  } else {
-    analysis::print_table(table, sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs()));
+[[nodiscard]] analysis::Measuring measuring_of(const Options& options) {
+  analysis::Measuring how{.until_s = options.until_s, .columns = {}, .jobs = options.jobs.value_or(1), .on_run = {}};
+  for (const std::string& column : options.columns) how.columns.push_back(analysis::own_column_of(column));
+  return how;
+}
+
+/// What can be known of runs without measuring them: that they may be pooled, that metrics exist, that each run has the columns
+/// that are asked for. Returns how many runs there are.
+[[nodiscard]] std::size_t check_runs(std::span<const std::filesystem::path> paths, const std::optional<std::string>& shadow,
+                                     const Options& options, const analysis::Measuring& how) {
+  std::vector<analysis::PooledRuns> all{analysis::pooled_runs(paths, how.until_s.has_value())};
+  const auto shadows = shadow ? std::vector<std::filesystem::path>{*shadow} : analysis::shadow_folders(paths);
+  if (!shadows.empty()) {
+    all.push_back(analysis::pooled_runs(shadows, how.until_s.has_value()));
+    analysis::check_shadow(all[0].manifests.front(), all[1].manifests.front());
   }
-  finish(options, out, sets, json_of(sets), table.str());
+  std::size_t runs = 0;
+  for (const analysis::PooledRuns& pooled : all) {
+    runs += pooled.manifests.size();
+    for (const analysis::RunManifest& manifest : pooled.manifests) {
+      for (const analysis::OwnColumn& column : how.columns) {
+        if (std::filesystem::exists(manifest.folder / column.file)) continue;
+        throw std::invalid_argument{"--column " + column.file + ":" + column.column + ": " + manifest.folder.string() +
+                                    " has no such file"};
+      }
+    }
+  }
+  if (how.columns.empty()) {
+    static_cast<void>(analysis::chosen(analysis::metric_names({&all[0].manifests.front().web, 1}), options.metrics));
+  }
+  return runs;
+}
+
+template <class Print>
+[[nodiscard]] std::string printed(Print&& print) {
+  std::ostringstream text;
+  print(text);
+  return text.str();
+}
+
+void measure(const Options& options) {
+  const analysis::Measuring how = measuring_of(options);
+  const auto paths = folders(options.runs);
+  const std::size_t runs = check_runs(paths, options.shadow, options, how);
+  const auto out = make_out(options);
+  const std::array sets{analysis::read_shadowed_set(paths, options.shadow, with_progress(how, runs))};
+  print_remarks(sets[0]);
+  Results results{.sets = {{&sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs(), options.metrics)}}, .shown = {}, .whole = {}};
+  const auto& rows = results.sets[0].rows;
+  if (options.published) {
+    results.whole = printed([&](auto& text) { analysis::print_claims(text, sets[0].ours, analysis::judge_claims(sets[0].ours.runs)); });
+    results.shown = results.whole;
+  } else {
+    results.whole = printed([&](auto& text) { analysis::print_table(text, sets[0], rows); });
+    const bool is_brief = !options.all && options.metrics.empty();
+    results.shown = is_brief ? printed([&](auto& text) { analysis::print_findings(text, sets[0], rows); }) : results.whole;
+  }
+  finish(options, out.get(), sets, results);
 }
 
 void compare(const Options& options) {
+  const analysis::Measuring how = measuring_of(options);
   const auto both = folders(options.compare);
-  const auto read = [&](std::size_t i) {
-    return analysis::read_shadowed_set(std::span{both}.subspan(i, 1), {}, options.until_s);
-  };
-  std::array sets{read(0), read(1)};
+  const auto one = [&](std::size_t i) { return std::span{both}.subspan(i, 1); };
+  const std::size_t runs = check_runs(one(0), {}, options, how) + check_runs(one(1), {}, options, how);
+  if (!how.until_s) {
+    analysis::check_comparable(analysis::pooled_runs(one(0), false).manifests.front(),
+                               analysis::pooled_runs(one(1), false).manifests.front());
+  }
+  const auto out = make_out(options);
+  const analysis::Measuring shown = with_progress(how, runs);
+  std::array sets{analysis::read_shadowed_set(one(0), {}, shown), analysis::read_shadowed_set(one(1), {}, shown)};
   analysis::check_comparable(sets[0].ours.manifests.front(), sets[1].ours.manifests.front());
   if (sets[0].ours.label == sets[1].ours.label) {
     sets[0].ours.label += " (a)";
     sets[1].ours.label += " (b)";
   }
-  const auto out = make_out(options);
-  for (const analysis::ShadowedSet& set : sets) tell(set);
-  const auto differences = analysis::compare_sets(sets[0], sets[1]);
-  std::ostringstream table;
-  analysis::print_differences(table, sets[0], sets[1], differences);
-  Json json = json_of(sets);
-  json["differences"] = analysis::differences_json(differences);
-  finish(options, out, sets, json, table.str());
+  for (const analysis::ShadowedSet& set : sets) print_remarks(set);
+  Results results{.sets = {}, .differences = analysis::compare_sets(sets[0], sets[1], options.metrics), .shown = {}, .whole = {}};
+  for (const analysis::ShadowedSet& set : sets) {
+    results.sets.push_back({&set, analysis::summarize(set.ours.runs, set.shadow_runs(), options.metrics)});
+  }
+  results.whole = printed([&](auto& text) { analysis::print_differences(text, sets[0], sets[1], results.differences); });
+  results.shown = options.all || !options.metrics.empty() ? results.whole : printed([&](auto& text) {
+    analysis::print_difference_findings(text, sets[0], sets[1], results.differences);
+  });
+  finish(options, out.get(), sets, results);
 }
 
 /// What can be known before anything is measured.
@@ -199,12 +282,16 @@ void run(const Options& options) {
   if (!options.compare.empty() && (options.shadow || options.published)) {
     throw std::invalid_argument{"--compare: not with --shadow or --published"};
   }
+  if (options.published && !options.metrics.empty()) {
+    throw std::invalid_argument{"--metric: not with --published, which has a list of its own"};
+  }
+  if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
   if (options.until_s && !(*options.until_s > 0.0 && std::isfinite(*options.until_s))) {
     throw std::invalid_argument{"--until " + number_text(*options.until_s) + ": must be > 0"};
   }
   for (const std::string& folder : options.compare) {
     if (analysis::is_sweep(folder))
-      throw std::invalid_argument{"--compare " + folder + ": must be no sweep; name two of its cells"};
+      throw std::invalid_argument{"--compare " + folder + ": is a sweep; name two of its cells"};
   }
   check_page(options);
   const auto sweep = std::ranges::find_if(options.runs, [](const std::string& folder) { return analysis::is_sweep(folder); });
@@ -213,7 +300,7 @@ void run(const Options& options) {
     if (options.shadow || options.published)
       throw std::invalid_argument{*sweep + ": is a sweep: not with --shadow or --published"};
     if (!options.html.empty()) throw std::invalid_argument{*sweep + ": is a sweep: not with --html; name one of its cells"};
-    measure_sweep(*sweep, options.out.value_or("analysis"), options.sweep, options.until_s);
+    measure_sweep(*sweep, options.out, options.sweep, measuring_of(options), options.metrics);
     return;
   }
   options.sweep.check_none();
@@ -229,9 +316,8 @@ Command analyze() {
       .name = "analyze",
       .about =
           "Measures runs: the paper's metrics with 95 % intervals over runs, next to its published values and their nulls. The "
-          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. A "
-          "sweep's "
-          "cells are each compared with one of them, corrected for the number of comparisons.",
+          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. Each cell "
+          "of a sweep is compared with one of them, corrected for the number of comparisons.",
       .options =
           {{"runs", &options->runs,
             "folders of runs, or of replicates, pooled, so they must have one fingerprint; or one folder of a sweep"},
@@ -241,31 +327,39 @@ Command analyze() {
             {},
             Words::suggested,
             2},
-           {"--shadow", &options->shadow, "the runs' neutral shadow, where it is not in RUNS/shadow"},
+           {"--shadow", &options->shadow, "the runs' neutral shadow, if it is not in RUNS/shadow"},
            {"--until", &options->until_s, "measure only the first seconds of every run"},
+           {"--metric", &options->metrics,
+            "test only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer tests need fewer runs. `trophic help metrics` "
+            "lists them"},
+           {"--column", &options->columns,
+            "a metric of your own: FILE:COLUMN or FILE:COLUMN:UNIT, a CSV table in each run's folder, of which the mean over rows "
+            "is tested like any metric; may be repeated"},
            {"--published", &options->published,
             "a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or "
             "inconclusive"},
+           {"--all", &options->all, "print every metric, not only the clearest findings"},
            {"--reference", &options->sweep.reference, "of a sweep: the cell that all others are compared with (the first)"},
-           {"--metric", &options->sweep.metrics,
-            "of a sweep: compare only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer comparisons need fewer "
-            "runs"},
            {"--difference", &options->sweep.difference,
             "of a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need"},
            {"--allow-missing", &options->sweep.allow_missing, "of a sweep: leave out runs that are missing or incomplete"},
-           {"--jobs", &options->sweep.jobs, "of a sweep: runs measured at a time (1)"},
-           {"--out", &options->out, "new folder for the tables and summary.json (analysis; with --html alone there are none)"},
+           {"--jobs", &options->jobs, "runs measured at a time (1); results do not depend on it"},
+           {"--out", &options->out,
+            "new folder for the tables and summary.json (analysis, or the next free analysis-1, -2, ...; with --html alone there are "
+            "none)"},
            {"--html", &options->html, "new page with the table, figures and replays, which opens from disk"},
-           {"--figures", &options->figures, "of the page: the folder of figures that plot.py made, with its captions.json"},
+           {"--figures", &options->figures, "of the page: the folder of figures that `trophic plot` made, with its captions.json"},
            {"--replays", &options->replays,
-            "of the page: how many runs of a set it replays, at most 20 (2, where they were recorded)"}},
+            "of the page: how many runs of a set it replays, at most 20 (2, if they were recorded)"}},
       .work =
           [options] {
             detail::analyze::run(*options);
             return 0;
           },
       .subcommands = {},
-      .version = {}};
+      .version = {},
+      .examples = {"trophic analyze runs/paper --out analysis", "trophic analyze --compare runs/paper runs/released --metric velocity:predator",
+                   "trophic analyze runs/sweep --reference 3 --jobs 4"}};
 }
 
 }  // namespace trophic::command

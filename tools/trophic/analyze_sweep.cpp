@@ -2,10 +2,14 @@
 // Definitions of analyze_sweep.hpp.
 #include <tools/trophic/analyze_sweep.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
+#include <memory>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
 #include <tools/analysis/report/axis_effects.hpp>
@@ -15,7 +19,9 @@
 #include <tools/analysis/report/sweep_tables.hpp>
 #include <tools/analysis/report/sweep_text.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/io/next_free_folder.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/observe/terminal.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/version.hpp>
@@ -27,19 +33,35 @@ void SweepOptions::check_none() const {
     if (is_asked) throw std::invalid_argument{std::string{option} + ": only with a sweep, a folder with plan.jsonl"};
   };
   refuse(reference.has_value(), "--reference");
-  refuse(!metrics.empty(), "--metric");
   refuse(difference.has_value(), "--difference");
   refuse(allow_missing, "--allow-missing");
-  refuse(jobs.has_value(), "--jobs");
 }
 
-void SweepOptions::check() const {
-  if (jobs == 0U) throw std::invalid_argument{"--jobs 0: must be >= 1"};
-  if (!difference) return;
-  if (!(std::isfinite(*difference) && *difference > 0.0)) {
-    throw std::invalid_argument{"--difference " + number_text(*difference) + ": must be > 0"};
-  }
-  if (metrics.empty()) throw std::invalid_argument{"--difference: needs --metric, which names what is to differ"};
+ResultFolder::ResultFolder(const std::optional<std::string>& out) {
+  const std::filesystem::path usual = "analysis";
+  const bool is_taken = std::filesystem::exists(std::filesystem::symlink_status(usual));
+  path_ = io::make_new_folder(out ? std::filesystem::path{*out} : is_taken ? io::next_free_folder(usual) : usual);
+}
+
+ResultFolder::~ResultFolder() {
+  if (is_kept_) return;
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+analysis::Measuring with_progress(const analysis::Measuring& how, std::size_t runs) {
+  analysis::Measuring shown = how;
+  if (!observe::stderr_is_terminal()) return shown;
+  const auto done = std::make_shared<std::size_t>(0);
+  shown.on_run = [done, runs] {
+    const bool is_last = ++*done == runs;
+    std::fputs(
+        ("\rmeasured " + std::to_string(*done) + " of " + std::to_string(runs) + " runs" + (is_last ? "\r\033[K" : "\033[K"))
+            .c_str(),
+        stderr);
+    std::fflush(stderr);
+  };
+  return shown;
 }
 
 void write_json(const std::filesystem::path& path, const Json& json) {
@@ -47,7 +69,8 @@ void write_json(const std::filesystem::path& path, const Json& json) {
 }
 
 void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const SweepOptions& options,
-                 std::optional<double> until_s) {
+                 const analysis::Measuring& how) {
+  const std::optional<double> until_s = how.until_s;
   const analysis::GridCell* base = sweep.grid.find(reference);
   if (base == nullptr) {
     throw std::invalid_argument{"--reference " + std::to_string(reference) + ": must be a cell of the sweep, " +
@@ -74,28 +97,30 @@ void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const 
   }
 }
 
-void measure_sweep(const std::filesystem::path& folder, const std::filesystem::path& out_folder, const SweepOptions& options,
-                   std::optional<double> until_s) {
-  options.check();
+void measure_sweep(const std::filesystem::path& folder, const std::optional<std::string>& out_folder, const SweepOptions& options,
+                   const analysis::Measuring& how, const std::vector<std::string>& metrics) {
+  if (options.difference && !(std::isfinite(*options.difference) && *options.difference > 0.0)) {
+    throw std::invalid_argument{"--difference " + number_text(*options.difference) + ": must be > 0"};
+  }
+  if (options.difference && metrics.empty())
+    throw std::invalid_argument{"--difference: needs --metric, which names what is to differ"};
   const analysis::SweepRuns sweep = analysis::read_sweep(folder);
   const auto reference = static_cast<std::size_t>(options.reference.value_or(sweep.grid.cells.front().number));
-  check_sweep(sweep, reference, options, until_s);
+  check_sweep(sweep, reference, options, how);
   std::set<std::int64_t> thinnings;
   for (const sweep::PlannedRun& run : sweep.plan) thinnings.insert(run.output.agents_every_ticks);
   for (const std::int64_t every : thinnings) {
     if (const std::string lost = analysis::lost_to_thinning(every); !lost.empty())
       std::cerr << "trophic analyze: " << lost << "\n";
   }
-  const auto names = analysis::chosen(analysis::metric_names(sweep.webs), options.metrics);
-  const auto out = io::make_new_folder(out_folder);
-  analysis::SweepValues values;
-  try {
-    values = analysis::measure_sweep(sweep, options.jobs.value_or(1), until_s);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(out, ignored);
-    throw;
-  }
+  const auto known = analysis::metric_names(sweep.webs);
+  if (how.columns.empty()) static_cast<void>(analysis::chosen(known, metrics));
+  ResultFolder result{out_folder};
+  const std::filesystem::path& out = result.path();
+  const auto there = static_cast<std::size_t>(std::ranges::count(sweep.is_there, true));
+  const analysis::SweepValues values = analysis::measure_sweep(sweep, with_progress(how, there));
+  const auto names = analysis::chosen(values.names, metrics);
+  const std::optional<double> until_s = how.until_s;
   if (!sweep.missing.empty()) std::cerr << "trophic analyze: " << analysis::missing_line(sweep) << "; left out\n";
   const auto differences = analysis::compare_cells(sweep.grid, values, reference, names);
   std::vector<analysis::RunsForDifference> answers;
@@ -103,6 +128,7 @@ void measure_sweep(const std::filesystem::path& folder, const std::filesystem::p
 
   analysis::print_sweep(std::cout, sweep, differences, reference, until_s);
   analysis::print_cell_differences(std::cout, sweep.grid, differences);
+  if (!metrics.empty()) analysis::print_named_metrics(std::cout, sweep.grid, differences);
   const auto effects = analysis::axis_effects(sweep.grid, values, reference, names);
   analysis::print_axis_effects(std::cout, effects);
   analysis::print_runs_for_difference(std::cout, answers, differences);
@@ -116,6 +142,7 @@ void measure_sweep(const std::filesystem::path& folder, const std::filesystem::p
   write_json(out / "summary.json", json);
   std::cout << "files   " << out.string()
             << "/{cells.csv,runs.csv,sweep_metrics.csv,sweep_differences.csv,sweep_effects.csv,summary.json}\n";
+  result.keep();
   flush_output();
 }
 

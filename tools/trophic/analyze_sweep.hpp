@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `trophic analyze` on a sweep: its cells against one of them.
+// `trophic analyze` on a sweep: its cells compared with one of them.
 #pragma once
 
 #include <cstddef>
@@ -17,25 +17,40 @@ namespace trophic::command::detail::analyze {
 /// What `trophic analyze` is asked of a sweep alone.
 struct SweepOptions {
   std::optional<std::uint64_t> reference;
-  std::vector<std::string> metrics;
   std::optional<double> difference;
   bool allow_missing = false;
-  std::optional<std::uint64_t> jobs;
 
-  /// Throws std::invalid_argument if anything is asked, as of folders that are no sweep.
+  /// Throws std::invalid_argument if anything is asked, for folders that are not a sweep.
   void check_none() const;
-  /// Throws std::invalid_argument for a number out of bounds, and for a difference of no metric.
-  void check() const;
 };
+
+/// A folder for results that goes again if the analysis fails.
+class ResultFolder {
+ public:
+  /// Makes it at once: `out`, or "analysis", "analysis-1", ... Throws std::invalid_argument for a folder that exists.
+  explicit ResultFolder(const std::optional<std::string>& out);
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+  ~ResultFolder();
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  void keep() { is_kept_ = true; }
+
+ private:
+  std::filesystem::path path_;
+  bool is_kept_ = false;
+};
+
+/// What is measured of `runs` runs, with a line on a terminal that says how many are done.
+[[nodiscard]] analysis::Measuring with_progress(const analysis::Measuring& how, std::size_t runs);
 
 void write_json(const std::filesystem::path& path, const Json& json);
 
 /// Everything that can be known of a sweep without measuring it. Throws std::invalid_argument.
 void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const SweepOptions& options,
-                 std::optional<double> until_s);
+                 const analysis::Measuring& how);
 
-/// Measures a sweep and writes what its cells differ in.
-void measure_sweep(const std::filesystem::path& folder, const std::filesystem::path& out_folder, const SweepOptions& options,
-                   std::optional<double> until_s);
+/// Measures a sweep and writes what its cells differ in; `metrics`: see analysis::chosen.
+void measure_sweep(const std::filesystem::path& folder, const std::optional<std::string>& out_folder, const SweepOptions& options,
+                   const analysis::Measuring& how, const std::vector<std::string>& metrics);
 
 }  // namespace trophic::command::detail::analyze

@@ -2,17 +2,21 @@
 // The subcommands of the program trophic, one file each, so that they compile side by side.
 #pragma once
 
+#include <functional>
 #include <trophic/command/option.hpp>
 
 namespace trophic::command {
 
 [[nodiscard]] Command analyze();
+[[nodiscard]] Command cite();
 [[nodiscard]] Command cross_check_engines();
 [[nodiscard]] Command evolve_gait();
 [[nodiscard]] Command export_run();
 [[nodiscard]] Command film();
 [[nodiscard]] Command ablation_table();
+[[nodiscard]] Command help(const std::function<Command()>& program);
 [[nodiscard]] Command measure_gait();
+[[nodiscard]] Command plot();
 [[nodiscard]] Command show();
 
 }  // namespace trophic::command

@@ -6,16 +6,22 @@
 
 #include "commands.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+trophic::command::Command program() {
   using namespace trophic::command;
-  return guarded(argv[0], [&] {
-    return run_command(argc, argv,
-                       {.name = {},
-                        .about = "Gaits for robots, and results, pages and films from runs.",
-                        .options = {},
-                        .work = {},
-                        .subcommands = {analyze(), ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), show(),
-                                        film(), export_run()},
-                        .version = version_text(backend_versions<LinkedBackends>())});
-  });
+  return {.name = {},
+          .about = "From runs to results: analyses, figures, pages and films; gaits for robots.",
+          .options = {},
+          .work = {},
+          .subcommands = {analyze(), plot(), cite(), show(), film(), export_run(), ablation_table(), cross_check_engines(),
+                          evolve_gait(), measure_gait(), help(&program)},
+          .version = version_text(backend_versions<LinkedBackends>()),
+          .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return trophic::command::guarded(argv[0], [&] { return trophic::command::run_command(argc, argv, program()); });
 }

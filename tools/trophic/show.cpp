@@ -2,6 +2,7 @@
 // `trophic show`: runs as one page that any browser opens from disk.
 #include "commands.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/trophic/replay/page.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
@@ -30,11 +32,30 @@ struct Options {
   replay::Window window;
 };
 
+/// The runs and sets of replicates in a folder, which is neither, in one sentence.
+[[nodiscard]] std::string runs_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator{folder, ignored}) {
+    for (const char* file : {"manifest.json", "replicates.json"}) {
+      if (std::filesystem::exists(entry.path() / file, ignored)) names.push_back(entry.path().string());
+    }
+  }
+  std::ranges::sort(names);
+  std::string text = folder.string() + ": is not a run";
+  constexpr std::size_t shown = 10;
+  for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) text += (i == 0 ? "; in it are " : ", ") + names[i];
+  return text + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " more" : "");
+}
+
 [[nodiscard]] std::vector<std::filesystem::path> folders_of(const Options& options) {
   std::vector<std::filesystem::path> folders;
   for (const std::string& name : options.runs) {
     std::vector<std::string> remarks;
-    for (const auto& folder : analysis::run_folders(name, remarks)) folders.push_back(folder);
+    for (const auto& folder : analysis::run_folders(name, remarks)) {
+      if (folder == name && !std::filesystem::exists(folder / "manifest.json")) throw std::invalid_argument{runs_in(folder)};
+      folders.push_back(folder);
+    }
     for (const std::string& remark : remarks) std::cerr << "trophic show: " << remark << "\n";
   }
   if (folders.empty()) throw std::invalid_argument{"runs: no run is there"};
@@ -70,7 +91,7 @@ Command show() {
       .name = "show",
       .about =
           "Makes one HTML file of recorded runs: the world in 3-D on a bar of time with what happened, population, tags, speed, "
-          "the phylogeny and what is known of each robot. It carries all it needs and opens from disk.",
+          "the phylogeny and the data of each robot. It opens from disk and needs no server.",
       .options = {{.name = "runs",
                    .target = &options->runs,
                    .help = "folders of runs, or of replicates; several are shown side by side",
@@ -80,7 +101,8 @@ Command show() {
                   {.name = "--to", .target = &options->window.to_s, .help = "show only what comes before, seconds"}},
       .work = [options] { return detail::show::run(*options); },
       .subcommands = {},
-      .version = {}};
+      .version = {},
+      .examples = {"trophic show runs/quickstart-1 -o run.html"}};
 }
 
 }  // namespace trophic::command

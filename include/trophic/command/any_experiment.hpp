@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/rules/printed_rules.hpp>
+#include <vector>
 
 namespace trophic::command {
 
@@ -32,9 +33,9 @@ class AnyExperiment {
   [[nodiscard]] virtual std::size_t* threads() = 0;
   /// Steps of the engine in a simulated second.
   [[nodiscard]] virtual double steps_a_second() const = 0;
-  /// The rules with their numbers and sources. `format`: "markdown" or "latex".
-  [[nodiscard]] virtual std::string table_text(std::string_view format) const = 0;
-  /// Returns a maker of its ecologies with the current numbers, or of those of its neutral shadow.
+  /// The rules with their numbers and sources.
+  [[nodiscard]] virtual std::vector<rules::PrintedRule> printed_rules() const = 0;
+  /// Makes its ecologies as the numbers are now, or those of its neutral shadow.
   [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
   /// Writes the engine's model of an ecology that `simulations` made. Returns false if the engine has no such file.
   virtual bool save_mjcf(const Simulation& ecology, const std::string& path) const = 0;

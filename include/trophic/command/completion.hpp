@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Completion in bash, written from a command's own options.
+// Completion in bash and zsh, written from a command's own options.
 #pragma once
 
 #include <string>
@@ -61,7 +61,7 @@ namespace detail {
   }
   if (within.empty()) {
     anywhere.insert(anywhere.end(), {"--version", "--completion"});
-    text += "    ' --completion') offer bash ;;\n";
+    text += "    ' --completion') offer " + lines({"bash", "zsh"}) + " ;;\n";
   }
   for (const Command& subcommand : command.subcommands) anywhere.push_back(subcommand.name);
   text += "    " + shell_text(within) + "' '*) offer " + lines(anywhere) + places + " ;;\n";
@@ -104,6 +104,68 @@ namespace detail {
   }
   return text + "  case \"$command $before\" in\n" + cases + "  esac\n  unset -f offer offer_files\n}\ncomplete -F " + function +
          " " + detail::shell_text(program) + "\n";
+}
+
+namespace detail {
+
+/// A text within a specification of zsh's _arguments, in single quotes: brackets, colons and quotes have a meaning there.
+[[nodiscard]] inline std::string zsh_escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
+    result += c == '\'' ? std::string{"'\\''"} : std::string{c};
+  }
+  return result;
+}
+
+/// What zsh offers for an option's value.
+[[nodiscard]] inline std::string zsh_values(const Option& option) {
+  if (std::holds_alternative<bool*>(option.target)) return "";
+  std::string words;
+  for (const std::string& word : option.words) words += (words.empty() ? "" : " ") + word;
+  if (option.use == Words::assigned) return ":number:{compadd -S = -- " + words + "}";
+  if (!words.empty()) return ":word:(" + words + ")";
+  return values_of(option) == "offer_files" ? ":file:_files" : ":number: ";
+}
+
+/// The arguments of _arguments for a command, one a line.
+[[nodiscard]] inline std::string zsh_arguments(const Command& command) {
+  std::string text;
+  for (const Option& option : command.options) {
+    const bool is_list = std::holds_alternative<std::vector<std::string>*>(option.target);
+    for (const std::string& name : {option.name, option.shorthand}) {
+      if (name.empty()) continue;
+      text += " \\\n    '";
+      text += is_named(option) ? (is_list ? "*" : "") + name + "[" + zsh_escaped(option.help) + "]" + zsh_values(option)
+                               : (is_list ? "*" : "1") + std::string{":"} + name + ":_files";
+      text += "'";
+    }
+  }
+  return text;
+}
+
+}  // namespace detail
+
+/// The script that `source <(PROGRAM --completion zsh)` loads, with the help of each option.
+[[nodiscard]] inline std::string zsh_completion(const Command& command, const std::string& program) {
+  const std::string help = " \\\n    '(-h --help)'{-h,--help}'[print the help]'";
+  std::string text = "#compdef " + program + "\n# Completion of " + program + " in zsh. Load it with: source <(" + program +
+                     " --completion zsh)\n(( $+functions[compdef] )) || { autoload -Uz compinit && compinit; }\n_" + program + "() {\n";
+  if (!command.subcommands.empty()) {
+    text += "  local -a commands=(";
+    for (const Command& subcommand : command.subcommands) {
+      text += "\n    '" + subcommand.name + ":" + detail::zsh_escaped(subcommand.about) + "'";
+    }
+    text += ")\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n  case $words[2] in\n";
+    for (const Command& subcommand : command.subcommands) {
+      text += "  " + subcommand.name + ") shift words; (( CURRENT-- )); _arguments -S" + help + detail::zsh_arguments(subcommand) + " ;;\n";
+    }
+    text += "  esac\n";
+  } else {
+    text += "  _arguments -S" + help + " \\\n    '--version[print the version]' \\\n    '--completion[print the completion]:shell:(bash zsh)'" +
+            detail::zsh_arguments(command) + "\n";
+  }
+  return text + "}\ncompdef _" + program + " " + program + "\n";
 }
 
 }  // namespace trophic::command

@@ -12,13 +12,14 @@
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/rules/printed_rules.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 #include <vector>
 
 namespace trophic::command {
 
-/// The values of all options. Omitted ones come from the configuration file, then from the rule table.
+/// Values from the command line. Missing ones come from the configuration file, then from the rule table.
 struct ExperimentOptions {
   std::optional<std::string> rules;
   std::optional<std::string> backend;
@@ -48,8 +49,12 @@ struct ExperimentOptions {
   std::string shard;  ///< "I/N"; empty: all of it
   bool dry_run = false;
   std::optional<double> lease_s;
-  std::string print_table;  ///< markdown or latex; empty: no table is printed
-  std::string program;      ///< as it was called
+  std::string print_table;                       ///< markdown or latex; empty: no table is printed
+  std::optional<std::string> unlike;             ///< rule table from which the printed one is to differ
+  std::vector<rules::PrintedRule> unlike_rules;  ///< of that table
+  bool status = false;                           ///< of a sweep
+  std::optional<std::uint64_t> sbatch;           ///< tasks of the Slurm script to print
+  std::string program;                           ///< as it was called
   io::Provenance provenance;
   io::OwnTables own_tables;  ///< the program's own tables, written by each run
 };

@@ -15,6 +15,7 @@
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/run_experiment.hpp>
 #include <trophic/command/sweep.hpp>
+#include <trophic/command/sweep_status.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/run/sweep/team.hpp>
@@ -40,63 +41,69 @@ namespace detail {
 [[nodiscard]] TROPHIC_INLINE std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
   const auto tables = offer.table_names();
   const auto backends = offer.backend_names();
-  return {
-      {"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")", tables},
-      {"--backend", &options.backend, backend_help(backends, offer.default_backend), backends},
-      {"--seed", &options.seed, "determines every random number (1)"},
-      {"--duration", &options.duration_s, "length of the run, seconds of the ecology's clock (the table's)"},
-      {"--robots", &options.robots, "number of bodies (the table's)"},
-      {"--robot", &options.robot, "name or path of a robot file (the table's)"},
-      {"--threads", &options.threads, "threads of the physics; results do not depend on it (all cores; 1 with --replicates)"},
-      {"--replicates", &options.replicates,
-       "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json"},
-      {"--jobs", &options.jobs, "replicates at a time (one per core); results do not depend on it"},
-      {"--resume", &options.resume,
-       "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints"},
-      {"--from", &options.from,
-       "begin where the run in this folder was at --at, with another --seed, other rules or other numbers of rules, or with "
-       "--replicates of its future"},
-      {"--at", &options.at_s, "seconds of its clock (its last checkpoint)"},
-      {"--checkpoint-s", &options.checkpoint_s,
-       "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
-      {"--shadow", &options.shadow,
-       "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited"},
-      {"--sweep", &options.sweep,
-       "run the grid of settings that this TOML file lists, into OUT; programs on several machines may work on one OUT at once"},
-      {"--shard", &options.shard, "I/N: of the sweep's runs only every N-th, from the I-th on (all)"},
-      {"--dry-run", &options.dry_run, "print the sweep's cells and how long they will take, and stop"},
-      {"--lease-s", &options.lease_s,
-       "seconds after which a run of the sweep is taken over from a program on another machine that has stopped answering (120)"},
-      {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
-      {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
-       paths_of(offer), Words::assigned},
-      {"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
-      {"--replay-hz", &options.replay_hz,
-       "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); a run that is resumed, or begins by --from, "
-       "keeps its own; nothing else of a run depends on it"},
-      {"--agents-every", &options.agents_every,
-       "agents.csv has the ticks whose number is a multiple of this (1); a run that is resumed, or begins by --from, keeps "
-       "its own; for large ecologies"},
-      {"--senses", &options.senses,
-       "write senses.csv too: the contacts, inputs and outputs of every robot; a run that is resumed, or begins by --from, "
-       "keeps its own choice"},
-      {"--states", &options.states,
-       "write states.csv too: what rules with a State keep for every robot; a run that is resumed, or begins by --from, "
-       "keeps its own choice"},
-      {"--save-mjcf", &options.save_mjcf,
-       "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"},
-      {"--watch", &options.watch,
-       "show the run in a window; its files are the same. H in the window lists what keys and mouse do"},
-      {"--print-config", &options.print_config, "print every number as TOML and stop"},
-      {"--print-table",
-       &options.print_table,
-       "print the rules with their numbers and sources, as markdown or latex, and stop",
-       {"markdown", "latex"},
-       Words::demanded},
+  std::vector<Option> all;
+  const auto add = [&all](const std::string& group, std::vector<Option> some) {
+    for (Option& option : in_group(group, std::move(some))) all.push_back(std::move(option));
   };
+  add("What to run",
+      {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")", tables},
+       {"--backend", &options.backend, backend_help(backends, offer.default_backend), backends},
+       {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
+       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
+        paths_of(offer), Words::assigned},
+       {"--robot", &options.robot, "name or path of a robot file (the table's)"},
+       {"--robots", &options.robots, "number of bodies (the table's)"}});
+  add("How long and how many",
+      {{"--duration", &options.duration_s, "length of the run, seconds of the ecology's clock (the table's)"},
+       {"--seed", &options.seed, "every random number follows from it (1)"},
+       {"--replicates", &options.replicates,
+        "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json"},
+       {"--shadow", &options.shadow,
+        "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited"},
+       {"--jobs", &options.jobs, "replicates at a time (one per core); results do not depend on it"},
+       {"--threads", &options.threads, "threads of the physics; results do not depend on it (all cores; 1 with --replicates)"}});
+  add("A sweep",
+      {{"--sweep", &options.sweep,
+        "run the grid of settings that this TOML file lists, into OUT; programs on several machines may work on one OUT at once"},
+       {"--dry-run", &options.dry_run, "print the sweep's cells and how long they will take, and stop"},
+       {"--status", &options.status, "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left"},
+       {"--shard", &options.shard, "I/N: of the sweep's runs only every N-th, beginning with the I-th (all)"},
+       {"--sbatch", &options.sbatch,
+        "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it"},
+       {"--lease-s", &options.lease_s,
+        "seconds after which a run of the sweep is taken over from a program on another machine that no longer answers (120)"}});
+  add("Where, and what is written",
+      {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
+       {"--replay-hz", &options.replay_hz,
+        "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},
+       {"--agents-every", &options.agents_every, "agents.csv has the ticks whose number is a multiple of this (1); for large ecologies"},
+       {"--senses", &options.senses, "write senses.csv too: contacts, inputs and outputs of every robot"},
+       {"--states", &options.states, "write states.csv too: what rules with a State keep for every robot"},
+       {"--checkpoint-s", &options.checkpoint_s,
+        "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
+       {"--save-mjcf", &options.save_mjcf,
+        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"}});
+  add("Look", {{"--watch", &options.watch, "show the run in a window; its files are the same. H in the window lists keys and mouse"}});
+  add("Resume and branch",
+      {{"--resume", &options.resume,
+        "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It keeps "
+        "what OUT has of --replay-hz, --agents-every, --senses and --states"},
+       {"--from", &options.from,
+        "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
+        "with --replicates of its future"},
+       {"--at", &options.at_s, "seconds of that run's clock (its last checkpoint)"}});
+  add("Print", {{"--print-config", &options.print_config, "print every number as TOML and stop"},
+                {"--print-table",
+                 &options.print_table,
+                 "print the rules with their numbers and sources, as markdown or latex, and stop",
+                 {"markdown", "latex"},
+                 Words::demanded},
+                {"--unlike", &options.unlike, "with --print-table: only rules and numbers that differ from this rule table", tables}});
+  return all;
 }
 
 TROPHIC_INLINE void check(const ExperimentOptions& options) {
+  if (options.unlike && options.print_table.empty()) throw std::invalid_argument{"--unlike: needs --print-table"};
   if (options.threads == std::uint64_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
   if (!options.replicates && (options.jobs || options.shadow)) {
     throw std::invalid_argument{"--jobs and --shadow: need --replicates"};
@@ -146,6 +153,13 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   }
   check(options);
   check_made_for(config, table, backend);
+  if (options.unlike) {
+    const Selection other{offer.table(*options.unlike), selection.backend};
+    if (other.table == nullptr) {
+      throw std::invalid_argument{must_be_one_of("--unlike " + *options.unlike, tables) + did_you_mean(nearest_word(*options.unlike, tables))};
+    }
+    options.unlike_rules = other.experiment()->printed_rules();
+  }
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
   }
@@ -172,9 +186,10 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
       throw std::invalid_argument{"two rule tables are called " + table + ": each needs a name of its own"};
     }
   }
-  if (!options.sweep.empty()) return run_sweep(options, offer, team);
-  if (!options.shard.empty() || options.dry_run || options.lease_s) {
-    throw std::invalid_argument{"--shard, --dry-run and --lease-s: need --sweep"};
+  if (!options.sweep.empty() && !options.status) return run_sweep(options, offer, team);
+  if (options.status) return sweep_status(options);
+  if (!options.shard.empty() || options.dry_run || options.lease_s || options.sbatch) {
+    throw std::invalid_argument{"--shard, --dry-run, --sbatch and --lease-s: need --sweep"};
   }
   if (team != nullptr && team->size() > 1) {
     if (!team->leads()) return usage_error;
@@ -195,11 +210,14 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
   return run_command(argc, argv,
                      {.name = {},
                       .about = "Runs an ecology of simulated robots by the rules of " + one_of(offer.table_names()) +
-                               ", and writes its events, agents, phylogeny and genomes with a manifest to a new folder.",
+                               ", and writes its events, agents, phylogeny and genomes with a manifest into a new folder.",
                       .options = detail::options_of(options, offer),
                       .work = [&] { return detail::run_options(options, offer, team.get(), linked.open_window); },
                       .subcommands = {},
-                      .version = version_text(backend_versions(offer.backends))});
+                      .version = version_text(backend_versions(offer.backends)),
+                      .examples = {options.program + " --backend kinematic --duration 600",
+                                   options.program + " --replicates 10 --shadow --out runs/study",
+                                   options.program + " --sweep sweep.toml --out runs/sweep"}});
 }
 
 }  // namespace trophic::command

@@ -16,7 +16,7 @@ namespace trophic::command {
 using Target = std::variant<bool*, std::string*, std::optional<std::string>*, std::uint64_t*, std::optional<std::uint64_t>*,
                             double*, std::optional<double>*, std::vector<std::string>*>;
 
-/// Use of an option's words.
+/// How an option uses its words.
 enum class Words {
   suggested,  ///< offered by completion; the command itself checks the value
   demanded,   ///< any other word is refused
@@ -33,7 +33,14 @@ struct Option {
   std::size_t values = 0;  ///< of a vector: how many it takes at once; 0: any number
   bool required = false;
   std::string shorthand = {};  ///< "-o"
+  std::string group = {};      ///< heading in --help; empty: "Options"
 };
+
+/// The same options under one heading of --help.
+[[nodiscard]] inline std::vector<Option> in_group(const std::string& group, std::vector<Option> options) {
+  for (Option& option : options) option.group = group;
+  return options;
+}
 
 /// A program or one of its subcommands.
 struct Command {
@@ -42,7 +49,8 @@ struct Command {
   std::vector<Option> options = {};
   std::function<int()> work = {};  ///< returns the exit code; empty if a subcommand must be named
   std::vector<Command> subcommands = {};
-  std::string version = {};  ///< what --version prints
+  std::string version = {};                ///< what --version prints
+  std::vector<std::string> examples = {};  ///< command lines, the last lines of --help
 };
 
 /// Exit codes: errors in the arguments, and errors at run time.

@@ -15,13 +15,13 @@ namespace trophic::command {
 /// The command as it was typed, words separated by blanks.
 [[nodiscard]] std::string command_line(int argc, const char* const* argv);
 
-/// The text of an exception for a user.
+/// The text of an exception for users.
 [[nodiscard]] const char* what_of(const std::exception& error);
 
 /// Prints the error in one line on standard error and returns `run_error`. Allocates no memory, as there may be none.
 [[nodiscard]] int report_failure(const char* called, const std::exception& error);
 
-/// The body of main: returns the exit code of `work`, or of report_failure if it throws.
+/// Calls `work`, which returns the exit code, and report_failure for exceptions: the body of a program's main.
 template <class Work>
 [[nodiscard]] int guarded(const char* called, Work&& work) {
   try {
@@ -31,9 +31,9 @@ template <class Work>
   }
 }
 
-/// Reads the arguments and returns the exit code of the command's work. `--help`, `--version` and `--completion bash` print and
-/// return 0. An error in the arguments, and every std::invalid_argument, gives one line on standard error and `usage_error`;
-/// every other exception gives `run_error`.
+/// Reads the arguments and returns the exit code of the command's work. `--help`, `--version` and `--completion SHELL` print and
+/// return 0. Wrong arguments, and every std::invalid_argument, give one line on standard error and `usage_error`; every other
+/// exception gives `run_error`.
 [[nodiscard]] int run_command(int argc, const char* const* argv, const Command& command);
 
 }  // namespace trophic::command

@@ -16,9 +16,9 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string_view>
@@ -27,6 +27,7 @@
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
+#include <trophic/observe/terminal.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -76,8 +77,8 @@ TROPHIC_INLINE int report_failure(const char* called, const std::exception& erro
 
 namespace detail {
 
-/// Throws std::invalid_argument "--seed -1: must be >= 0" for a text that CLI11 would read as another number: -1 as 2^64 - 1, 010
-/// as 8.
+/// Throws std::invalid_argument "--seed -1: must be >= 0" for texts that CLI11 reads as another number: -1 as 2^64 - 1, 010 as
+/// 8.
 TROPHIC_INLINE void check_whole_number(const std::string& option, const std::string& text) {
   const auto refuse = [&](const std::string& must) { throw std::invalid_argument{option + " " + text + ": must be " + must}; };
   const auto all_digits = [](std::string_view digits) {
@@ -91,7 +92,8 @@ TROPHIC_INLINE void check_whole_number(const std::string& option, const std::str
   }
 }
 
-/// Throws std::invalid_argument for texts that CLI11 would read as a number but that are not decimal: 0x10, 1e, an empty text.
+/// Throws std::invalid_argument for texts that are not plain decimal numbers, some of which CLI11 accepts: 0x10, 1e, an empty
+/// text.
 TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::string& text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -104,15 +106,6 @@ TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::s
 /// Throws std::invalid_argument for an empty text: `--config "$FILE"` with FILE unset would run another experiment.
 TROPHIC_INLINE void check_text(const std::string& option, const std::string& text) {
   if (text.empty()) throw std::invalid_argument{option + ": must not be empty"};
-}
-
-/// A throwing check as CLI11 takes it: a text that it returned would be an error.
-TROPHIC_INLINE std::function<std::string(const std::string&)> validator(void (*check)(const std::string&, const std::string&),
-                                                                        std::string option) {
-  return [check, option = std::move(option)](const std::string& text) {
-    check(option, text);
-    return std::string{};
-  };
 }
 
 /// Throws std::invalid_argument for a word that the option does not take.
@@ -137,25 +130,87 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
         option.target);
     if (option.values > 0) added->expected(static_cast<int>(option.values));
     added->required(option.required);
-    if (added->get_type_name() == "UINT") {
-      added->check(validator(check_whole_number, option.name));
-    }
-    if (added->get_type_name() == "FLOAT") {
-      added->check(validator(check_decimal_number, option.name));
-    }
-    if (added->get_type_name() == "TEXT") {
-      added->check(validator(check_text, option.name));
-    }
-    if (option.use == Words::demanded) {
-      added->check([&option](const std::string& text) {
-        check_word(option, text);
-        return std::string{};
-      });
-    }
+    if (!option.group.empty()) added->group(option.group);
+    const std::string type = added->get_type_name();
+    // A check throws; a text that it returned would be a complaint of CLI11's own.
+    added->check([&option, type](const std::string& text) {
+      if (type == "UINT") check_whole_number(option.name, text);
+      if (type == "FLOAT") check_decimal_number(option.name, text);
+      if (type == "TEXT") check_text(option.name, text);
+      if (option.use == Words::demanded) check_word(option, text);
+      return std::string{};
+    });
+    if (is_named(option))
+      added->option_text(type == "UINT" ? "N" : type == "FLOAT" ? "X" : type.empty() || type == "BOOLEAN" ? "" : "TEXT");
   }
 }
 
-/// The error about arguments that no option takes.
+/// A text in lines of at most `width` columns; each line after the first begins with `indent` blanks.
+[[nodiscard]] TROPHIC_INLINE std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
+  std::string lines;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    if (column > indent && column + 1 + word.size() > width) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+    column += word.size();
+  }
+  return lines;
+}
+
+/// --help as wide as the terminal, and no wider than 110 columns.
+class HelpText : public CLI::Formatter {
+ public:
+  HelpText() {
+    label("Positionals", "Arguments");
+    label("SUBCOMMAND", "COMMAND");
+  }
+  std::string make_description(const CLI::App* app) const override { return wrapped(app->get_description(), 0, width_) + "\n"; }
+  std::string make_group(std::string group, bool is_positional, std::vector<const CLI::Option*> options) const override {
+    std::string text = CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
+    if (text.ends_with("\n\n")) text.pop_back();
+    return text;
+  }
+  std::string make_footer(const CLI::App* app) const override {
+    const std::string footer = app->get_footer();
+    const std::size_t end = footer.find('\n');
+    return wrapped(footer.substr(0, end), 0, width_) + (end == std::string::npos ? "" : footer.substr(end)) + "\n";
+  }
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    return entry(make_option_name(option, is_positional) + (is_positional ? "" : make_option_opts(option)),
+                 option->get_description());
+  }
+  std::string make_subcommand(const CLI::App* app) const override { return entry(app->get_name(), app->get_description()); }
+
+ private:
+  [[nodiscard]] std::string entry(const std::string& name, const std::string& text) const {
+    constexpr std::size_t indent = 22;
+    const std::string head = "  " + name;
+    return head + (head.size() + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - head.size(), ' ')) +
+           wrapped(text, indent, width_) + "\n";
+  }
+
+  std::size_t width_ = std::clamp<std::size_t>(observe::terminal_columns(STDOUT_FILENO), 50, 110);
+};
+
+/// The end of --help: exit codes, then examples.
+[[nodiscard]] TROPHIC_INLINE std::string footer_of(const Command& command) {
+  std::string text =
+      "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal";
+  for (const std::string& example : command.examples) {
+    text += (&example == command.examples.data() ? "\n\nExamples:\n  " : "\n  ") + example;
+  }
+  return text;
+}
+
+/// The sentence about arguments that belong to no option.
 [[nodiscard]] TROPHIC_INLINE std::string about_extras(const std::vector<std::string>& extras, const Command& command) {
   std::string word = extras.front();
   for (const std::string& extra : extras) {
@@ -179,17 +234,6 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
          " (--help lists all)";
 }
 
-/// The shell that --completion names, read before anything else is checked; empty without the option.
-[[nodiscard]] TROPHIC_INLINE std::string completion_shell(int argc, const char* const* argv) {
-  constexpr std::string_view flag = "--completion";
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word{argv[i]};
-    if (word == flag) return i + 1 < argc ? argv[i + 1] : "";
-    if (word.starts_with(flag) && word.substr(flag.size()).starts_with('=')) return std::string{word.substr(flag.size() + 1)};
-  }
-  return "";
-}
-
 /// Lets an installed program find the models that were installed with it: PREFIX/share/trophic/models next to PREFIX/bin, unless
 /// TROPHIC_MODELS names others.
 TROPHIC_INLINE void use_installed_models() {
@@ -199,8 +243,8 @@ TROPHIC_INLINE void use_installed_models() {
   if (!error && std::filesystem::is_directory(models, error)) ::setenv("TROPHIC_MODELS", models.c_str(), 0);
 }
 
-/// Keeps files that the program opens from the numbers of standard streams that were closed (`>&-`): messages would end up in
-/// a table. The replacement is read-only, so that lost output is an error.
+/// Keeps the numbers of standard streams that were closed (`>&-`) from files that the program opens: otherwise its messages would
+/// go into a table. Writing to the replacement fails, so that it is noticed.
 TROPHIC_INLINE void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
@@ -211,8 +255,8 @@ TROPHIC_INLINE void occupy_closed_streams() {
 
 inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate did before
 
-/// If memory ran out in a place that cannot throw, such as a library's destructor: prints one line and exits with `run_error`;
-/// files stay as a killed program leaves them.
+/// If memory runs out in a place that cannot throw, such as a destructor of a library: one line and `run_error`, and files as a
+/// killed program leaves them.
 [[noreturn]] TROPHIC_INLINE void exit_with_message() noexcept {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
@@ -237,44 +281,54 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
     return code;
   };
   CLI::App app{command.about, name};
-  std::string shell;
-  std::vector<CLI::App*> added;
-  const Command* chosen = &command;
+  app.formatter(std::make_shared<detail::HelpText>());
+  app.footer(detail::footer_of(command));
+  app.require_subcommand(0, 1);
+  app.set_help_flag();
+  const auto add_help = [](CLI::App& to) { to.set_help_flag("-h,--help", "print this help and stop")->group("Help"); };
   try {
-    if (const std::string wanted = detail::completion_shell(argc, argv); !wanted.empty()) {
-      if (wanted != "bash") throw std::invalid_argument{"--completion " + wanted + ": must be bash"};
-      return print_text(bash_completion(command, name));
-    }
     detail::add_options(app, command);
+    add_help(app);
     if (!command.version.empty())
-      app.set_version_flag("--version", command.version, "print what this program is made of and stop");
-    app.add_option("--completion", shell, "print the completion for a shell and stop: source <(" + name + " --completion bash)")
-        ->check(detail::validator(detail::check_text, "--completion"));
+      app.set_version_flag("--version", command.version, "print what this program is made of and stop")->group("Help");
+    app.add_option_function<std::string>(
+           "--completion",
+           [&, program = name](const std::string& shell) {
+             detail::check_text("--completion", shell);
+             if (shell != "bash" && shell != "zsh")
+               throw std::invalid_argument{"--completion " + shell + ": must be bash or zsh"};
+             static_cast<void>(
+                 print_text(shell == "bash" ? bash_completion(command, program) : zsh_completion(command, program)));
+             throw CLI::Success{};
+           },
+           "print the completion for bash or zsh and stop: source <(" + name + " --completion bash)")
+        ->option_text("SHELL")
+        ->group("Help")
+        ->trigger_on_parse();
     for (const Command& subcommand : command.subcommands) {
-      added.push_back(app.add_subcommand(subcommand.name, subcommand.about));
-      detail::add_options(*added.back(), subcommand);
+      CLI::App& added = *app.add_subcommand(subcommand.name, subcommand.about)->group("Commands");
+      added.footer(detail::footer_of(subcommand));
+      added.set_help_flag();
+      detail::add_options(added, subcommand);
+      add_help(added);
     }
-    app.require_subcommand(0, 1);
-    const auto choose = [&] {
-      for (std::size_t i = 0; i < added.size(); ++i) {
-        if (!added[i]->parsed()) continue;
-        chosen = &command.subcommands[i];
-        name += " " + chosen->name;
-      }
-    };
+    std::exception_ptr refused;
     try {
       app.parse(argc, argv);
-      choose();
-    } catch (const std::invalid_argument&) {
-      choose();
-      throw;
+    } catch (...) {
+      refused = std::current_exception();
+    }
+    const Command* chosen = &command;
+    for (const CLI::App* named : app.get_subcommands()) {
+      chosen = &*std::ranges::find(command.subcommands, named->get_name(), &Command::name);
+      name += " " + chosen->name;
+    }
+    try {
+      if (refused) std::rethrow_exception(refused);
     } catch (const CLI::ExtrasError&) {
-      choose();
       return report(detail::about_extras(app.remaining(true), *chosen), usage_error);
     } catch (const CLI::ParseError& error) {
-      choose();
-      if (error.get_exit_code() == 0) return app.exit(error);
-      return report(error.what(), usage_error);
+      return error.get_exit_code() == 0 ? app.exit(error) : report(error.what(), usage_error);
     }
     if (chosen->work) return chosen->work();
     std::vector<std::string> names;

@@ -134,7 +134,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   flush_output();
   if (unfinished.empty()) return 0;
   for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
-  std::cerr << "the same command with --resume continues these and no others\n";
+  std::cerr << "the same command with --resume resumes these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -144,8 +144,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   const bool is_stopped = view.time_s < until_s;
   if (is_stopped) {
     std::cout << "stopped by signal " << observe::StopOnSignal::caught() << " at " << number_text(view.time_s) << " of "
-              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string()
-              << " continues it\n";
+              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " resumes it\n";
   }
   progress.summary(std::cout, view);
   std::cout << "files   " << folder.path().string() << "/{";
@@ -212,6 +211,9 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   observe::StopOnSignal stop;
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
                        run_state.opening(), ecology.state_columns(), options.own_tables};
+  if (options.states && ecology.state_columns().names.empty()) {
+    std::cout << "states  none: no rule of this table has a State; states.csv lists the robots only\n";
+  }
   observe::Progress progress;
   try {
     if (run_state.begins) {
@@ -227,7 +229,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     const int code = report_failure(options.program.c_str(), error);
     std::error_code unknown;
     const bool is_there = std::filesystem::exists(folder.path(), unknown);
-    std::cerr << (is_there ? "files written so far are in " : "its folder was removed or moved: ") << folder.path().string()
+    std::cerr << (is_there ? "everything written so far is in " : "no longer there, removed or moved: ") << folder.path().string()
               << "\n";
     return code;
   }
@@ -348,7 +350,11 @@ TROPHIC_INLINE int run_experiment(const Selection& selection, const ExperimentOp
   const auto experiment = detail::experiment_of(selection, options, config);
   if (options.print_config)
     return detail::print_config(selection.table->name, selection.backend->name, experiment->named_params());
-  if (!options.print_table.empty()) return print_text(experiment->table_text(options.print_table));
+  if (!options.print_table.empty()) {
+    std::vector<rules::PrintedRule> rules = experiment->printed_rules();
+    if (!options.unlike_rules.empty()) rules = rules::unlike(rules, options.unlike_rules);
+    return print_text(options.print_table == "latex" ? rules::latex_table(rules) : rules::markdown_table(rules));
+  }
   return options.replicates ? detail::run_replicates(options, *experiment, origin)
                             : detail::run_once(options, *experiment, origin, open_window);
 }

@@ -3,30 +3,23 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/run_experiment.hpp>
 #include <trophic/command/sweep.hpp>
-#include <trophic/command/toml_of_json.hpp>
+#include <trophic/command/sweep_estimate.hpp>
 #include <trophic/command/words.hpp>
-#include <trophic/io/next_free_folder.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/params/toml.hpp>
 #include <trophic/run/replicates/folder.hpp>
 #include <trophic/run/sweep/attempt.hpp>
 #include <trophic/run/sweep/claim.hpp>
@@ -38,43 +31,7 @@ namespace trophic::command {
 
 namespace detail::sweeps {
 
-using sweep::PlannedRun;
-
-[[nodiscard]] inline std::string cell_name(std::size_t cell) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "cell-%03zu", cell);
-  return name.data();
-}
-
-/// One value under its path, in nested tables.
-inline void insert(toml::table& table, std::string_view path, const Json& value) {
-  const std::size_t dot = path.find('.');
-  if (dot != std::string_view::npos) {
-    toml::node* nested = &table.insert(path.substr(0, dot), toml::table{}).first->second;
-    if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is below a key that has a value"};
-    return insert(*nested->as_table(), path.substr(dot + 1), value);
-  }
-  insert_value(table, path, value);
-}
-
-/// Settings as a configuration file has them.
-[[nodiscard]] inline Config config_of(const sweep::Settings& settings) {
-  Config config{.origin = {}, .file = {}, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = {}};
-  for (const auto& [path, value] : settings.items()) insert(config.numbers, path, value);
-  return config;
-}
-
-[[nodiscard]] inline Selection selection_of(const std::string& table, const std::string& engine, const Offer& offer) {
-  const auto refuse = [](const std::string& key, const std::string& name, const std::vector<std::string>& names) {
-    throw std::invalid_argument{key + " = " + must_be_one_of(name, names) + did_you_mean(nearest_word(name, names))};
-  };
-  const Selection selection{offer.table(table), offer.backend(engine)};
-  if (selection.table == nullptr) refuse("rule_table", table, offer.table_names());
-  if (selection.backend == nullptr) refuse("engine", engine, offer.backend_names());
-  return selection;
-}
-
-/// Removes the value of a key from a cell's settings and returns it.
+/// The choice that a cell makes under a key, taken out of its settings.
 [[nodiscard]] inline std::string take(sweep::Settings& settings, const std::string& key, const std::string& otherwise) {
   const auto found = settings.find(key);
   if (found == settings.end()) return otherwise;
@@ -142,96 +99,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   return files;
 }
 
-/// A plan's runs with the tables and backends of the program.
-class Runner {
- public:
-  Runner(const ExperimentOptions& options, const Offer& offer, const observe::StopOnSignal& stop)
-      : options_{options}, offer_{offer}, stop_{stop} {}
-
-  /// Runs one in a folder, for the plan's duration or, with `until_s`, for less.
-  void run(const PlannedRun& run, const std::filesystem::path& folder, observe::JointProgress& progress,
-           std::optional<double> until_s = {}) const {
-    Config config = config_of(run.settings);
-    if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::CommonOptions common{
-        options_.provenance, {.every_s = options_.checkpoint_s}, run.output, {}, options_.own_tables};
-    common.provenance.emplace_back("planned_run", std::to_string(run.index));
-    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, common,
-                progress.watch(run.folder.string()), stop_);
-  }
-
- private:
-  static void insert_duration(toml::table& numbers, double until_s) {
-    numbers.insert("ecology", toml::table{});
-    numbers["ecology"].as_table()->insert_or_assign("duration_s", until_s);
-  }
-
-  const ExperimentOptions& options_;
-  const Offer& offer_;
-  const observe::StopOnSignal& stop_;
-};
-
-/// A folder that is removed with this object.
-struct PassingFolder {
-  std::filesystem::path path;
-  explicit PassingFolder(std::filesystem::path folder) : path{std::move(folder)} {}
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
-  ~PassingFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path, error);
-  }
-};
-
-/// Core-seconds for one unit of a run's `work`: short runs into a folder that is removed again, longer until one takes half a
-/// second. Meaningless after a signal.
-[[nodiscard]] inline double probe(const Runner& runner, const PlannedRun& run, const std::filesystem::path& beside) {
-  std::ofstream nowhere;
-  observe::JointProgress quiet{1, run.until_s, nowhere, false};
-  for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
-    const PassingFolder folder{io::next_free_folder(beside)};
-    const observe::Stopwatch watch;
-    runner.run(run, folder.path, quiet, until_s);
-    const double wall_s = watch.elapsed_s();
-    if (wall_s > 0.5 || until_s >= run.until_s) return wall_s / (run.work * until_s / run.until_s);
-  }
-}
-
-/// Prints the cells and an estimate of the core time, by probes of up to three cells of each table and engine.
-[[nodiscard]] inline int dry_run(const ExperimentOptions& options, const sweep::SweepFile& file,
-                                 const std::vector<PlannedRun>& plan, const Runner& runner) {
-  using Kind = std::pair<std::string, std::string>;
-  constexpr std::size_t most_probes = 3;
-  std::map<Kind, std::vector<const PlannedRun*>> kinds;
-  const auto cells = sweep::cells_of(file);
-  for (const PlannedRun& run : plan) {
-    if (run.replicate > 0 || run.shadow) continue;
-    kinds[{run.rule_table, run.engine}].push_back(&run);
-    std::cout << cell_name(run.cell) << "  " << file.numbers.replicates << " x " << number_text(run.until_s) << " s, "
-              << run.rule_table << " on " << run.engine << ", " << sweep::text_of(cells[run.cell], file) << "\n";
-  }
-  std::map<Kind, double> rates;
-  std::size_t probes = 0;
-  for (const auto& [kind, runs] : kinds) {
-    const std::size_t count = std::min(most_probes, runs.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::filesystem::path beside = std::filesystem::temp_directory_path() / (options.program + "-probe");
-      rates[kind] +=
-          probe(runner, *runs[i * (runs.size() - 1) / std::max<std::size_t>(1, count - 1)], beside) / static_cast<double>(count);
-      if (observe::StopOnSignal::caught() != 0) return stopped;
-      ++probes;
-    }
-  }
-  double core_s = 0.0;
-  for (const PlannedRun& run : plan) core_s += run.work * rates[{run.rule_table, run.engine}];
-  std::cout << plan.size() << " runs in " << cells.size() << " cells, about " << observe::duration_text(core_s)
-            << " of one core (" << number_text(std::ceil(core_s / 36.0) / 100.0) << " core-hours) by " << probes
-            << (probes == 1 ? " short run" : " short runs") << " of this machine\n";
-  flush_output();
-  return 0;
-}
-
-/// Reports the state of the sweep and returns the exit code.
+/// Prints how many runs are complete and returns the exit code.
 [[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally) {
   constexpr std::size_t most_sentences = 20;
   const std::size_t complete = tally.kept + tally.complete;
@@ -244,7 +112,7 @@ struct PassingFolder {
   if (tally.unfinished.size() > most_sentences) {
     std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
   }
-  std::cerr << "the same command continues these and no others\n";
+  std::cerr << "the same command resumes these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -252,7 +120,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   const auto refuse = [](bool given, const std::string& option, const std::string& instead) {
     if (given) throw std::invalid_argument{option + ": not with --sweep; " + instead};
   };
-  const std::string in_file = "it is set in the sweep's file";
+  const std::string in_file = "its file has it";
   refuse(options.rules.has_value(), "--rules", in_file);
   refuse(options.backend.has_value(), "--backend", in_file);
   refuse(options.seed.has_value(), "--seed", in_file);
@@ -267,7 +135,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   refuse(options.states, "--states", in_file);
   refuse(!options.config.empty(), "--config", in_file);
   refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
-  refuse(options.resume, "--resume", "a sweep always continues its incomplete runs");
+  refuse(options.resume, "--resume", "a sweep always resumes what is not complete");
   refuse(!options.from.empty(), "--from", "each run begins at its beginning");
   refuse(options.threads.has_value(), "--threads", "each run has one thread; see --jobs");
   refuse(!options.save_mjcf.empty(), "--save-mjcf", "run one cell for it");
@@ -276,6 +144,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   if (options.out.empty() && !options.dry_run) {
     throw std::invalid_argument{"--sweep: needs --out, the folder that all its programs share"};
   }
+  if (options.sbatch == std::uint64_t{0}) throw std::invalid_argument{"--sbatch 0: must be >= 1"};
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
   if (options.lease_s && !(*options.lease_s >= 1.0)) {
     throw std::invalid_argument{"--lease-s " + number_text(*options.lease_s) + ": must be >= 1"};
@@ -283,7 +152,7 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   if (team == nullptr) return;
   refuse(!options.shard.empty(), "--shard", "MPI hands out the runs");
   refuse(options.jobs.has_value(), "--jobs", "under MPI each rank makes one run at a time");
-  refuse(options.dry_run, "--dry-run", "start it without mpirun");
+  refuse(options.dry_run || options.sbatch, "--dry-run and --sbatch", "start it without mpirun");
   if (team->size() < 2) {
     throw std::invalid_argument{"mpirun -n 1: needs at least 2 ranks, as rank 0 hands out the runs; without mpirun, see --jobs"};
   }
@@ -333,6 +202,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
     if (!options.shard.empty()) shard = sweep::shard_of(options.shard);
     if (leads) {
       plan = plan_of(file, offer);
+      if (options.sbatch) return detail::sweeps::print_sbatch(options, file, plan, runner);
       if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
       sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
     }

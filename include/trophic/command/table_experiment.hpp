@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/command/any_experiment.hpp>
 #include <trophic/command/backends.hpp>
@@ -42,9 +41,8 @@ class TableExperiment final : public AnyExperiment {
   [[nodiscard]] double steps_a_second() const override {
     return choice_.has_joints() ? 1.0 / numbers_.physics.timestep_s : numbers_.ecology.control_hz;
   }
-  [[nodiscard]] std::string table_text(std::string_view format) const override {
-    const auto text = format == "latex" ? &rules::latex_table<Rules> : &rules::markdown_table<Rules>;
-    return text(numbers_.rules, numbers_.ecology, numbers_.physics);
+  [[nodiscard]] std::vector<rules::PrintedRule> printed_rules() const override {
+    return rules::printed_rules<Rules>(numbers_.rules, numbers_.ecology, numbers_.physics);
   }
   [[nodiscard]] MakeSimulation simulations(bool shadow) const override {
     return simulations_of(shadow ? shadow_of(numbers_) : numbers_, choice_);

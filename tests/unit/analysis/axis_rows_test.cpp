@@ -27,5 +27,5 @@ TEST_CASE("sweep_effects.csv and its summary say what is significant") {
   std::ostringstream out;
   print_axis_effects(out, effects);
   CHECK(out.str().find("of 3 effects of an axis are significant (Holm); the largest of each:") != std::string::npos);
-  CHECK(out.str().find("a 0 -> 2") != std::string::npos);
+  CHECK(out.str().find("0 -> 2\n") != std::string::npos);
 }

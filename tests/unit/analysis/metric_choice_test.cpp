@@ -27,5 +27,5 @@ TEST_CASE("choices keep the order of the metrics, and one that names none is ref
   CHECK(chosen(names, std::vector<std::string>{"hunger", "deaths:prey:all"}) == std::vector<MetricName>{names[0], names[2]});
   CHECK(chosen(names, {}) == names);
   CHECK(test::message_of<std::invalid_argument>([&] { static_cast<void>(chosen(names, std::vector<std::string>{"hungr"})); }) ==
-        "metric hungr: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of deaths, hunger");
+        "metric hungr: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of deaths, hunger; did you mean hunger?");
 }

@@ -52,9 +52,9 @@ TEST_CASE("runs of different status or duration are not pooled, unless all are c
           static_cast<void>(read_set(Paths{d, killed("e", 5)}));
         }).find("status \"running\" at an unknown time of 6000 s; runs of different length are not pooled") != std::string::npos);
   CHECK(read_set(Paths{d}).runs.size() == 1);
-  CHECK(read_set(Paths{a, b, c}, 100.0).runs.size() == 3);
-  CHECK(read_set(Paths{a, b, c}, 100.0).manifests[1].until_s == 100.0);
-  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b, c}, 150.0)); }).starts_with(b.string()));
+  CHECK(read_set(Paths{a, b, c}, {.until_s = 100.0}).runs.size() == 3);
+  CHECK(read_set(Paths{a, b, c}, {.until_s = 100.0}).manifests[1].until_s == 100.0);
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b, c}, {.until_s = 150.0})); }).starts_with(b.string()));
 }
 
 TEST_CASE("a run without manifest is left out, one with a broken table keeps its other metrics") {
@@ -97,7 +97,7 @@ TEST_CASE("run set: cut in time -> runs and shadow are cut alike") {
   const TemporaryFolder folder;
   const auto run = run_of(folder.path() / "run", "copy");
   run_of(run / "shadow", "nothing_inherited");
-  const auto set = read_shadowed_set(Paths{run}, {}, 1.0);
+  const auto set = read_shadowed_set(Paths{run}, {}, {.until_s = 1.0});
   CHECK(set.ours.manifests.front().until_s == 1.0);
   CHECK(set.shadow->manifests.front().until_s == 1.0);
 }

@@ -40,7 +40,7 @@ TEST_CASE("only nulls get a difference and a conclusion, and the paper's baselin
   CHECK(rows[0].comparisons[0].baseline == "permuted_tags");
   CHECK(rows[0].comparisons[0].test_result() == TestResult::above);
   CHECK(*rows[0].comparisons[1].value == doctest::Approx(2.0 / 3.0));
-  CHECK_FALSE(rows[0].comparisons[1].difference);
+  CHECK_FALSE(rows[0].comparisons[1].difference.value);
   CHECK(rows[0].comparisons[1].test_result() == TestResult::unknown);
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("a run's own null is paired with it: a shift that every run has is see
   for (const double level : {0.2, 0.9, 0.5, 0.7, 0.3, 0.6}) runs.push_back(run_with(level + 0.01, level));
   const auto row = summarize(runs).front();
   CHECK(row.comparisons[0].test_result() == TestResult::above);
-  CHECK(row.comparisons[0].interval->lower == doctest::Approx(0.01));
+  CHECK(row.comparisons[0].difference.interval->lower == doctest::Approx(0.01));
 }
 
 TEST_CASE("the shadow comes first, its runs are a set of their own") {
@@ -61,7 +61,7 @@ TEST_CASE("the shadow comes first, its runs are a set of their own") {
   CHECK(against.baseline == "shadow");
   CHECK(against.role == Role::null);
   CHECK(*against.value == doctest::Approx(0.40));
-  CHECK(*against.difference == doctest::Approx(0.10));
+  CHECK(*against.difference.value == doctest::Approx(0.10));
   CHECK(against.test_result() == TestResult::above);
   CHECK(summarize(shadow, ours).front().comparisons[0].test_result() == TestResult::below);
   CHECK(summarize(ours, ours).front().comparisons[0].test_result() == TestResult::not_significant);
@@ -75,7 +75,7 @@ TEST_CASE("five runs, or five of the shadow, have numbers and no conclusion") {
   CHECK(row.ours.deviation);
   CHECK_FALSE(row.ours.interval);
   for (const Comparison& comparison : row.comparisons) CHECK(comparison.test_result() == TestResult::unknown);
-  CHECK(row.comparisons[0].difference);
+  CHECK(row.comparisons[0].difference.value);
   CHECK(summarize(runs_around(0.5, 0.1), few).front().comparisons[0].test_result() == TestResult::unknown);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("runs without a value are left out") {
   const auto row = summarize(runs).front();
   CHECK(row.ours.runs == 2);
   CHECK(*row.ours.mean == doctest::Approx(0.7));
-  CHECK(*row.comparisons[0].difference == doctest::Approx(0.1));
+  CHECK(*row.comparisons[0].difference.value == doctest::Approx(0.1));
   const std::array none{run_with({}, {})};
   CHECK_FALSE(summarize(none).front().ours.mean);
   CHECK_FALSE(summarize(none).front().ours.deviation);

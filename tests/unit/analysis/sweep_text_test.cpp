@@ -39,31 +39,43 @@ struct Printed {
 
 }  // namespace
 
-TEST_CASE("sweep text: significant differences -> comparisons and significant cells are printed") {
+TEST_CASE("print_sweep: cells -> what was compared and what is significant") {
   const Printed printed{{.cells = 3, .replicates = 6}, 10.0};
   CAPTURE(printed.text());
   CHECK(printed.says("sweep of 3 cells, 18 runs of 6000 s\naxis x.y: 0.0, 0.5, 1.0\nreference: cell 0 (y 0.0)\n"));
   CHECK(printed.says("2 comparisons with it, seed by seed; p corrected for all of them (Holm)"));
   CHECK(printed.says("hunger predator"));
-  CHECK(printed.says("2/2      +20.0 [+18.6, +21.4]"));
+  CHECK(printed.says("2/2    +20.0 [+18.6, +21.4]"));
   CHECK(printed.says("2 (y 1.0)\n"));
-  CHECK_FALSE(printed.says("no conclusion"));
+  CHECK_FALSE(printed.says("inconclusive"));
 }
 
-TEST_CASE("sweep text: no significant difference -> no conclusion, and no claim of absence") {
+TEST_CASE("print_sweep: no significant comparison -> inconclusive, not absent") {
   const Printed printed{{.cells = 3, .replicates = 6, .paired = false}, 0.1};
   CAPTURE(printed.text());
   CHECK(printed.says("as independent sets (other seeds in each cell)"));
-  CHECK(
-      printed.says("no comparison is significant\nno conclusion on 2 of 2 comparisons: a difference is not shown, and neither is "
-                   "its absence"));
-  CHECK(printed.says("no conclusion in any cell on 1 metric: hunger predator\n"));
+  CHECK(printed.says(
+      "no comparison is significant\ninconclusive: 2 of 2 comparisons; this does not show equality"));
+  CHECK(printed.says("inconclusive in every cell: 1 metric: hunger predator\n"));
   CHECK_FALSE(printed.says("no effect"));
 }
 
-TEST_CASE("sweep text: too few runs or a single cell -> a remark instead of comparisons") {
+TEST_CASE("print_named_metrics: one line for each metric of each cell, with the runs that an inconclusive one needs") {
+  const auto named = [](double per_cell) {
+    const Printed printed{{.cells = 3, .replicates = 6}, per_cell};
+    std::ostringstream out;
+    print_named_metrics(out, printed.sweep.grid, printed.differences);
+    return out.str();
+  };
+  CHECK(named(10.0).find("hunger predator  1 (y 0.5)  10.0  0.0        +10.0 [+9.4, +10.6]   <0.001") != std::string::npos);
+  const std::string open = named(0.1);
+  CHECK(open.find("runs needed\n") != std::string::npos);
+  CHECK(open.find("  6+6   ") != std::string::npos);
+}
+
+TEST_CASE("too few runs are said, and a cell alone has nothing to be compared with") {
   const Printed few{{.cells = 2, .replicates = 5}, 10.0};
-  CHECK(few.says("too few runs for a conclusion in 1 of them: 6 in each cell are needed"));
+  CHECK(few.says("too few runs for a test in 1 of them: 6 in each cell are needed"));
   const Printed alone{{.cells = 1, .replicates = 6}, 10.0};
   CHECK(alone.text() == "sweep of 1 cell, 6 runs of 6000 s\nreference: cell 0\none cell alone: there is nothing to compare\n");
 }

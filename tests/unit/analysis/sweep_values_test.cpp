@@ -28,8 +28,8 @@ TEST_CASE("sweep values: any number of jobs -> the same values, and none for mis
   test::write_sweep(folder.path(), plan);
   std::filesystem::remove_all(folder.path() / plan[1].folder);
   const SweepRuns sweep = read_sweep(folder.path());
-  const SweepValues values = measure_sweep(sweep, 1);
-  CHECK(measure_sweep(sweep, 3).of_run == values.of_run);
+  const SweepValues values = measure_sweep(sweep);
+  CHECK(measure_sweep(sweep, {.jobs = 3}).of_run == values.of_run);
   const std::size_t caught = values.place_of({"attribution_caught", "prey", "all", "1"});
   CHECK(values.value(0, caught) == 1.0);
   CHECK(values.of_run[1].empty());
@@ -37,7 +37,7 @@ TEST_CASE("sweep values: any number of jobs -> the same values, and none for mis
   CHECK_FALSE(values.value({}, caught));
   const std::size_t population = values.place_of({"population", "prey", "all", "1"});
   CHECK(values.value(0, population) == 0.5);
-  CHECK(measure_sweep(sweep, 1, 1.0).value(0, population) == 1.0);
+  CHECK(measure_sweep(sweep, {.until_s = 1.0}).value(0, population) == 1.0);
 }
 
 TEST_CASE("a run that cannot be read as a whole is an error with its number") {
@@ -46,7 +46,7 @@ TEST_CASE("a run that cannot be read as a whole is an error with its number") {
   test::write_sweep(folder.path(), plan);
   std::filesystem::remove(folder.path() / plan[4].folder / "agents.csv");
   const SweepRuns sweep = read_sweep(folder.path());
-  const std::string why = test::message_of<std::runtime_error>([&] { static_cast<void>(measure_sweep(sweep, 2)); });
+  const std::string why = test::message_of<std::runtime_error>([&] { static_cast<void>(measure_sweep(sweep, {.jobs = 2})); });
   CHECK(why.starts_with("run 4: "));
   CHECK(why.find("cell-1/replicate-1/agents.csv: cannot be read") != std::string::npos);
 }

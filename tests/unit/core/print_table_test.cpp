@@ -42,6 +42,10 @@ std::string line_of(const std::string& text, std::string_view beginning) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("print table: rule table -> a line per slot in order, then ecology and physics") {
@@ -50,14 +54,15 @@ TEST_CASE("print table: rule table -> a line per slot in order, then ecology and
   for (std::size_t i = 0; i < rules::slot_names.size(); ++i) CHECK(lines[i].slot == rules::slot_names[i]);
   CHECK(lines[0].kind == "initialization");
   CHECK(lines[0].policy == "predator_prey");
-  CHECK(lines[0].numbers == "predators = 14");
+  CHECK(rules::numbers_text(lines[0].numbers) == "predators = 14");
   CHECK(lines[0].source == "paper, Sec. \"Initialization\"");
   CHECK(lines[lines.size() - 2].kind == "ecology");
-  CHECK(lines[lines.size() - 2].numbers ==
+  CHECK(rules::numbers_text(lines[lines.size() - 2].numbers) ==
         "robots = 30, duration_s = 6000, tick_s = 2, first_tick_s = 0, control_hz = 60, clock_scale = 1, robot = spider, arena = "
         "walled_square, cpg_integration = exact, idle_control_steps = 0, phase_at_birth = kept, decision_order = together, "
         "without_target = decides");
-  CHECK(lines.back().numbers == "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
+  CHECK(rules::numbers_text(lines.back().numbers) ==
+        "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
 }
 
 TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
@@ -71,15 +76,32 @@ TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
   CHECK(line_of(markdown, "| death | floor |") == "| death | floor | plain |  |  |");
 
   const std::string latex = rules::latex_table<Swapped>();
-  CHECK(
-      latex.starts_with("\\begin{tabular}{lllp{0.28\\linewidth}p{0.28\\linewidth}}\n\\hline\n"
-                        "kind & slot & policy & numbers & source \\\\\n\\hline\n"
-                        "initialization & community & predator\\_prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
-  CHECK(line_of(latex, "death & senescence &") ==
-        R"(death & senescence & odd\_rule & share = 0.333333, strict\_one = true & )"
-        R"(50 \% of ``A \& B'' \{\$5\} \#1 a\_b \textasciicircum{} \textasciitilde{} \textbackslash{} )"
+  CHECK(has(latex,
+            "\nslot & policy & numbers & source \\\\\n\\midrule\n\\multicolumn{4}{@{}l}{\\itshape initialization} \\\\\n"
+            "community & predator\\_\\allowbreak{}prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
+  CHECK(line_of(latex, "senescence & odd") ==
+        R"(senescence & odd\_\allowbreak{}rule & share = 0.333333, strict\_\allowbreak{}one = true & )"
+        R"(50 \% of ``A \& B'' \{\$5\} \#1 a\_\allowbreak{}b \textasciicircum{} \textasciitilde{} \textbackslash{} )"
         R"(\textless{}c\textbar{}d\textgreater{} * \\)");
-  CHECK(latex.ends_with("\\hline\n\\end{tabular}\n"));
+  CHECK(latex.ends_with("\\bottomrule\n\\end{tabularx}}\n"));
+}
+
+TEST_CASE("unlike: two tables -> rules and numbers that differ, and rules that only the other one has") {
+  using rules::PrintedRule;
+  const std::vector<PrintedRule> ours{{"death", "capture", "touch", {{"reach_m", "0.5"}, {"every", "1"}}, "a"},
+                                      {"death", "floor", "plain", {}, "b"},
+                                      {"death", "minimum_predators", "same", {{"below", "8"}}, "c"}};
+  const std::vector<PrintedRule> other{{"death", "capture", "touch", {{"reach_m", "1"}, {"every", "1"}}, "a"},
+                                       {"death", "floor", "other", {}, "d"},
+                                       {"death", "minimum_predators", "same", {{"below", "8"}}, "c"},
+                                       {"death", "senescence", "old_age", {{"max_age_s", "600"}}, "e"}};
+  const auto lines = rules::unlike(ours, other);
+  REQUIRE(lines.size() == 3);
+  CHECK(rules::numbers_text(lines[0].numbers) == "reach_m = 0.5");
+  CHECK(lines[1].policy == "plain");
+  CHECK(lines[2].slot == "senescence");
+  CHECK(lines[2].policy == "none");
+  CHECK(rules::unlike(ours, ours).empty());
 }
 
 TEST_CASE("print table: given numbers -> printed instead of the table's own") {

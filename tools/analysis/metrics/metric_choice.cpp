@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
+#include <trophic/command/words.hpp>
 
 namespace trophic::analysis {
 
@@ -21,14 +22,18 @@ bool chooses(std::string_view choice, const MetricName& name) {
 std::vector<MetricName> chosen(std::span<const MetricName> names, std::span<const std::string> choices) {
   for (const std::string& choice : choices) {
     if (std::ranges::any_of(names, [&](const MetricName& name) { return chooses(choice, name); })) continue;
+    std::vector<std::string> words;
     std::string all;
-    std::string_view last;
     for (const MetricName& name : names) {
-      if (name.metric == last) continue;
-      all += (all.empty() ? "" : ", ") + name.metric;
-      last = name.metric;
+      if (std::ranges::find(words, name.metric) == words.end()) {
+        all += (all.empty() ? "" : ", ") + name.metric;
+        words.push_back(name.metric);
+      }
+      words.push_back(name.metric + ":" + name.species);
+      words.push_back(name.metric + ":" + name.species + ":" + name.group);
     }
-    throw std::invalid_argument{"metric " + choice + ": must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of " + all};
+    throw std::invalid_argument{"metric " + choice + ": must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of " + all +
+                                command::did_you_mean(command::nearest_word(choice, words))};
   }
   std::vector<MetricName> found;
   for (const MetricName& name : names) {

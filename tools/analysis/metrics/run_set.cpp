@@ -2,27 +2,67 @@
 // Definitions of run_set.hpp.
 #include <tools/analysis/metrics/run_set.hpp>
 
+#include <atomic>
+#include <exception>
+#include <initializer_list>
+#include <mutex>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
+#include <trophic/run/replicates/parallel.hpp>
 #include <utility>
 
 namespace trophic::analysis {
 
-RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s) {
-  PooledRuns pooled = pooled_runs(paths, until_s.has_value());
-  RunSet set{pooled.manifests.front().rules, std::move(pooled.manifests), {}, std::move(pooled.remarks)};
-  for (RunManifest& manifest : set.manifests) {
-    RunData run = read_run(manifest.folder);
-    if (until_s) cut_to(run, *until_s);
-    manifest.until_s = run.manifest.until_s;
-    if (until_s) manifest.reached_s = run.manifest.until_s;
-    set.remarks.insert(set.remarks.end(), run.remarks.begin(), run.remarks.end());
-    if (const std::string lost = lost_to_thinning(manifest.agents_every_ticks); !lost.empty()) {
-      set.remarks.push_back(manifest.folder.string() + "/" + lost);
-    }
-    set.runs.push_back(measure_run(run));
+namespace {
+
+std::vector<RunMetrics*> pointers(std::initializer_list<RunSet*> sets) {
+  std::vector<RunMetrics*> all;
+  for (RunSet* set : sets) {
+    for (RunMetrics& run : set->runs) all.push_back(&run);
   }
+  return all;
+}
+
+}  // namespace
+
+RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how) {
+  PooledRuns pooled = pooled_runs(paths, how.until_s.has_value());
+  RunSet set{pooled.manifests.front().rules, std::move(pooled.manifests), {}, std::move(pooled.remarks)};
+  std::vector<std::vector<std::string>> remarks(set.manifests.size());
+  std::vector<std::exception_ptr> errors(set.manifests.size());
+  std::atomic<bool> has_failed = false;
+  std::mutex one_at_a_time;
+  set.runs.resize(set.manifests.size());
+  const auto measure = [&](std::size_t i) {
+    RunManifest& manifest = set.manifests[i];
+    RunData run = read_run(manifest.folder);
+    if (how.until_s) cut_to(run, *how.until_s);
+    manifest.until_s = run.manifest.until_s;
+    if (how.until_s) manifest.reached_s = run.manifest.until_s;
+    remarks[i] = run.remarks;
+    if (const std::string lost = lost_to_thinning(manifest.agents_every_ticks); !lost.empty()) {
+      remarks[i].push_back(manifest.folder.string() + "/" + lost);
+    }
+    set.runs[i] = measure_run(run);
+    for (const OwnColumn& column : how.columns) measure_column(column, run, set.runs[i], remarks[i]);
+    const std::scoped_lock lock{one_at_a_time};
+    if (how.on_run) how.on_run();
+  };
+  const auto attempt = [&](std::size_t i) {
+    try {
+      measure(i);
+    } catch (...) {
+      errors[i] = std::current_exception();
+      has_failed = true;
+    }
+  };
+  static_cast<void>(replicates::in_parallel(set.manifests.size(), how.jobs, attempt, [&] { return !has_failed; }));
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+  for (const auto& of_run : remarks) set.remarks.insert(set.remarks.end(), of_run.begin(), of_run.end());
+  if (!how.columns.empty()) give_all_the_same_columns(pointers({&set}));
   return set;
 }
 
@@ -31,12 +71,13 @@ std::span<const RunMetrics> ShadowedSet::shadow_runs() const {
 }
 
 ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths, const std::optional<std::filesystem::path>& elsewhere,
-                              std::optional<double> until_s) {
-  ShadowedSet set{read_set(paths, until_s), {}};
+                              const Measuring& how) {
+  ShadowedSet set{read_set(paths, how), {}};
   const auto folders = elsewhere ? std::vector{*elsewhere} : shadow_folders(paths);
   if (folders.empty()) return set;
-  set.shadow = read_set(folders, until_s);
+  set.shadow = read_set(folders, how);
   check_shadow(set.ours.manifests.front(), set.shadow->manifests.front());
+  if (!how.columns.empty()) give_all_the_same_columns(pointers({&set.ours, &*set.shadow}));
   return set;
 }
 

@@ -2,12 +2,15 @@
 // Runs that belong together, measured, with the shadow that they are set beside.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
+#include <tools/analysis/metrics/own_column.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -20,9 +23,17 @@ struct RunSet {
   std::vector<std::string> remarks;
 };
 
-/// Reads and measures runs that may be pooled; with `until_s`, only their first seconds. Throws as pooled_runs does, and
-/// std::invalid_argument for a run that is shorter than `until_s`.
-[[nodiscard]] RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s = {});
+/// What is measured of runs, and how.
+struct Measuring {
+  std::optional<double> until_s = {};    ///< only the first seconds
+  std::vector<OwnColumn> columns = {};   ///< metrics of one's own
+  std::size_t jobs = 1;                  ///< runs measured at a time; results do not depend on it
+  std::function<void()> on_run = {};     ///< called after each run, by any thread, one at a time
+};
+
+/// Reads and measures runs that may be pooled. Throws as pooled_runs does, std::invalid_argument for a run that is shorter than
+/// `until_s`, and as measure_column.
+[[nodiscard]] RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how = {});
 
 /// A set with its shadow, where there is one.
 struct ShadowedSet {
@@ -35,6 +46,6 @@ struct ShadowedSet {
 /// Reads a set and its shadow: `elsewhere`, or else what shadow_folders finds. Throws as read_set and check_shadow do.
 [[nodiscard]] ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths,
                                             const std::optional<std::filesystem::path>& elsewhere = {},
-                                            std::optional<double> until_s = {});
+                                            const Measuring& how = {});
 
 }  // namespace trophic::analysis

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <tools/analysis/data/read_run.hpp>
@@ -34,27 +35,45 @@ std::vector<MetricName> metric_names(std::span<const FoodWeb> webs) {
   return names;
 }
 
-SweepValues measure_sweep(const SweepRuns& sweep, std::size_t jobs, std::optional<double> until_s) {
+SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
   SweepValues values{metric_names(sweep.webs), std::vector<std::vector<std::optional<double>>>(sweep.plan.size())};
+  std::vector<std::vector<Measurement>> own(sweep.plan.size());
   std::atomic<bool> has_failed = false;
+  std::mutex one_at_a_time;
   const auto measure = [&](std::size_t i) {
     if (!sweep.is_there[i]) return;
     try {
       RunData run = read_run(sweep.folder_of(i));
       if (!run.remarks.empty()) throw std::runtime_error{run.remarks.front()};
-      if (until_s) cut_to(run, *until_s);
+      if (how.until_s) cut_to(run, *how.until_s);
       const RunMetrics measured = measure_run(run);
       std::vector<std::optional<double>> numbers(values.names.size());
       for (const Measurement& measurement : measured.measurements) numbers[values.place_of(measurement.name)] = measurement.value;
       values.of_run[i] = std::move(numbers);
+      RunMetrics columns;
+      std::vector<std::string> remarks;
+      for (const OwnColumn& column : how.columns) measure_column(column, run, columns, remarks);
+      own[i] = std::move(columns.measurements);
+      const std::scoped_lock lock{one_at_a_time};
+      if (how.on_run) how.on_run();
     } catch (...) {
       has_failed = true;
       throw;
     }
   };
-  const auto attempts = replicates::in_parallel(sweep.plan.size(), jobs, measure, [&] { return !has_failed; });
+  const auto attempts = replicates::in_parallel(sweep.plan.size(), how.jobs, measure, [&] { return !has_failed; });
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     if (!attempts[i].error.empty()) throw std::runtime_error{"run " + std::to_string(i) + ": " + attempts[i].error};
+  }
+  for (const auto& of_run : own) {
+    for (const Measurement& each : of_run) {
+      if (values.place_of(each.name) == values.names.size()) values.names.push_back(each.name);
+    }
+  }
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (values.of_run[i].empty()) continue;
+    values.of_run[i].resize(values.names.size());
+    for (const Measurement& each : own[i]) values.of_run[i][values.place_of(each.name)] = each.value;
   }
   return values;
 }

@@ -10,6 +10,7 @@
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
+#include <tools/analysis/metrics/run_set.hpp>
 #include <trophic/population/food_web.hpp>
 #include <vector>
 
@@ -28,10 +29,10 @@ struct SweepValues {
 /// The metrics of runs with these food webs, each once, as measure_run orders them.
 [[nodiscard]] std::vector<MetricName> metric_names(std::span<const FoodWeb> webs);
 
-/// Reads and measures the runs that are there, `jobs` at a time, each only for its first `until_s` seconds where given; what was
-/// read of a run is gone when it is measured. The values do not depend on `jobs`. Throws std::runtime_error for the first run in
-/// the plan's order that cannot be read as a whole; the others are given up.
-[[nodiscard]] SweepValues measure_sweep(const SweepRuns& sweep, std::size_t jobs, std::optional<double> until_s = {});
+/// Reads and measures the runs that are there; what was read of a run is gone when it is measured. The values do not depend on
+/// `how.jobs`. Throws std::runtime_error for the first run in the plan's order that cannot be read as a whole; the others are
+/// given up.
+[[nodiscard]] SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how = {});
 
 /// One metric of a cell: its values by seed, and by seed how far above its shadow a run is.
 struct CellValues {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>
-#include <tools/analysis/report/text_table.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -62,13 +62,15 @@ void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects) 
   }
   out << "; the largest of each:\n";
   constexpr std::size_t shown = 20;
+  Columns columns{{"effect of an axis", "difference [95 %]", "axis", "values"}};
   for (std::size_t i = 0; i < std::min(shown, largest.size()); ++i) {
     const AxisEffect& effect = *largest[i];
     const Reading reading{effect.name};
-    out << padded(metric_title(effect.name) + (effect.over_shadow ? ", over shadow" : ""), 44)
-        << padded(reading.with_interval(effect.difference.value, effect.difference.interval, true), 28) << effect.axis << " "
-        << effect.reference << " -> " << effect.value << "\n";
+    columns.add({metric_title(effect.name) + (effect.over_shadow ? ", over shadow" : ""),
+                 reading.with_interval(effect.difference.value, effect.difference.interval, true), effect.axis,
+                 effect.reference + " -> " + effect.value});
   }
+  columns.print(out);
   if (largest.size() > shown) out << "and " << largest.size() - shown << " more: significant in sweep_effects.csv\n";
 }
 

@@ -3,41 +3,58 @@
 #include <tools/analysis/report/claims_text.hpp>
 
 #include <string>
+#include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/published.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/text_table.hpp>
 #include <trophic/params/params.hpp>
+#include <vector>
 
 namespace trophic::analysis {
 
 namespace {
 
-void print_reading(std::ostream& out, const ReadingConclusion& each) {
+std::vector<std::string> line_of(const ReadingConclusion& each) {
   const MetricName name = metric_of(each.reading);
   const Reading reading{name};
   const auto margin = margin_of(each.reading);
-  out << padded("  " + metric_title(name), 48) << padded(reading(each.reading.value), 10)
-      << padded(std::string{enum_name(each.reading.source)}, 6) << padded(margin ? reading(*margin) : "-", 8)
-      << padded(margin ? std::string{enum_name(each.reading.spread->origin)} : "unknown", 27) << padded(reading.of(each.ours), 28)
-      << padded(reading.with_interval(each.difference, each.interval, true), 28) << enum_name(each.conclusion);
+  std::string conclusion{enum_name(each.conclusion)};
   if (each.runs_needed) {
-    out << " (about " << *each.runs_needed << " runs would decide)";
+    conclusion += " (about " + std::to_string(*each.runs_needed) + " runs would decide)";
   } else if (each.conclusion == Reproduction::inconclusive) {
-    out << " (1000 runs would not decide)";
+    conclusion += " (1000 runs would not decide)";
   }
-  out << "\n";
+  return {"  " + metric_title(name),
+          reading(each.reading.value),
+          std::string{enum_name(each.reading.source)},
+          margin ? reading(*margin) : "-",
+          margin ? std::string{enum_name(each.reading.spread->origin)} : "unknown",
+          reading.of(each.ours),
+          reading.with_interval(each.difference, each.interval, true),
+          conclusion};
+}
+
+/// What the published system was, and how this set differs from it.
+std::string what_was_published(const RunSet& set) {
+  const RunManifest& manifest = set.manifests.front();
+  const std::string published = "published: ten runs of `released` with bodies in MuJoCo, " + number_text(published_duration_s) + " s";
+  const bool points = manifest.backend.starts_with("kinematic");
+  if (points) return published + "; these are points without bodies, so velocities and walls compare the rules only";
+  if (manifest.rules == "released" && manifest.backend.starts_with("mujoco")) return published + ", as here";
+  return published + "; here: " + manifest.rules + " on " + manifest.backend;
 }
 
 }  // namespace
 
 void print_claims(std::ostream& out, const RunSet& set, std::span<const ClaimConclusion> conclusions) {
-  out << described(set) << ", fingerprint " << set.manifests.front().fingerprint << "\n"
-      << padded("claim and its readings", 48) << padded("published", 16) << padded("margin", 8) << padded("margin from", 27)
-      << padded("ours [95 %]", 28) << padded("ours - published [95 %]", 28) << "conclusion\n";
+  out << described(set) << ", fingerprint " << set.manifests.front().fingerprint << "\n" << what_was_published(set) << "\n";
+  Columns columns{{"claim and its readings", "published", "", "margin", "margin from", "ours [95 %]", "ours - published [95 %]",
+                   "conclusion"}};
   for (const ClaimConclusion& claim : conclusions) {
-    out << claim.claim.title << ": " << summary_of(claim) << "\n";
-    for (const ReadingConclusion& each : claim.readings) print_reading(out, each);
+    columns.add({std::string{claim.claim.title} + ": " + summary_of(claim)});
+    for (const ReadingConclusion& each : claim.readings) columns.add(line_of(each));
   }
+  columns.print(out);
   out << "reproduced: two one-sided tests at 5 % place ours within the margin of the published system\n"
          "not reproduced: they do not, and ours - published is not 0 at 5 %   inconclusive: neither\n"
          "margin: one standard deviation between runs. The published mean is one of ten runs; its error is in the interval\n"

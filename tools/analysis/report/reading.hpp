@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <tools/analysis/metrics/measurement.hpp>
+#include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <tools/analysis/statistics/interval.hpp>
 
@@ -39,6 +40,12 @@ class Reading {
   double factor_;
   int decimals_;
 };
+
+/// "0.032", "<0.001"; empty without a p value.
+[[nodiscard]] std::string p_text(const std::optional<double>& p);
+
+/// "34", or "more than 1000000"; empty for a difference that is significant or could not be tested.
+[[nodiscard]] std::string runs_needed_text(const Difference& difference);
 
 /// "velocity prey (random), cm/s".
 [[nodiscard]] std::string metric_title(const MetricName& name);

@@ -9,27 +9,29 @@
 #include <string_view>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/report/published.hpp>
+#include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <tools/analysis/statistics/interval.hpp>
 #include <vector>
 
 namespace trophic::analysis {
 
-/// Ours beside another value. Only a null has a difference, and a verdict.
+/// Ours next to another value. Only a null has a difference, and a verdict.
 struct Comparison {
   std::string baseline;
   Role role = Role::reference;
-  std::optional<double> value;       ///< the baseline's mean over the runs
-  std::optional<double> difference;  ///< ours - null
-  std::optional<Interval> interval;  ///< of the difference
-  [[nodiscard]] TestResult test_result() const { return analysis::test_result(interval); }
+  std::optional<double> value;  ///< the baseline's mean over the runs
+  std::size_t runs = 0;         ///< of the baseline
+  Difference difference = {};   ///< ours - null; corrected for all metrics of the summary
+  [[nodiscard]] TestResult test_result() const { return analysis::test_result(difference.interval); }
 };
 
 struct SummaryRow {
   MetricName name;
   Estimate ours;
   std::optional<double> published;
-  std::vector<Comparison> comparisons;  ///< the shadow first, where there is one
+  std::vector<Comparison> comparisons;     ///< the shadow first, if there is one
+  std::optional<MetricName> same_as = {};  ///< see repeated_metrics; not compared again
 };
 
 /// The name of the comparison with the neutral shadow.
@@ -47,9 +49,11 @@ namespace detail {
 
 }  // namespace detail
 
-/// Pools runs that measured the same things in the same order (those of one food web), and sets them beside the runs of their
-/// shadow. Runs that lack a value are left out of that value's mean. Throws std::invalid_argument if the runs measured different
-/// things.
-[[nodiscard]] std::vector<SummaryRow> summarize(std::span<const RunMetrics> runs, std::span<const RunMetrics> shadow = {});
+/// Pools runs that measured the same things in the same order (those of one food web) and compares them with the runs of their
+/// shadow. Runs that lack a value are left out of that value's mean. `choices`: see `chosen`. p values are corrected for all rows
+/// that repeat no earlier one. Throws std::invalid_argument if the runs measured different things, or if a choice names no
+/// metric.
+[[nodiscard]] std::vector<SummaryRow> summarize(std::span<const RunMetrics> runs, std::span<const RunMetrics> shadow = {},
+                                                std::span<const std::string> choices = {});
 
 }  // namespace trophic::analysis

@@ -11,6 +11,10 @@ Json to_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json to_json(const std::optional<std::size_t>& count) {
+  return count ? Json(*count) : Json();
+}
+
 void put(Json& object, const std::optional<Interval>& interval) {
   object["lower"] = interval ? Json(interval->lower) : Json();
   object["upper"] = interval ? Json(interval->upper) : Json();
@@ -33,9 +37,18 @@ void put(Json& object, const MetricName& name) {
 void put(Json& object, const Difference& difference) {
   object["value"] = to_json(difference.value);
   put(object, difference.interval);
+  put_test(object, difference);
+}
+
+void put_test(Json& object, const Difference& difference) {
   object["p"] = to_json(difference.p);
   object["p_adjusted"] = to_json(difference.adjusted);
   object["differs"] = difference.adjusted ? Json(difference.differs()) : Json();
+  object["runs_needed"] = to_json(difference.runs_needed());
+}
+
+void put_same(Json& object, const std::optional<MetricName>& same_as) {
+  object["same_as"] = same_as ? Json(same_as->metric + ":" + same_as->species + ":" + same_as->group) : Json();
 }
 
 Json runs_json(const RunSet& set) {
@@ -94,6 +107,7 @@ Json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows) {
     Json metric;
     detail::put(metric, row.name);
     detail::put(metric, row.ours);
+    detail::put_same(metric, row.same_as);
     metric["published"] = detail::to_json(row.published);
     metric["baselines"] = Json::array();
     for (const Comparison& comparison : row.comparisons) {
@@ -101,8 +115,10 @@ Json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows) {
       baseline["name"] = comparison.baseline;
       baseline["role"] = enum_name(comparison.role);
       baseline["value"] = detail::to_json(comparison.value);
-      baseline["difference"] = detail::to_json(comparison.difference);
-      detail::put(baseline, comparison.interval);
+      baseline["runs"] = comparison.runs;
+      baseline["difference"] = detail::to_json(comparison.difference.value);
+      detail::put(baseline, comparison.difference.interval);
+      detail::put_test(baseline, comparison.difference);
       baseline["conclusion"] = comparison.role == Role::null ? Json(enum_name(comparison.test_result())) : Json();
       metric["baselines"].push_back(baseline);
     }
@@ -121,6 +137,7 @@ Json differences_json(std::span<const SetDifference> differences) {
   for (const SetDifference& d : differences) {
     Json entry;
     detail::put(entry, d.name);
+    detail::put_same(entry, d.same_as);
     detail::put(entry["a"], d.a);
     detail::put(entry["b"], d.b);
     detail::put(entry["raw"], d.raw);

@@ -15,6 +15,7 @@ namespace trophic::analysis {
 namespace detail {
 
 [[nodiscard]] Json to_json(const std::optional<double>& value);
+[[nodiscard]] Json to_json(const std::optional<std::size_t>& count);
 
 void put(Json& object, const std::optional<Interval>& interval);
 
@@ -23,6 +24,11 @@ void put(Json& object, const Estimate& estimate);
 void put(Json& object, const MetricName& name);
 
 void put(Json& object, const Difference& difference);
+
+void put_test(Json& object, const Difference& difference);
+
+/// Which metric has the same values in every run, as METRIC:SPECIES:GROUP, or null.
+void put_same(Json& object, const std::optional<MetricName>& same_as);
 
 [[nodiscard]] Json runs_json(const RunSet& set);
 

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <set>
 #include <string_view>
+#include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/reading.hpp>
-#include <tools/analysis/report/text_table.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::analysis::detail {
@@ -75,16 +75,16 @@ void print_significant_metrics(std::ostream& out, const SweepGrid& grid, const C
     out << "no comparison is significant\n";
     return;
   }
-  out << padded("significant metric", 44) << padded("cells", 9) << padded("largest difference [corrected]", 34) << padded("g", 8)
-      << "in cell\n";
   constexpr std::size_t shown = 20;
+  Columns columns{{"significant metric", "cells", "largest difference [corrected]", "g", "in cell"}};
   for (const SignificantMetric& metric : std::span{metrics}.first(std::min(shown, metrics.size()))) {
     const CellDifference& d = *metric.largest;
-    const std::string of = std::to_string(metric.cells) + "/" + std::to_string(grid.cells.size() - 1);
-    out << padded(compared_title(d), 44) << padded(of, 9)
-        << padded(Reading{d.name}.with_interval(d.difference.value, d.corrected, true), 34)
-        << padded(d.hedges_g ? decimals(*d.hedges_g, 1, true) : "-", 8) << d.cell << " (" << cell_title(grid, d.cell) << ")\n";
+    columns.add({compared_title(d), std::to_string(metric.cells) + "/" + std::to_string(grid.cells.size() - 1),
+                 Reading{d.name}.with_interval(d.difference.value, d.corrected, true),
+                 d.hedges_g ? decimals(*d.hedges_g, 1, true) : "-",
+                 std::to_string(d.cell) + " (" + cell_title(grid, d.cell) + ")"});
   }
+  columns.print(out);
   if (metrics.size() > shown)
     out << "and " << counted(metrics.size() - shown, "metric") << " more: significant in sweep_differences.csv\n";
   out << "significant: p <= 0.05, corrected (Holm), which finds a little more than intervals that hold all at once; g: Hedges'\n";
@@ -138,23 +138,42 @@ void print_cell_differences(std::ostream& out, const SweepGrid& grid, const Cell
   }
   const std::size_t inconclusive = differences.comparisons - significant;
   if (inconclusive > 0) {
-    out << "no conclusion on " << inconclusive << " of " << differences.comparisons
-        << " comparisons: a difference is not shown, and neither is its absence\n";
+    out << "inconclusive: " << inconclusive << " of " << differences.comparisons << " comparisons; this does not show equality\n";
   }
   if (!open.empty()) {
     constexpr std::size_t shown = 6;
-    out << "no conclusion in any cell on " << detail::counted(open.size(), "metric") << ": ";
+    out << "inconclusive in every cell: " << detail::counted(open.size(), "metric") << ": ";
     for (std::size_t i = 0; i < std::min(shown, open.size()); ++i) out << (i > 0 ? "; " : "") << open[i];
     out << (open.size() > shown ? "; ...\n" : "\n");
   }
   if (too_few > 0) {
-    out << "too few runs for a conclusion in " << too_few << " of them: " << min_runs_for_test << " in each cell are needed\n";
+    out << "too few runs for a test in " << too_few << " of them: " << min_runs_for_test << " in each cell are needed\n";
   }
   if (inconclusive > 0) {
     out << "runs_needed and smallest_detectable in sweep_differences.csv say what more runs would show; fewer metrics "
            "(--metric), "
            "chosen before looking, need fewer runs\n";
   }
+}
+
+void print_named_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences) {
+  if (differences.all.empty()) return;
+  Columns columns{{"metric", "cell", "mean", "reference", "difference [95 %]", "p", "g", "runs", "runs needed"}};
+  for (const CellDifference& d : differences.all) {
+    const Reading reading{d.name};
+    const bool is_open = detail::is_comparison(d) && !d.difference.differs();
+    columns.add({detail::compared_title(d), std::to_string(d.cell) + " (" + detail::cell_title(grid, d.cell) + ")",
+                 reading(d.mean), reading(d.mean_reference),
+                 reading.with_interval(d.difference.value, d.difference.interval, true), p_text(d.difference.adjusted),
+                 d.hedges_g ? detail::decimals(*d.hedges_g, 1, true) : "-",
+                 std::to_string(d.runs) + "+" + std::to_string(d.runs_reference),
+                 !is_open        ? ""
+                 : d.runs_needed ? std::to_string(*d.runs_needed)
+                                 : "more than " + std::to_string(most_runs)});
+  }
+  columns.print(out);
+  out << "p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in 80 % of "
+         "studies\n";
 }
 
 void print_runs_for_difference(std::ostream& out, std::span<const RunsForDifference> answers, const CellDifferences& of) {

@@ -54,6 +54,9 @@ void print_sweep(std::ostream& out, const SweepRuns& sweep, const CellDifference
 /// One line a metric that is decided anywhere, then what is not, in words.
 void print_cell_differences(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
 
+/// One line for each metric of each cell: means, difference, p and the runs that would be needed. For few metrics.
+void print_named_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
+
 /// One line a metric: how many replicates a difference of that size would need.
 void print_runs_for_difference(std::ostream& out, std::span<const RunsForDifference> answers, const CellDifferences& of);
 

@@ -2,8 +2,6 @@
 // Results for people: tables on the terminal.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -13,20 +11,28 @@
 
 namespace trophic::analysis {
 
-/// With spaces up to `width`, one at least.
-[[nodiscard]] std::string padded(std::string text, std::size_t width);
-
 /// "LABEL on BACKEND, N runs of T s".
 [[nodiscard]] std::string described(const RunSet& set);
 
-/// Says what is missing for verdicts where there are too few runs; nothing where there are enough.
+/// Says how many runs a test needs if there are too few; nothing otherwise.
 void print_too_few(std::ostream& out, const RunSet& set);
 
-/// One line per metric: ours with its 95 % interval over runs (or its spread, where runs are too few) and the paper's value.
-/// Below it one line per null with the difference to it, and one per reference without; causes of which nobody died are left out.
+/// The findings: the five clearest differences between ours and a null, then the three inconclusive ones that would need the
+/// fewest runs. Prints the whole table if no null was given or nothing can be tested.
+void print_findings(std::ostream& out, const ShadowedSet& set, std::span<const SummaryRow> rows);
+
+/// The whole table. One line per metric: ours with its 95 % interval over runs (or its spread, if runs are too few) and the paper's
+/// value. Below it one line per null with the difference and its test, and one per reference without; causes from which no
+/// individual died are left out.
 void print_table(std::ostream& out, const ShadowedSet& set, std::span<const SummaryRow> rows);
 
-/// One line per metric: a, b, b - a with its 95 % interval and its p value, and the same of what each has over its shadow.
+/// The findings of a comparison: the column that answers, its five clearest differences and the three inconclusive ones that would
+/// need the fewest runs.
+void print_difference_findings(std::ostream& out, const ShadowedSet& a, const ShadowedSet& b,
+                               std::span<const SetDifference> differences);
+
+/// The whole comparison. One line per metric: a, b, b - a with its 95 % interval and test, and the same of what each has over its
+/// shadow.
 void print_differences(std::ostream& out, const ShadowedSet& a, const ShadowedSet& b, std::span<const SetDifference> differences);
 
 }  // namespace trophic::analysis

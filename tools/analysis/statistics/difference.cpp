@@ -13,8 +13,13 @@ std::string significance_text(const Difference& difference) {
   return difference.differs() ? "yes" : "no";
 }
 
-Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of) {
-  return {value, interval_of(of), p_value(of), {}};
+std::optional<std::size_t> Difference::runs_needed() const {
+  if (!level || !scatter || differs()) return std::nullopt;
+  return runs_for_power(*value, *scatter, *level);
+}
+
+Difference difference_of(std::optional<double> value, const std::optional<Contrast>& of, const std::optional<Scatter>& scatter) {
+  return {.value = value, .interval = interval_of(of), .p = p_value(of), .scatter = scatter};
 }
 
 void adjust_together(std::span<Difference* const> differences) {
@@ -26,6 +31,7 @@ void adjust_together(std::span<Difference* const> differences) {
   std::size_t k = 0;
   for (Difference* each : differences) {
     each->adjusted = each->p ? std::optional{adjusted[k++]} : std::nullopt;
+    if (each->p) each->level = 0.05 / static_cast<double>(p_values.size());
   }
 }
 

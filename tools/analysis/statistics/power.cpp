@@ -53,11 +53,18 @@ std::optional<Scatter> scatter_of(std::span<const double> values) {
 }
 
 std::optional<Scatter> scatter_of(std::span<const double> a, std::span<const double> b) {
-  const auto of_a = scatter_of(a);
-  const auto of_b = scatter_of(b);
-  if (!of_a || !of_b) return std::nullopt;
-  const double sum = of_a->variance + of_b->variance;
-  const double squares = of_a->variance * of_a->variance + of_b->variance * of_b->variance;
+  return scatter_of({a, b});
+}
+
+std::optional<Scatter> scatter_of(std::initializer_list<std::span<const double>> sets) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const std::span<const double> set : sets) {
+    const auto one = scatter_of(set);
+    if (!one) return std::nullopt;
+    sum += one->variance;
+    squares += one->variance * one->variance;
+  }
   return Scatter{sum, squares > 0.0 ? sum * sum / squares : 1.0};
 }
 

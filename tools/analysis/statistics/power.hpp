@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <tools/analysis/statistics/interval.hpp>
@@ -12,7 +13,7 @@ namespace trophic::analysis {
 /// The share of studies that are to find what is there.
 inline constexpr double usual_power = 0.8;
 
-/// More runs than anybody makes: a difference that needs more is called undetectable.
+/// A difference that needs more runs than this is called undetectable.
 inline constexpr std::size_t most_runs = 1'000'000;
 
 /// How scattered a comparison is, run by run. With n runs in each set, or n pairs, its squared error is `variance` / n, of
@@ -25,8 +26,9 @@ struct Scatter {
 /// Of the mean of these values, one a pair; none of fewer than two.
 [[nodiscard]] std::optional<Scatter> scatter_of(std::span<const double> values);
 
-/// Of the difference between the means of independent sets, to be repeated with equally many runs in both [welch1947]; none of
-/// fewer than two in a set. Sets without any spread have the freedom of one.
+/// Of a sum or difference of the means of independent sets, to be repeated with equally many runs in each [welch1947]; none if a
+/// set has fewer than two. Sets without any spread have the freedom of one.
+[[nodiscard]] std::optional<Scatter> scatter_of(std::initializer_list<std::span<const double>> sets);
 [[nodiscard]] std::optional<Scatter> scatter_of(std::span<const double> a, std::span<const double> b);
 
 /// How often a two-sided t test at `level` finds a difference of this many errors: by the noncentral t distribution

@@ -1,6 +1,23 @@
 # SPDX-License-Identifier: MIT
-"""Reads what runs of trophic leave: recordings, which needs numpy; tables in trophic.runs, which needs pandas too."""
+"""Starts trophic's programs and reads what they leave: runs, studies and analyses as pandas frames, recordings as numpy arrays, figures."""
+from __future__ import annotations
 
-from .recording import Recording, RecordingError, read_replay
+import importlib
 
-__all__ = ["Recording", "RecordingError", "read_replay"]
+# Where each name is; a module is imported when it is first asked for, as numpy, pandas and matplotlib need not all be there.
+_MODULES = {"Recording": "recording", "RecordingError": "recording", "read_replay": "recording",
+            "Run": "runs", "Runs": "runs", "Analysis": "runs", "RunError": "runs", "read_run": "runs", "read_runs": "runs", "read_study": "runs",
+            "read_analysis": "runs", "to_parquet": "runs", "show": "start", "run": "start", "analyze": "start", "ProgramError": "start"}
+__all__ = sorted(_MODULES)
+
+
+def __getattr__(name):
+    if name in _MODULES:
+        return getattr(importlib.import_module(f".{_MODULES[name]}", __name__), name)
+    if name in ("figures", "recording", "runs", "start"):
+        return importlib.import_module(f".{name}", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__():
+    return [*globals(), *__all__]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Reads replay.trp, the recording of a run: docs/recording.md describes its bytes."""
+from __future__ import annotations
 
 import dataclasses
 import json
@@ -16,7 +17,7 @@ VERSION = 1
 
 
 class RecordingError(ValueError):
-    """A file that is no recording or that is damaged; the message names it."""
+    """A file that is not a recording or that is damaged; the message names it."""
 
 
 @dataclasses.dataclass
@@ -40,7 +41,7 @@ class Recording:
 def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None) -> Recording:
     """Reads a recording, or a run's folder with its replay.trp; or of it the frames first, first + 1, ..., last - 1.
 
-    A file that was cut off has the frames of its whole blocks. Raises RecordingError for what is no recording, is of another version
+    A file that was cut off has the frames of its whole blocks. Raises RecordingError for a file that is not a recording, is of another version
     or is damaged, and OSError as open does.
     """
     path = pathlib.Path(path)

@@ -2,9 +2,11 @@
 """Reads the folders that runs and sets of runs leave, and what `trophic analyze` made of them, as pandas frames.
 
 docs/files.md says which files there are, docs/tables.md has the columns. Needs pandas."""
+from __future__ import annotations
 
 import dataclasses
 import functools
+import html
 import io
 import json
 import os
@@ -14,11 +16,20 @@ import pandas
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Ids and counts may be absent; what is empty in a text column is an empty text.
-_TEXT = ("event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "swap", "tag_outcome")
+_TEXT = ("same_as", "null", "compared", "event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "swap", "tag_outcome")
+
+
+_CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_outcome", "run", "set")
 
 
 class RunError(ValueError):
-    """A folder that is no run, or no set of runs; the message names it."""
+    """A folder that is not a run, or not a set of runs; the message names it."""
+
+
+def _card(title: str, facts: dict) -> str:
+    """A few facts as a small table for notebooks."""
+    rows = "".join(f"<tr><td>{html.escape(str(name))}</td><td>{html.escape(str(value))}</td></tr>" for name, value in facts.items())
+    return f"<b>{html.escape(title)}</b><table>{rows}</table>"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -26,7 +37,7 @@ class Run:
     """A folder of one run. Tables are read when they are first asked for."""
 
     path: pathlib.Path
-    manifest: dict
+    manifest: dict = dataclasses.field(repr=False)
     """manifest.json: rules, numbers, seed, versions, and how the run ended."""
 
     @property
@@ -42,9 +53,36 @@ class Run:
         """Runs that share it have the same rules, numbers, models and backend."""
         return self.manifest["fingerprint"]
 
-    def table(self, name: str, columns: list[str] | None = None) -> pandas.DataFrame:
-        """events, agents, phylogeny, genomes, senses of a run with --senses, or states of one with --states; only these columns, if given."""
-        return _table(self.path / f"{name}.csv", columns)
+    def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
+        """events, agents, phylogeny, genomes, senses of a run with --senses, states of one with --states, or a table of one's own; only these
+        columns, if given. With `categories`, species, events, causes and origins are categories, which take less memory."""
+        return _categorised(_table(self.path / f"{name}.csv", columns), categories)
+
+    def to_newick(self) -> str:
+        """The phylogeny in Newick format, a line for each founder or random newcomer; branch lengths are times between births in seconds, and
+        the last piece of a line is the individual's life. ggtree and ape read it."""
+        return _newick(self.phylogeny)
+
+    def show(self, out: str | os.PathLike | None = None):
+        """A page of the run (`trophic show`), which a notebook displays; `out` is a new file for it."""
+        from .start import show
+        return show(self, out)
+
+    def add_table(self, name: str, frame: pandas.DataFrame) -> pathlib.Path:
+        """Writes a table of one's own, NAME.csv, into the run's folder, for `trophic analyze --column NAME.csv:COLUMN`. Raises RunError if there is
+        one."""
+        path = self.path / f"{name}.csv"
+        try:
+            with open(path, "x", newline="") as file:
+                frame.to_csv(file, index=False, lineterminator="\n", na_rep="nan")
+        except FileExistsError:
+            raise RunError(f"{path}: exists already; nothing is overwritten") from None
+        return path
+
+    def _repr_html_(self) -> str:
+        m = self.manifest
+        return _card(str(self.path), {"rules": m["rule_table"], "backend": m.get("backend"), "seed": self.seed, "status": m["status"],
+                                      "fingerprint": self.fingerprint, **m.get("result", {})})
 
     @functools.cached_property
     def events(self) -> pandas.DataFrame:
@@ -87,7 +125,7 @@ class Runs:
     """Replicates: runs that differ in their seeds only, and the runs of their neutral shadow, if there is one."""
 
     path: pathlib.Path
-    runs: list[Run]
+    runs: list[Run] = dataclasses.field(repr=False)
     shadow: "Runs | None" = None
 
     def __len__(self) -> int:
@@ -99,7 +137,7 @@ class Runs:
     def __getitem__(self, index: int) -> Run:
         return self.runs[index]
 
-    def table(self, name: str, columns: list[str] | None = None) -> pandas.DataFrame:
+    def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """That table of all runs, with the columns `run` (the folder's name) and `seed` in front."""
         tables = []
         for run in self.runs:
@@ -107,7 +145,38 @@ class Runs:
             table.insert(0, "run", run.path.name)
             table.insert(1, "seed", run.seed)
             tables.append(table)
-        return pandas.concat(tables, ignore_index=True)
+        return _categorised(pandas.concat(tables, ignore_index=True), categories)
+
+    def measure(self, name: str, function) -> None:
+        """A metric of one's own: writes NAME.csv into the folder of each run and of its shadow, for `trophic analyze --column NAME.csv:NAME`.
+
+        `function` takes a Run and returns a number, or a frame with the columns NAME and, as it likes, time_s, species and group. nan is a value
+        that cannot be computed. Raises RunError, naming the run, if the function throws, returns something else or the file exists; then
+        nothing is written.
+        """
+        tables = []
+        for run in [*self.runs, *(self.shadow or [])]:
+            if (run.path / f"{name}.csv").exists():
+                raise RunError(f"{run.path / name}.csv: exists already; nothing is overwritten")
+            try:
+                value = function(run)
+            except Exception as error:
+                raise RunError(f"{run.path}: {name}: {type(error).__name__}: {error}") from error
+            if not isinstance(value, pandas.DataFrame):
+                try:
+                    value = pandas.DataFrame({name: [float(value)]})
+                except (TypeError, ValueError):
+                    raise RunError(f"{run.path}: {name}: must return a number or a frame, not {type(value).__name__}") from None
+            if name not in value.columns:
+                raise RunError(f"{run.path}: {name}: the frame has no column {name}")
+            tables.append((run, value))
+        for run, value in tables:
+            run.add_table(name, value)
+
+    def _repr_html_(self) -> str:
+        first = self.runs[0]
+        return _card(str(self.path), {"rules": first.manifest["rule_table"], "backend": first.manifest.get("backend"), "runs": len(self.runs),
+                                      "shadow": len(self.shadow) if self.shadow else "none", "fingerprint": first.fingerprint})
 
 
 @dataclasses.dataclass(frozen=True)
@@ -115,21 +184,31 @@ class Analysis:
     """What `trophic analyze` wrote."""
 
     path: pathlib.Path
-    metrics: pandas.DataFrame
+    metrics: pandas.DataFrame = dataclasses.field(repr=False)
     """metrics.csv: every value and every curve of every run, one value a row. Texts that are empty stay empty texts."""
-    summary: dict
+    summary: dict = dataclasses.field(repr=False)
     """summary.json: means, intervals and verdicts of each set."""
+
+    @functools.cached_property
+    def means(self) -> pandas.DataFrame:
+        """means.csv: each metric next to each of its nulls."""
+        return _table(self.path / "means.csv")
+
+    def _repr_html_(self) -> str:
+        frame = self.means[self.means.same_as == ""].dropna(subset=["p_holm"]).sort_values("p")
+        shown = frame[["metric", "species", "group", "mean", "null", "null_mean", "difference", "p_holm", "n"]].head(10)
+        return _card(str(self.path), {s["set"]: f"{len(s['runs'])} runs" for s in self.summary["sets"]}) + shown.to_html(index=False, float_format="%.4g")
 
 
 def read_run(path: str | os.PathLike) -> Run:
-    """The run in this folder. Raises RunError for a folder that is none."""
+    """The run in this folder. Raises RunError for another folder."""
     path = pathlib.Path(path)
     try:
         manifest = json.loads((path / "manifest.json").read_text())
         if not {"status", "seed", "fingerprint", "rule_table"} <= manifest.keys():
             raise RunError(f"{path}/manifest.json: not a run's")
     except FileNotFoundError:
-        raise RunError(f"{path}: no run: it has no manifest.json") from None
+        raise RunError(f"{path}: is not a run: it has no manifest.json") from None
     except json.JSONDecodeError as error:
         raise RunError(f"{path}/manifest.json: broken: {error}") from None
     return Run(path, manifest)
@@ -138,7 +217,7 @@ def read_run(path: str | os.PathLike) -> Run:
 def read_runs(path: str | os.PathLike, *, incomplete: bool = False) -> Runs:
     """The replicates in this folder, in order, and those of its shadow. Incomplete ones are left out unless they are asked for.
 
-    Raises RunError for a folder without replicates, and for runs of different fingerprints, which are no replicates.
+    Raises RunError for a folder without replicates, and for runs of different fingerprints, which are not replicates.
     """
     path = pathlib.Path(path)
     numbered = {folder.name.removeprefix("replicate-"): folder for folder in path.glob("replicate-*")}
@@ -187,3 +266,82 @@ def _table(path: pathlib.Path, columns: list[str] | None = None) -> pandas.DataF
     numbers = {name: [""] for name in header if name not in texts}
     return pandas.read_csv(_whole_lines(path), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
                            float_precision="round_trip")  # else the last bit of a number may be another
+
+
+def to_parquet(runs: Runs | dict[str, Runs], folder: str | os.PathLike, names: tuple[str, ...] = ("events", "agents", "phylogeny", "genomes")) -> list[pathlib.Path]:
+    """Replicates, or a study as read_study gives it, in a few files: FOLDER/events.parquet and so on, with the columns set, shadow, run and seed in
+    front. The folder must be new. Needs pyarrow."""
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ModuleNotFoundError:
+        raise RunError("to_parquet: needs the Python module pyarrow: pip install pyarrow") from None
+    folder = pathlib.Path(folder)
+    if folder.exists():
+        raise RunError(f"{folder}: exists already; nothing is overwritten")
+    study = runs if isinstance(runs, dict) else {runs.path.name: runs}
+    folder.mkdir(parents=True)
+    paths = []
+    for name in names:
+        path = folder / f"{name}.parquet"
+        writer = None
+        try:
+            for label, of in study.items():
+                for is_shadow, part in ((False, of), (True, of.shadow)):
+                    for run in part or []:
+                        frame = run.table(name)
+                        for place, (column, value) in enumerate((("set", label), ("shadow", is_shadow), ("run", run.path.name), ("seed", run.seed))):
+                            frame.insert(place, column, value)
+                        table = pyarrow.Table.from_pandas(frame, schema=writer.schema if writer else None, preserve_index=False)
+                        if writer is None:
+                            writer = pyarrow.parquet.ParquetWriter(path, table.schema)
+                        writer.write_table(table)
+        finally:
+            if writer is not None:
+                writer.close()
+        paths.append(path)
+    return paths
+
+
+def _categorised(frame: pandas.DataFrame, categories: bool) -> pandas.DataFrame:
+    if not categories:
+        return frame
+    return frame.astype({column: "category" for column in frame.columns if column in _CATEGORIES})
+
+
+def _newick(tree: pandas.DataFrame) -> str:
+    """Each individual is a node at its birth; below it its offspring in order of birth and the end of its own life, a leaf."""
+    born = dict(zip(tree.id, tree.origin_time))
+    ends = tree.destruction_time.replace(float("inf"), float("nan"))
+    last_s = max(ends.max() if ends.notna().any() else 0.0, tree.origin_time.max())
+    died = dict(zip(tree.id, ends.fillna(last_s)))
+    parents = dict(zip(tree.id, tree.ancestor_id))
+    children: dict = {}
+    roots = []
+    for child, parent in zip(tree.id, tree.ancestor_id):
+        if pandas.isna(parent) or parent == child or parent not in born:
+            roots.append(child)
+        else:
+            children.setdefault(parent, []).append(child)
+    lines = []
+    for root in roots:
+        pieces, waiting = [], [("open", root)]
+        while waiting:  # without recursion: lineages are thousands long
+            step, one = waiting.pop()
+            if step == "text":
+                pieces.append(one)
+                continue
+            length = 0.0 if one == root else born[one] - born[parents[one]]
+            young = sorted(children.get(one, []), key=lambda child: (born[child], child))
+            if not young:
+                pieces.append(f"{one}:{length + died[one] - born[one]:g}")
+                continue
+            waiting.append(("text", f",{one}:{died[one] - born[one]:g})n{one}:{length:g}"))
+            for place, child in reversed(list(enumerate(young))):
+                waiting.append(("open", child))
+                if place > 0:
+                    waiting.append(("text", ","))
+            pieces.append("(")
+        text = "".join(pieces)
+        lines.append((text if text.startswith("(") else f"({text})n{root}:0") + ";")  # ape reads no tree of a tip alone
+    return "\n".join(lines) + "\n"

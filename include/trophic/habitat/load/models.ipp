@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,8 +37,18 @@ TROPHIC_INLINE std::filesystem::path find_model(ModelKind kind, std::string_view
     if (std::filesystem::is_regular_file(place, ignored)) return place;
     searched += (searched.empty() ? "" : ", ") + place.string();
   }
+  std::set<std::string> names;
+  for (const std::filesystem::path& place : places) {
+    std::error_code ignored;
+    if (place == name_or_path) continue;
+    for (const auto& entry : std::filesystem::directory_iterator{place.parent_path(), ignored}) {
+      if (entry.path().extension() == ".toml") names.insert(entry.path().stem().string());
+    }
+  }
+  std::string known;
+  for (const std::string& name : names) known += (known.empty() ? "; there are " : ", ") + name;
   throw std::invalid_argument{"no " + std::string{folder.substr(0, folder.size() - 1)} + " \"" + std::string{name_or_path} +
-                              "\"; searched: " + (searched.empty() ? "nowhere (set TROPHIC_MODELS)" : searched)};
+                              "\"; searched: " + (searched.empty() ? "nowhere (set TROPHIC_MODELS)" : searched) + known};
 }
 
 }  // namespace trophic

@@ -1,29 +1,23 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws an analysed sweep: response curves, and heat maps of the difference to the reference cell.
+"""Figures of a sweep from what `trophic analyze` wrote of it: response curves, and heat maps of the difference to the reference cell.
 
-    python3 examples/figures/sweep.py ANALYSIS [--out FOLDER] [--metric NAME ...] [--axes AXIS ...]
+A metric is METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; without one those that `trophic analyze --metric` compared are drawn or, if it
+compared all, the headline metrics of all groups together. An axis is a column of cells.csv: the first is drawn along x, the second as lines,
+the third as panels; further ones stay at the reference cell's value."""
+from __future__ import annotations
 
-ANALYSIS is the folder with cells.csv, sweep_metrics.csv and sweep_differences.csv. Each figure goes to FOLDER (ANALYSIS/figures) as
-PNG and PDF. NAME is a metric, METRIC:SPECIES or METRIC:SPECIES:GROUP; the default is the metrics that
-`trophic analyze --metric` compared or, if it compared all, the headline metrics of all groups together.
-AXIS is a column of cells.csv: the first is drawn along x, the second as lines, the third as panels; further ones stay at the
-reference cell's value. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
-"""
-import argparse
 import functools
 import itertools
 import json
-import pathlib
 import re
-import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
-from style import COLUMN_IN, OTHER_COLOURS, Missing, save_all
+
+from .style import OTHER_COLOURS, Missing, caption, width_in
 
 HEADLINE = ["attribution_caught", "attribution_credited", "velocity", "wall_sticking", "tag_symmetry", "population", "deaths", "hunger"]
 MARKERS = "os^Dvp*X"
@@ -51,7 +45,7 @@ class Axis:
             self.values.sort(key=float)
 
     def positions(self):
-        """Positions along x: to scale for numbers that are about evenly spaced, else equidistant."""
+        """Where values stand along x: to scale if they are numbers that are about evenly spaced, else side by side."""
         if self.numeric and len(self.values) > 1:
             numbers = np.array(list(map(float, self.values)))
             steps = np.diff(numbers)
@@ -202,9 +196,9 @@ def response(sweep, keys):
     of_lines = [Line2D([], [], color=s["color"], marker=s["marker"], ms=4, mfc="white", label=f"{lines.title} {lines.text(v)}")
                 for v, s in zip(values, styles)] if lines else []
     marks = [Line2D([], [], linestyle="", marker="o", ms=4, color="black", label="significant (corrected)"),
-                Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="not significant"),
+                Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="inconclusive"),
                 Line2D([], [], linestyle="", marker="o", ms=9, mfc="none", mec="black", label="reference")]
-    size = (max(COLUMN_IN, 1.1 + 1.9 * len(columns)), 0.4 + 1.5 * len(keys))
+    size = (max(width_in(), 1.1 + 1.9 * len(columns)), 0.4 + 1.5 * len(keys))
     fig, _, grid = frame(len(keys), len(columns), size, [of_lines, marks], fixed, sharex=True, sharey="row")
     step = np.diff(x.positions()).min() if len(x.values) > 1 else 1.0
     for row, key in enumerate(keys):
@@ -222,7 +216,7 @@ def response(sweep, keys):
             ax.set_xticks(x.positions(), [x.text(value) for value in x.values], rotation=0 if len(x.values) <= 6 else 60)
             ax.margins(x=0.08, y=0.12)
         grid[row, 0].set_ylabel(sweep.title(key), fontsize=7)
-    return fig
+    return caption(fig, "Means of the runs of a cell with 95 % intervals. Filled: differs from the reference cell, p <= 0.05 corrected for all comparisons.")
 
 
 def signed(value, largest):
@@ -272,8 +266,8 @@ def heat(sweep, keys, x, y):
     panels = rest[0] if rest else None
     cells, fixed = sweep.at([axis for axis in (x, y, panels) if axis])
     columns = panels_of(sweep, panels)
-    size = (max(COLUMN_IN, 1.3 + len(columns) * max(1.3, 0.38 * len(x.values))), 0.4 + len(keys) * max(1.1, 0.3 * len(y.values)))
-    handles = [Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="not significant"),
+    size = (max(width_in(), 1.3 + len(columns) * max(1.3, 0.38 * len(x.values))), 0.4 + len(keys) * max(1.1, 0.3 * len(y.values)))
+    handles = [Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="inconclusive"),
                Patch(facecolor="#d6604d", label="significant (corrected)"),
                Patch(facecolor="white", edgecolor="black", linewidth=1.6, label="reference")]
     if cells.shape[0] < len(x.values) * len(y.values) * len(columns):
@@ -297,34 +291,16 @@ def heat(sweep, keys, x, y):
         bar = panel_figure.colorbar(image, ax=grid[row, :], pad=0.02)
         bar.set_label(sweep.title(key) + "\n- reference", fontsize=7)
         bar.outline.set_visible(False)
-    return fig
+    return caption(fig, "Difference of each cell to the reference cell. Hatched: inconclusive after the correction for all comparisons.")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("analysis", type=pathlib.Path, help="output folder of `trophic analyze` for a sweep")
-    parser.add_argument("--out", type=pathlib.Path, help="folder for the figures (ANALYSIS/figures)")
-    parser.add_argument("--metric", nargs="+", help="METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP (those that were chosen in the analysis, or the headline metrics)")
-    parser.add_argument("--axes", nargs="+", help="axes for x, lines and panels (numbers with most values first)")
-    options = parser.parse_args()
-    try:
-        sweep = Sweep(options.analysis, options.axes)
-        chosen = sweep.chosen(options.metric)
-    except KeyError as error:
-        sys.exit(f"sweep.py: {error.args[0] if str(error.args[0]).startswith('--') else f'{options.analysis}: no {error}: no sweep?'}")
-    except (OSError, ValueError, AttributeError) as error:
-        sys.exit(f"sweep.py: {options.analysis}: not an output of trophic analyze for a sweep: {error}")
+def figures_of(folder, metrics=None, axes=None):
+    """(name, function) for each figure of an analysed sweep. Raises KeyError, naming the option, for a metric or axis that it lacks."""
+    sweep = Sweep(folder, axes)
     figures = []
-    for metric, keys in chosen:
+    for metric, keys in sweep.chosen(metrics):
         figures.append((f"response-{metric}", functools.partial(response, sweep, keys)))
         for x, y in itertools.combinations(sweep.axes, 2):
             pair = "-".join(re.sub(r"\W+", "_", axis.title) for axis in (x, y))
             figures.append((f"heat-{metric}-{pair}", functools.partial(heat, sweep, keys, x, y)))
-    out = options.out or options.analysis / "figures"
-    drawn = save_all(figures, out)
-    print(f"{drawn} figures in {out}")
-    return 0 if drawn else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return figures

@@ -1,35 +1,27 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the paper's figures, and pictures of runs, from what `trophic analyze` wrote.
+"""The paper's figures, and a forest plot of a comparison, from what `trophic analyze` wrote. Each function takes one set of runs (Data) and
+returns a matplotlib figure whose `caption` says what bands and points mean."""
+from __future__ import annotations
 
-    python3 examples/figures/plot.py ANALYSIS [--out FOLDER] [--run K] [--trophic PROGRAM]
-
-ANALYSIS is the folder with metrics.csv and summary.json. Each figure goes to FOLDER (ANALYSIS/figures) as PNG and PDF, in the
-width of an article's column, and its caption to FOLDER/captions.json. In a comparison, each set has its own figures. A figure
-without data is omitted, with a message. `trophic film` draws the film strip of a catch. Needs
-matplotlib, pandas and scipy (Debian: python3-matplotlib, python3-pandas, python3-scipy).
-"""
-import argparse
 import functools
+import json
 import pathlib
 import re
-import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from scipy import stats
-from pictures import catches, film_strip, phylogeny, trajectories
-from style import COLOURS, COLUMN_IN, NULL_COLOUR, Missing, caption, colour, line, save_all
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/python"))
-from trophic.runs import RunError, read_analysis  # noqa: E402
+from ..runs import read_analysis
+from .pictures import catches, film_strip, phylogeny, trajectories
+from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in
 
 HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": "...."}
 
 
 def interval(runs):
-    """The mean over runs (rows) of each column, and its 95 % interval as in `trophic analyze`; NaN with fewer than six values."""
+    """The mean over runs (rows) of each column, and its 95 % interval as `trophic analyze` has it; NaN if fewer than six have a value."""
     runs = np.atleast_2d(np.asarray(runs, float))
     count = (~np.isnan(runs)).sum(axis=0)
     with np.errstate(all="ignore"):
@@ -49,7 +41,7 @@ class Data:
         self.species = list(dict.fromkeys(metrics.loc[metrics.metric == "population", "species"]))
 
     def published(self, metric, species, group="all"):
-        """The paper's mean of a metric as in `trophic analyze`, or None."""
+        """The paper's mean of a metric as `trophic analyze` has it, or None."""
         rows = [row for row in self.summary["metrics"] if (row["metric"], row["species"], row["group"]) == (metric, species, group)]
         return rows[0].get("published") if rows else None
 
@@ -69,6 +61,20 @@ class Data:
             raise Missing(f"no value of {metric}" + (f" of {species}" if species else ""))
         return found.value.to_numpy()
 
+    def own_metrics(self):
+        """Metrics that `trophic analyze --column` read."""
+        known = {"attribution", "deaths", "velocity", "wall", "tag", "population", "hunger", "ticks", "stuck"}
+        return [name for name in dict.fromkeys(self.metrics.metric) if name.split("_")[0] not in known]
+
+    @property
+    def tick_s(self):
+        """Seconds of a tick, from the manifest of a run."""
+        path = self.folders[0] / "manifest.json"
+        try:
+            return json.loads(path.read_text())["params"]["ecology"]["tick_s"]
+        except (OSError, ValueError, KeyError) as error:
+            raise Missing(f"{path}: {error}") from error
+
     @property
     def has_shadow(self):
         return (self.metrics.baseline == "shadow").any()
@@ -80,7 +86,7 @@ class Data:
         return f"n = {len(self.folders)} runs" + (f" and {shadow} of the shadow" if shadow else "")
 
     def intervals(self, sign, with_shadow=True):
-        """The meaning of `sign` (bands, bars), if there are enough runs."""
+        """What `sign` (bands, bars) means, if there are enough runs."""
         n = self.n if with_shadow else self.n.split(" and ")[0]
         if len(self.folders) < 6:
             return f"{n}: too few for an interval (at least 6 are needed)."
@@ -127,7 +133,7 @@ def window_s(time_s):
 
 def attribution(data):
     bars = [("attribution_caught", "caught"), ("attribution_credited", "credited"), ("attribution_catches", "catches")]
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.6))
+    fig, ax = plt.subplots(figsize=(width_in(), 2.6))
     names, place = [], 0
     for metric, word in bars:
         for species in data.species:
@@ -150,17 +156,17 @@ def attribution(data):
             names.append(f"{species}:\n{word}")
             place += 1
     if place == 0:
-        raise Missing("no attribution: there was no catch")
+        raise Missing("no attribution: no robot was caught")
     ax.axhline(2 / 3, color="#CC0000", linestyle="--", linewidth=1, label="paper's baseline 2/3")
-    ax.set(xticks=range(place), ylim=(0, 1.12), ylabel="inherited share (attribution)")
+    ax.set(xticks=range(place), ylim=(0, 1), ylabel="inherited share (attribution)")
     ax.set_xticklabels(names)
-    ax.legend(loc="upper left", ncol=2, columnspacing=1, handlelength=1.6)
-    return caption(fig, f"Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: share among caught prey; "
-                        "credited: among all prey deaths, by the last killer in that body; catches: among all catches.")
+    legend_above(ax)
+    return caption(fig, f"Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
+                        "credited: of all prey deaths, by the last killer in that body; catches: of all catches.")
 
 
 def velocity(data):
-    fig, axes = plt.subplots(len(data.species), 1, figsize=(COLUMN_IN, 1.55 * len(data.species) + 0.3), sharex=True, squeeze=False)
+    fig, axes = plt.subplots(len(data.species), 1, figsize=(width_in(), 1.55 * len(data.species) + 0.3), sharex=True, squeeze=False)
     for ax, species in zip(axes[:, 0], data.species[::-1]):
         for group, style, shade in (("inherited", "-", colour(species, data.species)), ("random", "--", NULL_COLOUR)):
             time_s, runs = data.curve("velocity", species, group)
@@ -171,16 +177,14 @@ def velocity(data):
             ax.plot([1.0], [100 * published], "D", ms=4.5, mfc="white", mec="black", clip_on=False,
                     transform=ax.get_yaxis_transform(), label="published mean")
         ax.set_ylabel(f"{species}: velocity to\nadversary [cm/s]")
-        low, high = ax.get_ylim()
-        ax.set_ylim(low, high + 0.38 * (high - low))
-        ax.legend(ncol=2, loc="upper right", columnspacing=1, handlelength=1.8)
+        legend_above(ax)
     axes[-1, 0].set_xlabel("time [s]")
     return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')} "
                         "Above 0: towards the closest perceived adversary.")
 
 
 def wall_sticking(data):
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.3))
+    fig, ax = plt.subplots(figsize=(width_in(), 2.3))
     for species in data.species:
         shade = colour(species, data.species)
         time_s, runs = data.curve("wall_sticking", species)
@@ -193,15 +197,15 @@ def wall_sticking(data):
             ax.plot([1.0], [published], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
                     transform=ax.get_yaxis_transform(), label=f"{species}, published mean")
     spread = data.values("wall_sticking", data.species[0], "all", "uniform_density")[0]
-    ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="uniform density (reference)")
-    ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1.15))
-    ax.legend(ncol=2, loc="upper left", columnspacing=1)
+    ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="uniform density (not a null)")
+    ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1))
+    legend_above(ax)
     return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')}")
 
 
 def tag_symmetry(data):
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, 2.6))
-    rows = [("ours", "", "#0072B2"), ("null: permuted tags", "permuted_tags", NULL_COLOUR), ("Bernoulli(1/2)", "bernoulli_tags", "#999999")]
+    fig, ax = plt.subplots(figsize=(width_in(), 2.6))
+    rows = [("ours", "", "#0072B2"), ("null: permuted\ntags", "permuted_tags", NULL_COLOUR), ("Bernoulli(1/2)", "bernoulli_tags", "#999999")]
     if data.has_shadow:
         rows.insert(1, ("null: nothing\ninherited", "shadow", NULL_COLOUR))
     uniform = data.values("tag_symmetry", group="inherited", baseline="uniform_pairs")[0]
@@ -220,21 +224,21 @@ def tag_symmetry(data):
     ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
     ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
     ax.set_yticklabels([name for name, _, _ in rows] + ["published\nmean"])
-    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Permuted tags: the tags of the same tick in random order.")
+    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Permuted tags: the tags of the same tick, drawn again among the same robots; Bernoulli(1/2): tags drawn with equal chances.")
 
 
 def population(data):
-    fig, axes = plt.subplots(3, 1, figsize=(COLUMN_IN, 4.6), sharex=True, gridspec_kw={"height_ratios": [1, 0.8, 1.3]})
+    fig, axes = plt.subplots(3, 1, figsize=(width_in(), 4.6), sharex=True, gridspec_kw={"height_ratios": [1, 0.8, 1.3]})
     for species in data.species:
         look = (species, colour(species, data.species), line(species, data.species))
         time_s, runs = data.curve("population", species)
         draw_curve(axes[0], time_s, runs, *look, average=False)
         if not data.rows("hunger", species, curve=True).empty:
-            draw_curve(axes[1], *data.curve("hunger", species), *look, average=False)
+            draw_curve(axes[1], *data.curve("hunger", species), *look, average=False, scale=data.tick_s)
     axes[0].set_ylabel("individuals")
     axes[0].set_ylim(bottom=0)
-    axes[0].legend(ncol=2)
-    axes[1].set_ylabel("hunger [ticks]")
+    legend_above(axes[0])
+    axes[1].set_ylabel("hunger [s]")
     axes[1].set_ylim(bottom=0)
     bottom = 0
     for species in data.species:
@@ -247,42 +251,99 @@ def population(data):
                         linewidth=0.3, edgecolor="white", label=f"{species}, {cause}")
             bottom = bottom + mean
     axes[2].set(xlabel="time [s]", ylabel=f"deaths per {window_s(time_s):g} s")
-    rows = np.ceil(len(axes[2].get_legend_handles_labels()[1]) / 2)
-    axes[2].set_ylim(0, (1.15 + 0.13 * rows) * np.max(bottom) if np.ndim(bottom) else 1)
-    if np.ndim(bottom):
-        axes[2].legend(ncol=2, columnspacing=1, loc="upper left")
-    return caption(fig, f"Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: ticks since birth or the last catch.")
+    legend_above(axes[2])
+    return caption(fig, f"Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: time since birth or the last catch.")
+
+
+def own_metric(data, metric):
+    """A metric of one's own: its curves if it has any, else a point for each run, with the shadow's."""
+    rows = data.metrics[data.metrics.metric == metric]
+    parts = list(rows[["species", "group", "unit"]].drop_duplicates().itertuples(index=False))
+    has_curve = rows.time_s.notna().any()
+    fig, ax = plt.subplots(figsize=(width_in(), 2.3))
+    for place, part in enumerate(parts):
+        label = " ".join(filter(None, [part.species, "" if part.group == "all" else part.group])) or "runs"
+        shade = colour(part.species, data.species) if part.species in data.species else "#0072B2"
+        if has_curve:
+            time_s, runs = data.curve(metric, part.species, part.group)
+            draw_curve(ax, time_s, runs, label, shade, style=["-", "--", ":", "-."][place % 4], average=False)
+            draw_shadow(ax, data, metric, part.species, part.group, f"{label}, shadow")
+            continue
+        for shift, baseline, look in ((-0.1, "", shade), (0.1, "shadow", NULL_COLOUR)):
+            if data.rows(metric, part.species, part.group, baseline).empty:
+                continue
+            values = data.values(metric, part.species, part.group, baseline)
+            mean, lower, upper = (x[0] for x in interval(values[:, None]))
+            ax.plot([place + shift] * len(values), values, "o", ms=2.5, mew=0, color=look, alpha=0.6)
+            bars = [[mean - lower], [upper - mean]] if np.isfinite(lower) else None
+            ax.errorbar([place + 1.8 * shift], [mean], yerr=bars, fmt="s", ms=4, color=look, capsize=2.5,
+                        label=("shadow" if baseline else "ours") if place == 0 else None)
+    if not has_curve:
+        ax.set_xticks(range(len(parts)), [" ".join(filter(None, [p.species, p.group])) for p in parts])
+    unit = "" if parts[0].unit == "1" else f" [{parts[0].unit}]"
+    ax.set(ylabel=metric.replace("_", " ") + unit, xlabel="time [s]" if has_curve else "")
+    legend_above(ax)
+    return caption(fig, f"{metric}: {data.intervals('bands' if has_curve else 'bars')}")
+
+
+MOST_LINES_OF_A_FOREST = 30
+
+
+def forest(summary):
+    """The differences of two sets that were compared, each in standard deviations between runs, with 95 % intervals; filled: significant."""
+    over = any(d["over_shadow"]["value"] is not None for d in summary["differences"])
+    kind = "over_shadow" if over else "raw"
+    rows = []
+    for d in summary["differences"]:
+        spread = [d[side]["deviation"] for side in "ab"]
+        of = d[kind]
+        if d["same_as"] or of["lower"] is None or of["p"] is None or None in spread or not any(spread):
+            continue
+        unit = (sum(s * s for s in spread) / 2) ** 0.5
+        rows.append((d, of, [of[key] / unit for key in ("value", "lower", "upper")]))
+    if not rows:
+        raise Missing("no difference with an interval: six runs of each set are needed")
+    left_out = len(rows) - MOST_LINES_OF_A_FOREST
+    rows = sorted(rows, key=lambda row: row[1]["p"])[:MOST_LINES_OF_A_FOREST] if left_out > 0 else rows
+    rows = sorted(rows, key=lambda row: row[2][0])
+    fig, ax = plt.subplots(figsize=(width_in(), 0.7 + 0.17 * len(rows)))
+    for place, (d, of, (value, lower, upper)) in enumerate(rows):
+        ax.plot([lower, upper], [place, place], color="black", linewidth=1)
+        ax.plot([value], [place], "o", ms=4, color="black", mfc="black" if of["differs"] else "white")
+    names = [f"{d['metric'].replace('_', ' ')} {d['species']}" + ("" if d["group"] == "all" else f" ({d['group']})") for d, _, _ in rows]
+    ax.axvline(0, color="#555555", linewidth=0.6)
+    ax.set_yticks(range(len(rows)), names, fontsize=6)
+    ax.set_ylim(-0.7, len(rows) - 0.3)
+    first, second = (s["set"] for s in summary["sets"])
+    ax.set_xlabel(f"{second} $-$ {first}" + (", over the shadows" if over else "") + "\n[standard deviations between runs]")
+    rest = f" The {left_out} least significant are left out." if left_out > 0 else ""
+    return caption(fig, f"Differences {second} - {first}" + (", each set over its shadow" if over else " (raw)") + f", n = {len(summary['sets'][0]['runs'])} and "
+                        f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: 95 % intervals of single comparisons. "
+                        f"Filled: p <= 0.05 after Holm's correction for all metrics.{rest}")
 
 
 FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, phylogeny, catches, trajectories, film_strip]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze` wrote")
-    parser.add_argument("--out", type=pathlib.Path, help="folder for the figures (ANALYSIS/figures)")
-    parser.add_argument("--run", type=int, default=0, help="the run for phylogeny, paths and catch: the K-th of a set (0)")
-    parser.add_argument("--trophic", default="trophic", help="the program that draws the film strip of a catch (trophic, on PATH)")
-    options = parser.parse_args()
-    try:
-        analysis = read_analysis(options.analysis)
-        sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, options.run, options.trophic)
-                for s in analysis.summary["sets"]]
-    except RunError as error:
-        sys.exit(f"plot.py: {error}")
-    except (OSError, ValueError, KeyError, AttributeError) as error:
-        sys.exit(f"plot.py: {options.analysis}: not an output of trophic analyze: {error}")
-    if any(not 0 <= options.run < len(data.folders) for data in sets):
-        sys.exit(f"plot.py: --run {options.run}: must be >= 0 and < the number of runs")
-    out = options.out or options.analysis / "figures"
+def sets_of(folder, run=0, trophic="trophic"):
+    """The sets of an analysis, each as Data. Raises RunError for a folder that is not one, and IndexError for a `run` that is not there."""
+    analysis = read_analysis(folder)
+    sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run, trophic) for s in analysis.summary["sets"]]
+    if any(not 0 <= run < len(data.folders) for data in sets):
+        raise IndexError(f"--run {run}: must be >= 0 and < the number of runs")
+    return sets
+
+
+def figures_of(folder, run=0, trophic="trophic"):
+    """(name, function) for each figure of an analysis; of a comparison each set has its own, and there is a forest plot."""
+    sets = sets_of(folder, run, trophic)
     figures = []
     for data in sets:
         prefix = "" if len(sets) == 1 else re.sub(r"\W+", "_", data.summary["set"]).strip("_") + "-"
         figures += [(prefix + draw.__name__, functools.partial(draw, data)) for draw in FIGURES]
-    drawn = save_all(figures, out)
-    print(f"{drawn} figures in {out}")
-    return 0 if drawn else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+        own = data.own_metrics()
+        figures += [(f"{prefix}own-{re.sub(r'[^A-Za-z0-9]+', '_', metric)}", functools.partial(own_metric, data, metric)) for metric in own]
+    summary = json.loads((pathlib.Path(folder) / "summary.json").read_text())
+    if "differences" in summary:
+        figures.insert(0, ("forest", functools.partial(forest, summary)))
+    return figures

@@ -1,28 +1,21 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws one figure from the output of `trophic cross-check`: convergence of speed and turning, paths, and equivalence of the ecology.
+"""One figure of what `trophic cross-check` wrote: convergence of speed and turning, paths, and equivalence of the ecology. What it did not
+compare is left blank."""
+from __future__ import annotations
 
-    python3 examples/figures/cross_check.py FOLDER
-
-FOLDER is trophic cross-check's --out. Panels without data stay blank. Writes FOLDER/cross_check.png and .pdf. Needs matplotlib and pandas (Debian: python3-matplotlib, python3-pandas).
-"""
 import cmath
+import functools
 import pathlib
-import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import pandas as pd
+
+from .style import caption
 
 COLOURS = {"mujoco": "#0072B2", "ode": "#D55E00"}
 MARKERS = {0.7: "v", -0.7: "^", 0.0: "o"}
 DEFAULT_STEP_S = 0.0012
 QUANTITIES = {"speed_m_s": ("speed, cm/s", 100.0), "turn_rate_rad_s": ("turning, rad/min", 60.0)}
-
-plt.rcParams.update({"font.size": 8, "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
-                     "pdf.fonttype": 42, "figure.constrained_layout.use": True})
 
 
 def draw_convergence(axes, gait, quantity):
@@ -55,7 +48,7 @@ def draw_paths(axes, paths):
 
 
 def draw_ecology(axes, ecology, engines):
-    """Differences in units of their margins: equivalent if the bar lies within +-1. `engines`: of the first and the second set."""
+    """Differences in units of their margins: equivalent if the bar stays within +-1. `engines`: of the first set and the second."""
     rows = ecology.iloc[::-1].reset_index(drop=True)
     names = [f"{r.quantity} {r.species}" + ("" if r.group == "all" else f" ({r.group})") for r in rows.itertuples()]
     middle = rows.difference / rows.margin
@@ -67,10 +60,9 @@ def draw_ecology(axes, ecology, engines):
     axes.set_xlabel(" - ".join(engine.split()[0] for engine in reversed(engines)) + ", in margins [90 %]")
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
+def cross_check(folder):
+    """The figure of a cross-check's folder."""
+    folder = pathlib.Path(folder)
     table = pd.read_csv(folder / "cross_check.csv")
     gait = table[table.part == "gait"]
     ecology = table[(table.part == "ecology") & table.conclusion.notna()]
@@ -87,10 +79,10 @@ def main():
         panels[1, 1].axis("off")
     else:
         draw_ecology(panels[1, 1], ecology, table[table.part == "ecology"].engine.unique())
-    for suffix in ("png", "pdf"):
-        figure.savefig(folder / f"cross_check.{suffix}", dpi=200)
-    print(folder / "cross_check.png")
+    return caption(figure, "Gaits at several timesteps with 95 % intervals, paths from one start, and the ecology's differences between engines in "
+                           "units of their margins with 90 % intervals: equivalent within the green band.")
 
 
-if __name__ == "__main__":
-    main()
+def figures_of(folder):
+    """(name, function) of the one figure."""
+    return [("cross_check", functools.partial(cross_check, folder))]

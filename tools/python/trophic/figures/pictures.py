@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of runs: phylogenies, places of catches, trajectories, and the film strip of a catch."""
+"""Pictures of what happened in runs: descent, places of catches, paths of robots, and a catch frame by frame."""
+from __future__ import annotations
+
 import pathlib
 import subprocess
 import tempfile
@@ -9,7 +11,8 @@ import numpy as np
 import pandas as pd
 from matplotlib.collections import LineCollection
 from matplotlib.colors import PowerNorm
-from style import COLUMN_IN, Missing, caption, colour, line
+
+from .style import Missing, caption, colour, legend_above, line, width_in
 
 MOST_ROWS = 150
 
@@ -49,7 +52,7 @@ def phylogeny(data):
     folder = data.folders[data.run]
     tree = data.table(folder, "phylogeny.csv", ["id", "ancestor_id", "origin_time", "destruction_time", "species"])
     if tree.empty:
-        raise Missing(f"{folder / 'phylogeny.csv'}: has no individuals")
+        raise Missing(f"{folder / 'phylogeny.csv'}: no robot in it")
     tree = tree.sort_values("origin_time", kind="stable").set_index("id")
     end_s = max(tree.destruction_time.replace(np.inf, 0).max(), tree.origin_time.max())
     found, children = families(tree)
@@ -61,7 +64,7 @@ def phylogeny(data):
             row += 1
         bands.append((row - len(family) - 0.5, row - 0.5))
         row += 1.2
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, float(np.clip(0.032 * row + 1.4, 2.6, 7.0))))
+    fig, ax = plt.subplots(figsize=(width_in(), float(np.clip(0.032 * row + 1.4, 2.6, 7.0))))
     for low, high in bands[::2]:
         ax.axhspan(low - 0.3, high + 0.3, color="black", alpha=0.05, linewidth=0)
     shown = tree.loc[list(rows)]
@@ -82,8 +85,8 @@ def phylogeny(data):
                   linestyle=line(species, data.species) if len(data.species) > 2 else "-")
         living = of[np.isinf(of.destruction_time)]
         ax.plot([end_s] * len(living), [rows[i] for i in living.index], ">", ms=3, mew=0, color=shade)
-    ax.set(xlabel="time [s]", ylabel="one line per individual, one stripe per family", ylim=(-1.5, row), yticks=[], xlim=(-0.01 * end_s, 1.02 * end_s))
-    ax.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=len(data.species), borderaxespad=0.2)
+    ax.set(xlabel="time [s]", ylabel="a line a life, a stripe a family", ylim=(-1.5, row), yticks=[], xlim=(-0.01 * end_s, 1.02 * end_s))
+    legend_above(ax, len(data.species))
     left_out = len(tree) - len(rows)
     alone = sum(len(family) == 1 for family in found)
     rest = "" if left_out == 0 else (f" Not shown: {left_out} in smaller families, {alone} of them without parent and offspring.")
@@ -98,11 +101,11 @@ def catches(data):
         places.append(events[events.event == "catch"])
     places = pd.concat(places)
     if places.empty:
-        raise Missing("no catches")
+        raise Missing("no robot was caught")
     half_m = data.summary["runs"][0]["half_side_m"]
     edge_m = max(half_m, places[["x_m", "y_m"]].abs().max().max())
-    fig, ax = plt.subplots(figsize=(COLUMN_IN, 3.2))
-    # With fewer than ten catches per cell on average, shades are mostly chance.
+    fig, ax = plt.subplots(figsize=(width_in(), 3.2))
+    # A cell should have ten catches on average, or its shade is chance.
     cells = min(20, int(np.sqrt(len(places) / 10)))
     text = f"{len(places)} catches in n = {len(data.folders)} runs."
     if cells >= 4:
@@ -123,13 +126,13 @@ def trajectories(data):
     folder = data.folders[data.run]
     rows = data.table(folder, "agents.csv", ["time_s", "body", "species", "x_m", "y_m"])
     if rows.empty:
-        raise Missing(f"{folder / 'agents.csv'}: has no rows")
+        raise Missing(f"{folder / 'agents.csv'}: no robot in it")
     half_m = data.summary["runs"][0]["half_side_m"]
     count = len(data.species)
-    fig, axes = plt.subplots(1, count, figsize=(max(COLUMN_IN, 1.75 * count), 2.5), sharex=True, sharey=True, squeeze=False)
-    paths = {species: [] for species in data.species}
+    fig, axes = plt.subplots(1, count, figsize=(max(width_in(), 1.75 * count), 2.5), sharex=True, sharey=True, squeeze=False)
+    ways = {species: [] for species in data.species}
     for _, body in rows.groupby("body", sort=False):
-        # A body's path is split when its species changes.
+        # A body's path is cut where it passes from one species to another.
         of = (body.species != body.species.shift()).cumsum()
         for _, part in body.groupby(of):
             paths[part.species.iloc[0]].append(part[["x_m", "y_m"]].to_numpy())
@@ -141,8 +144,8 @@ def trajectories(data):
         ax.set(aspect="equal", title=species, xlabel="x [m]", xlim=(-1.04 * half_m, 1.04 * half_m), ylim=(-1.04 * half_m, 1.04 * half_m))
     axes[0][0].set_ylabel("y [m]")
     step_s = np.diff(np.unique(rows.time_s))
-    return caption(fig, f"{folder.name}: the paths of all {rows.body.nunique()} robots in {rows.time_s.max():g} s, sampled every "
-                        f"{np.min(step_s) if len(step_s) else 0:g} s. The path of a body continues in the other panel when its species changes. Frame: the "
+    return caption(fig, f"{folder.name}: the paths of all {rows.body.nunique()} robots in {rows.time_s.max():g} s, a place every "
+                        f"{np.min(step_s) if len(step_s) else 0:g} s. A body that passes to the other species continues in the other panel. Frame: the "
                         "walls.")
 
 
@@ -160,7 +163,7 @@ def film_strip(data):
     lived = caught[caught.time_s - caught.id.map(births) >= 10]
     one = (caught if lived.empty else lived).pipe(lambda rows: rows.loc[(rows.time_s - end_s / 2).abs().idxmin()])
     moments = [-10, -6, -4, -2, 0, 2]
-    fig, axes = plt.subplots(2, 3, figsize=(2 * COLUMN_IN, 3.35))
+    fig, axes = plt.subplots(2, 3, figsize=(max(7.0, width_in()), 3.35))
     with tempfile.TemporaryDirectory() as name:
         for ax, offset in zip(axes.flat, moments):
             picture = pathlib.Path(name) / f"{offset}.png"

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// A planned run of a sweep, on the rule tables and backends of a program.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <trophic/command/config.hpp>
+#include <trophic/command/experiment_options.hpp>
+#include <trophic/command/run_experiment.hpp>
+#include <trophic/command/selection.hpp>
+#include <trophic/command/toml_of_json.hpp>
+#include <trophic/command/words.hpp>
+#include <trophic/observe/joint_progress.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/run/sweep/plan_file.hpp>
+#include <trophic/run/sweep/sweep_file.hpp>
+#include <vector>
+
+namespace trophic::command::detail::sweeps {
+
+using sweep::PlannedRun;
+
+[[nodiscard]] inline std::string cell_name(std::size_t cell) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "cell-%03zu", cell);
+  return name.data();
+}
+
+/// One value under its path, in nested tables.
+inline void insert(toml::table& table, std::string_view path, const Json& value) {
+  const std::size_t dot = path.find('.');
+  if (dot != std::string_view::npos) {
+    toml::node* nested = &table.insert(path.substr(0, dot), toml::table{}).first->second;
+    if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is below a key that has a value"};
+    return insert(*nested->as_table(), path.substr(dot + 1), value);
+  }
+  insert_value(table, path, value);
+}
+
+/// Settings as a configuration file has them.
+[[nodiscard]] inline Config config_of(const sweep::Settings& settings) {
+  Config config{.origin = {}, .file = {}, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = {}};
+  for (const auto& [path, value] : settings.items()) insert(config.numbers, path, value);
+  return config;
+}
+
+[[nodiscard]] inline Selection selection_of(const std::string& table, const std::string& engine, const Offer& offer) {
+  const auto refuse = [](const std::string& key, const std::string& name, const std::vector<std::string>& names) {
+    throw std::invalid_argument{key + " = " + must_be_one_of(name, names) + did_you_mean(nearest_word(name, names))};
+  };
+  const Selection selection{offer.table(table), offer.backend(engine)};
+  if (selection.table == nullptr) refuse("rule_table", table, offer.table_names());
+  if (selection.backend == nullptr) refuse("engine", engine, offer.backend_names());
+  return selection;
+}
+
+/// A plan's runs on what the program offers.
+class Runner {
+ public:
+  Runner(const ExperimentOptions& options, const Offer& offer, const observe::StopOnSignal& stop)
+      : options_{options}, offer_{offer}, stop_{stop} {}
+
+  /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder.
+  void run(const PlannedRun& run, const std::filesystem::path& folder, observe::JointProgress& progress,
+           std::optional<double> until_s = {}) const {
+    Config config = config_of(run.settings);
+    if (until_s) insert_duration(config.numbers, *until_s);
+    replicates::CommonOptions common{
+        options_.provenance, {.every_s = options_.checkpoint_s}, run.output, {}, options_.own_tables};
+    common.provenance.emplace_back("planned_run", std::to_string(run.index));
+    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, common,
+                progress.watch(run.folder.string()), stop_);
+  }
+
+ private:
+  static void insert_duration(toml::table& numbers, double until_s) {
+    numbers.insert("ecology", toml::table{});
+    numbers["ecology"].as_table()->insert_or_assign("duration_s", until_s);
+  }
+
+  const ExperimentOptions& options_;
+  const Offer& offer_;
+  const observe::StopOnSignal& stop_;
+};
+
+}  // namespace trophic::command::detail::sweeps

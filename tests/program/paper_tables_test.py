@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""paper_tables_test.py PREDATOR_PREY TROPHIC: every LaTeX table and captions.tex in a column of two and on a page, by pdflatex: no overfull box.
+
+Exit code 77, skipped, without pdflatex (Debian: texlive-latex-base texlive-latex-recommended)."""
+
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+import figures_python
+from in_folder import InFolderWithSets
+
+PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
+if shutil.which("pdflatex") is None:
+    print("no pdflatex")
+    sys.exit(77)
+
+DOCUMENT = r"""\documentclass[%s]{article}
+\usepackage[T1]{fontenc}
+\usepackage{booktabs,tabularx,graphicx}
+%s
+\begin{document}
+\begin{%s}
+\caption{A table.}
+\input{%s}
+\end{%s}
+Text.
+\end{document}
+"""
+
+
+class PaperTables(InFolderWithSets):
+    @classmethod
+    def make_sets(cls):
+        for rules in ("paper", "released"):
+            cls.call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 6, "--jobs", 2, "--shadow",
+                     "--out", rules)
+        cls.call(TROPHIC, "analyze", "--compare", "paper", "released", "--out", "analysis")
+
+    @classmethod
+    def call(cls, *arguments):
+        done = subprocess.run([*map(str, arguments)], capture_output=True, text=True, cwd=cls.sets)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    def compiled(self, options, environment, table, preamble=""):
+        (self.folder / "paper.tex").write_text(DOCUMENT % (options, preamble, environment, table, environment))
+        done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "paper.tex"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+        self.assertEqual(re.findall(r"^(?:Overfull|LaTeX Warning: Float too large).*", done.stdout, re.M), [], f"{table} in {environment}")
+
+    def test_rule_tables_fit_a_column_and_a_page(self):
+        for rules in ("paper", "released"):
+            for name, more in (("whole", []), ("unlike", ["--unlike", "released" if rules == "paper" else "paper"])):
+                text = self.call(PREDATOR_PREY, "--rules", rules, "--print-table", "latex", *more)
+                (self.folder / f"{name}.tex").write_text(text)
+                self.compiled("", "table", name, r"\usepackage[margin=1in]{geometry}")
+                self.compiled("twocolumn", "table*", name)
+        few = self.call(PREDATOR_PREY, "--print-table", "latex", "--unlike", "paper", "--set", "rules.mutation.sd=0.1", "--set", "rules.capture.reach_m=2",
+                        "--set", "ecology.robots=40")
+        (self.folder / "few.tex").write_text(few)
+        self.compiled("twocolumn", "table", "few")
+
+    def test_unlike_prints_only_what_differs(self):
+        whole = self.call(PREDATOR_PREY, "--rules", "paper", "--print-table", "markdown")
+        unlike = self.call(PREDATOR_PREY, "--rules", "paper", "--print-table", "markdown", "--unlike", "released")
+        self.assertLess(len(unlike.splitlines()), len(whole.splitlines()))
+        same = self.call(PREDATOR_PREY, "--rules", "paper", "--print-table", "markdown", "--unlike", "paper", "--set", "rules.mutation.sd=0.123")
+        self.assertEqual(same.splitlines()[2:], ["| reproduction | mutation | " + same.splitlines()[2].split(" | ")[2] + " | sd = 0.123 | "
+                                                 + same.splitlines()[2].split(" | ")[4]])
+        wrong = subprocess.run([PREDATOR_PREY, "--print-table", "latex", "--unlike", "releasd"], capture_output=True, text=True)
+        self.assertEqual(wrong.returncode, 2)
+        self.assertIn("did you mean released?", wrong.stderr)
+
+    def test_results_fit_a_page(self):
+        for table in ("means", "differences"):
+            shutil.copy(self.sets / f"analysis/{table}.tex", self.folder)
+        # means.tex of a comparison has a table for each set.
+        for place, part in enumerate((self.folder / "means.tex").read_text().split("% \\usepackage")[1:]):
+            (self.folder / f"means{place}.tex").write_text("% " + part)
+            self.compiled("", "table", f"means{place}")
+            self.compiled("twocolumn", "table*", f"means{place}")
+        self.compiled("", "table", "differences")
+        self.compiled("twocolumn", "table*", "differences")
+
+    @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
+    def test_figures_and_captions_go_into_a_document(self):
+        self.call(TROPHIC, "plot", "analysis", "--style", "ieee", "--out", self.folder / "figures")
+        for path in (self.folder / "figures").iterdir():
+            shutil.copy(path, self.folder)
+        (self.folder / "figure.tex").write_text("\\includegraphics{forest}\\par\\trophicForest\n")
+        self.compiled("twocolumn", "figure*", "figure", preamble="\\input{captions}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""start_test.py PREDATOR_PREY TROPHIC: runs that Python starts are those of the programs; what it cannot do is one sentence, and nothing is overwritten."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "tools/python")]
+from figures_python import PYTHON  # noqa: E402
+
+if PYTHON is None:
+    print("no Python with pandas")
+    sys.exit(77)
+try:
+    import pandas
+except ModuleNotFoundError:  # the system's Python has it
+    os.execv(PYTHON, [PYTHON, *sys.argv])
+
+import trophic  # noqa: E402
+
+PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+os.environ["TROPHIC_BIN"] = str(pathlib.Path(TROPHIC).parent)
+
+
+class Start(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def test_a_run_is_that_of_the_program(self):
+        run = trophic.run("released", backend="kinematic", set={"rules.mutation.half_width": 0.3}, duration=60, seed=7, out=self.folder / "mine")
+        subprocess.run([PREDATOR_PREY, "--rules", "released", "--backend", "kinematic", "--set", "rules.mutation.half_width=0.3", "--duration", "60",
+                        "--seed", "7", "--out", self.folder / "its"], check=True, capture_output=True)
+        self.assertEqual((run.seed, run.manifest["rule_table"], run.complete), (7, "released", True))
+        for name in ("events", "agents", "genomes"):
+            self.assertEqual((self.folder / f"mine/{name}.csv").read_bytes(), (self.folder / f"its/{name}.csv").read_bytes())
+        self.assertIn("<td>released</td>", run._repr_html_())
+
+    def test_replicates_measures_and_analysis(self):
+        runs = trophic.run(PREDATOR_PREY, rules="paper", backend="kinematic", duration=400, replicates=6, shadow=True, out=self.folder / "set")
+        self.assertEqual((len(runs), len(runs.shadow)), (6, 6))
+        runs.measure("catches", lambda run: (run.events.event == "catch").sum())
+        analysis = trophic.analyze(runs, out=self.folder / "analysis", options=["--column", "catches.csv:catches"])
+        row = analysis.means[analysis.means.metric == "catches"].iloc[0]
+        of = [float((run.events.event == "catch").sum()) for run in runs]
+        null = [float((run.events.event == "catch").sum()) for run in runs.shadow]
+        self.assertAlmostEqual(row["mean"], sum(of) / 6)
+        self.assertAlmostEqual(row["difference"], sum(of) / 6 - sum(null) / 6)
+        self.assertIn("runs", analysis._repr_html_())
+        self.assertIn("<td>6</td>", runs._repr_html_())
+        before = sorted(self.folder.rglob("*.csv"))
+        for name, function, sentence in (("catches", lambda run: 1, "exists already; nothing is overwritten"),
+                                         ("broken", lambda run: 1 / 0, "ZeroDivisionError"),
+                                         ("texts", lambda run: "many", "must return a number or a frame, not str"),
+                                         ("frames", lambda run: pandas.DataFrame({"x": [1]}), "the frame has no column frames")):
+            with self.assertRaisesRegex(trophic.RunError, sentence):
+                runs.measure(name, function)
+        self.assertEqual(sorted(self.folder.rglob("*.csv")), before)
+        runs.measure("odd", lambda run: float("nan") if run is runs[0] else 1.0)
+        odd = trophic.analyze(runs, out=self.folder / "odd", options=["--column", "odd.csv:odd"])
+        self.assertEqual(odd.means[odd.means.metric == "odd"].n.iloc[0], 5)
+
+    def test_categories(self):
+        run = trophic.run("paper", backend="kinematic", duration=60, out=self.folder / "run")
+        table = run.table("agents", categories=True)
+        self.assertEqual(str(table.species.dtype), "category")
+        self.assertLess(table.memory_usage(deep=True).sum(), run.agents.memory_usage(deep=True).sum())
+        pandas.testing.assert_series_equal(table.species.astype(str), run.agents.species.astype(str))
+
+    def test_newick_has_every_individual_at_its_time(self):
+        run = trophic.run("paper", backend="kinematic", duration=1500, out=self.folder / "run")
+        tree = run.phylogeny
+        ends = tree.destruction_time.replace(float("inf"), float("nan"))
+        end_s = max(ends.max(), tree.origin_time.max())
+        died = dict(zip(tree.id, ends.fillna(end_s)))
+        tips = {}
+        for line in run.to_newick().splitlines():
+            self.assertTrue(line.endswith(";"))
+            for name, depth in leaves(line[:-1]):
+                tips[name] = depth
+        self.assertEqual(set(tips), {str(i) for i in tree.id})
+        parent = dict(zip(tree.id, tree.ancestor_id))
+        born = dict(zip(tree.id, tree.origin_time))
+        for one in tree.id:
+            root = one
+            while not pandas.isna(parent[root]) and parent[root] != root and parent[root] in born:
+                root = parent[root]
+            self.assertAlmostEqual(tips[str(one)], died[one] - born[root], places=6)
+
+    def test_parquet_of_a_study(self):
+        runs = trophic.run("paper", backend="kinematic", duration=60, replicates=2, shadow=True, out=self.folder / "set")
+        try:
+            import pyarrow  # noqa: F401
+        except ModuleNotFoundError:
+            with self.assertRaisesRegex(trophic.RunError, "needs the Python module pyarrow"):
+                trophic.to_parquet(runs, self.folder / "study")
+            self.assertFalse((self.folder / "study").exists())
+            self.skipTest("no pyarrow")
+        trophic.to_parquet({"a": runs, "b": runs}, self.folder / "study")
+        agents = pandas.read_parquet(self.folder / "study/agents.parquet")
+        self.assertEqual(len(agents), 2 * (len(runs.table("agents")) + len(runs.shadow.table("agents"))))
+        self.assertEqual(set(agents["set"]), {"a", "b"})
+        with self.assertRaisesRegex(trophic.RunError, "exists already"):
+            trophic.to_parquet(runs, self.folder / "study")
+
+    def test_refusals_are_one_sentence(self):
+        (self.folder / "there").mkdir()
+        for arguments, sentence in ((dict(out=self.folder / "there"), "exists already; nothing is overwritten"),
+                                    (dict(out=self.folder / "x", backend="none"), "must be"),
+                                    (dict(out=self.folder / "x", set={"rules.mutatio.sd": 1}), "did you mean rules.mutation.sd")):
+            with self.assertRaisesRegex(trophic.ProgramError, sentence) as raised:
+                trophic.run("paper", **arguments)
+            self.assertEqual(len(str(raised.exception).splitlines()), 1)
+            self.assertFalse((self.folder / "x").exists())
+        with self.assertRaisesRegex(trophic.ProgramError, "No such file"):
+            trophic.run("./no/such/program", out=self.folder / "x")
+
+
+def leaves(text):
+    """(name, distance from the root) of each leaf of a Newick tree."""
+    nodes, groups, closed = [], [[]], None  # a node: name, length, parent, whether it is a leaf
+    for token in re.findall(r"[()]|[^(),]+", text):
+        if token == "(":
+            groups.append([])
+        elif token == ")":
+            closed = groups.pop()
+        else:
+            name, _, length = token.partition(":")
+            for child in closed or []:
+                nodes[child][2] = len(nodes)
+            groups[-1].append(len(nodes))
+            nodes.append([name, float(length), None, closed is None])
+            closed = None
+
+    def depth(node):
+        total = 0.0
+        while node is not None:
+            total += nodes[node][1]
+            node = nodes[node][2]
+        return total
+
+    return [(node[0], depth(number)) for number, node in enumerate(nodes) if node[3]]
+
+
+if __name__ == "__main__":
+    unittest.main()

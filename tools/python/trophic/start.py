@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""Starts trophic's programs. The rules are theirs: here are none."""
+from __future__ import annotations
+
+import os
+import pathlib
+import shutil
+import subprocess
+
+from .runs import Analysis, Run, RunError, Runs, read_analysis, read_run, read_runs
+
+__all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show"]
+
+
+class ProgramError(RuntimeError):
+    """A program that is not there or that failed; the message is the program's own sentence."""
+
+
+def find_program(name: str) -> str:
+    """The path of one of trophic's programs: in $TROPHIC_BIN, next to an installed copy of this module, or on the PATH."""
+    places = [os.environ.get("TROPHIC_BIN"), str(pathlib.Path(__file__).resolve().parents[4] / "bin")]
+    for place in filter(None, places):
+        if (found := shutil.which(name, path=place)) is not None:
+            return found
+    if (found := shutil.which(name)) is not None:
+        return found
+    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
+
+
+def _call(program: str, arguments: list, what: str) -> None:
+    try:
+        done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    except OSError as error:
+        raise ProgramError(f"{program}: {error.strerror}") from None
+    if done.returncode != 0:
+        raise ProgramError(done.stderr.strip() or f"{what}: exit code {done.returncode}")
+
+
+def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, backend: str | None = None, rules: str | None = None,
+        set: dict | None = None, duration: float | None = None, robots: int | None = None, seed: int | None = None,
+        replicates: int | None = None, shadow: bool = False, jobs: int | None = None, threads: int | None = None,
+        options: list[str] | None = None) -> Run | Runs:
+    """Runs an experiment into the new folder `out` and reads it: a Run or, of `replicates`, Runs.
+
+    `experiment` is a rule table of trophic-predator-prey (paper, released) or the path of any experiment program, whose table `rules`
+    names. `set` has numbers by their paths, {"rules.mutation.sd": 0.1}. `options` are further arguments of the program. Raises
+    ProgramError with the program's sentence if it refuses or fails, and before it starts if `out` exists.
+    """
+    is_path = os.sep in str(experiment) or pathlib.Path(experiment).is_file()
+    program = str(pathlib.Path(experiment).resolve()) if is_path else find_program("trophic-predator-prey")
+    arguments: list = []
+    named = {"--rules": rules if is_path else str(experiment), "--backend": backend, "--duration": duration, "--robots": robots, "--seed": seed,
+             "--replicates": replicates, "--jobs": jobs, "--threads": threads}
+    for option, value in named.items():
+        if value is not None:
+            arguments += [option, value]
+    for path, value in (set or {}).items():
+        arguments += ["--set", f"{path}={str(value).lower() if isinstance(value, bool) else value}"]
+    if shadow:
+        arguments.append("--shadow")
+    if pathlib.Path(out).exists():
+        raise ProgramError(f"out={out}: exists already; nothing is overwritten")
+    _call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")
+    return read_run(out) if replicates is None else read_runs(out)
+
+
+def analyze(runs: Run | Runs | str | os.PathLike, *, out: str | os.PathLike, options: list[str] | None = None) -> Analysis:
+    """`trophic analyze` of a run or replicates into the new folder `out`, read. `options`: further arguments, ["--metric", "deaths"]."""
+    if pathlib.Path(out).exists():
+        raise ProgramError(f"out={out}: exists already; nothing is overwritten")
+    _call(find_program("trophic"), ["analyze", getattr(runs, "path", runs), *(options or []), "--out", out], "trophic analyze")
+    return read_analysis(out)
+
+
+class Page:
+    """A page of `trophic show`: drawn in a notebook, opened in a browser by open()."""
+
+    def __init__(self, path: pathlib.Path):
+        self.path = path
+
+    def _repr_html_(self) -> str:
+        import html
+        text = html.escape(self.path.read_text(), quote=True)
+        return f'<iframe srcdoc="{text}" style="width: 100%; height: 640px; border: 1px solid #ccc"></iframe>'
+
+    def open(self) -> None:
+        import webbrowser
+        webbrowser.open(self.path.resolve().as_uri())
+
+
+def show(run: Run, out: str | os.PathLike | None = None) -> Page:
+    """A page of a recorded run, in `out` or in a temporary file."""
+    if out is None:
+        import tempfile
+        out = pathlib.Path(tempfile.mkdtemp(prefix="trophic-")) / "run.html"
+    if not (run.path / "replay.trp").exists():
+        raise RunError(f"{run.path}: has no recording, replay.trp")
+    _call(find_program("trophic"), ["show", run.path, "-o", out], "trophic show")
+    return Page(pathlib.Path(out))

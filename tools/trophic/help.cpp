@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// `trophic help`: the help of a command, or a topic.
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tools/analysis/metrics/sweep_values.hpp>
+#include <tools/analysis/report/columns.hpp>
+#include <tools/trophic/slots.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/command/run_command.hpp>
+#include <trophic/command/words.hpp>
+#include <trophic/population/food_web.hpp>
+#include <vector>
+
+#include "commands.hpp"
+
+namespace trophic::command {
+
+namespace detail::help {
+
+struct Options {
+  std::optional<std::string> topic;
+  std::optional<std::string> word;
+};
+
+[[nodiscard]] int print_slots(const std::optional<std::string>& word) {
+  std::ostringstream out;
+  std::vector<std::string> names;
+  bool any = false;
+  for (std::size_t i = 0; i < slot_texts.size(); ++i) {
+    const SlotText& text = slot_texts[i];
+    names.emplace_back(text.slot);
+    if (word && text.slot != *word) continue;
+    any = true;
+    out << text.slot << " (" << rules::slot_kinds[i] << ")\n  " << text.question << "\n  policies: " << text.policies << "\n  swap: with_" << text.slot
+        << "<Table, Policy>; contract and policies: include/trophic/" << rules::slot_kinds[i] << "/" << text.slot << "/\n";
+  }
+  if (!any) {
+    throw std::invalid_argument{must_be_one_of("slot " + *word, names) + did_you_mean(nearest_word(*word, names))};
+  }
+  return print_text(out.str());
+}
+
+[[nodiscard]] int print_metrics() {
+  const FoodWeb web{{"prey", "predator"}, {{1, 0}}};
+  analysis::Columns columns{{"metric", "unit", "of"}};
+  std::string metric;
+  std::string of;
+  std::string unit;
+  const auto finish = [&] {
+    if (!metric.empty()) columns.add({metric, unit, of});
+  };
+  for (const analysis::MetricName& name : analysis::metric_names({&web, 1})) {
+    if (name.metric != metric) {
+      finish();
+      metric = name.metric;
+      of.clear();
+      unit = name.unit;
+    }
+    of += (of.empty() ? "" : " ") + name.species + ":" + name.group;
+  }
+  finish();
+  std::ostringstream out;
+  out << "METRIC:SPECIES:GROUP as --metric takes them, in a food web of prey and predators; docs/GLOSSARY.md defines them\n";
+  columns.print(out);
+  return print_text(out.str());
+}
+
+}  // namespace detail::help
+
+/// Prints the help of one of `program`'s commands, the slots of a rule table or the metrics.
+Command help(const std::function<Command()>& program) {
+  const auto options = std::make_shared<detail::help::Options>();
+  return {.name = "help",
+          .about = "Prints the help of a command, or `slots`: what each slot of a rule table decides, or `metrics`.",
+          .options = {{.name = "topic", .target = &options->topic, .help = "a command, slots or metrics"},
+                      {.name = "word", .target = &options->word, .help = "of slots: only this one"}},
+          .work = [options, program]() -> int {
+            const Command all = program();
+            std::vector<std::string> topics{"slots", "metrics"};
+            for (const Command& command : all.subcommands) topics.push_back(command.name);
+            if (options->word && options->topic != "slots") throw std::invalid_argument{*options->word + ": unexpected argument"};
+            if (options->topic == "slots") return detail::help::print_slots(options->word);
+            if (options->topic == "metrics") return detail::help::print_metrics();
+            if (options->topic && std::ranges::find(topics, *options->topic) == topics.end()) {
+              throw std::invalid_argument{must_be_one_of(*options->topic, topics) + did_you_mean(nearest_word(*options->topic, topics))};
+            }
+            std::vector<const char*> words{"trophic"};
+            if (options->topic) words.push_back(options->topic->c_str());
+            words.push_back("--help");
+            return run_command(static_cast<int>(words.size()), words.data(), all);
+          },
+          .subcommands = {},
+          .version = {},
+          .examples = {"trophic help analyze", "trophic help slots", "trophic help slots parent"}};
+}
+
+}  // namespace trophic::command
