@@ -241,6 +241,8 @@
 #include <trophic/support/json.hpp>
 #include <trophic/support/linkage.hpp>
 #include <trophic/support/new_file.hpp>
+#include <trophic/support/no_links.hpp>
+#include <trophic/support/program_code.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>

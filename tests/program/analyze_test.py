@@ -240,7 +240,7 @@ class Analyze(InFolderWithSets):
         self.assertIn("exists already", refused.stderr)
         resumed = self.call(*command, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
-        self.assertIn("replicate-00 goes on from its checkpoint at", resumed.stdout)
+        self.assertIn("replicate-00 continues from its checkpoint at", resumed.stdout)
         self.assertIn("3 of 3 replicates complete", resumed.stdout)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")

@@ -79,7 +79,7 @@ namespace detail {
           .count = *options.replicates,
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
           .resume = options.resume,
-          .checkpoints = {.every_s = options.checkpoint_s},
+          .checkpoints = schedule_of(options),
           .extent = extent_of(options),
           .own_tables = options.own_tables};
 }
@@ -191,15 +191,16 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 [[nodiscard]] inline std::optional<checkpoint::Standing> standing_of(const ExperimentOptions& options, const Simulation& ecology,
                                                                      double until_s, const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
-  if (!origin) return options.resume ? checkpoint::standing_in(options.out, run) : checkpoint::Standing{};
+  const checkpoint::OtherBuild other_build = schedule_of(options).other_build;
+  if (!origin) return options.resume ? checkpoint::standing_in(options.out, run, other_build) : checkpoint::Standing{};
   const checkpoint::Past past = past_of(options, *origin, run);
   if (!checkpoint::needs_past(options.out, run.until_s) && !checkpoint::RoomOfPast::exists(past)) {
-    return checkpoint::standing_in(options.out, run, past);
+    return checkpoint::standing_in(options.out, run, past, other_build);
   }
   checkpoint::RoomOfPast room{past};
   if (!options.resume) io::check_new_folder(options.out);
   if (checkpoint::needs_past(options.out, run.until_s) && !make_past(past, *origin)) return std::nullopt;
-  auto standing = checkpoint::standing_in(options.out, run, past);
+  auto standing = checkpoint::standing_in(options.out, run, past, other_build);
   room.clear();
   return standing;
 }
@@ -215,7 +216,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     if (standing.begins) {
       checkpoint::begin_at(standing, origin->moment, ecology, folder.manifest(), checkpoint::parts_of(folder, progress, stop));
     }
-    const checkpoint::Schedule schedule{.every_s = options.checkpoint_s};
+    const checkpoint::Schedule schedule = schedule_of(options);
     if (window != nullptr) {
       window->run_kept(ecology, until_s, options.out, schedule, standing.from, folder, progress, stop);
     } else {
@@ -298,6 +299,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
     origin.moment.fingerprint = json.at("fingerprint").get<std::string>();
     origin.moment.seed = whole_number<std::uint64_t>(json, "seed");
+    if (json.contains("code")) origin.moment.code = json["code"].get<std::string>();
     if (json.contains("agents_every_ticks")) {
       origin.extent.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
     }
@@ -323,17 +325,17 @@ TROPHIC_INLINE observe::RunDescription describe(const Selection& selection, cons
   return detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
 }
 
-TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, const io::OwnTables& own_tables,
+TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, const ExperimentOptions& options,
                            const std::filesystem::path& folder) {
   const std::unique_ptr<Simulation> ecology = detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed);
   if (checkpoint::read_all(folder).empty()) {
     std::filesystem::remove_all(folder);  // a copy that was cut off
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
   }
-  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s));
+  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options).other_build);
   if (standing.complete) return true;
   observe::StopOnSignal stop;
-  io::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns(), own_tables};
+  io::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns(), options.own_tables};
   observe::Progress progress;
   checkpoint::run_kept(*ecology, origin.moment.at_s, folder, {}, standing.from, files, progress, stop);
   return ecology->time_s() >= origin.moment.at_s;

@@ -153,7 +153,7 @@ class Runner {
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::Keeping keeping{options_.provenance, {.every_s = options_.checkpoint_s}, run.extent, {}, options_.own_tables};
+    replicates::Keeping keeping{options_.provenance, schedule_of(options_), run.extent, {}, options_.own_tables};
     keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
     run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, keeping,
                 progress.watch(run.folder.string()), stop_);
@@ -334,6 +334,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
       plan = plan_of(file, offer);
       if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
       sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
+      if (!options.accept_other_build) sweep::check_builds(options.out, plan);
     }
   } catch (const std::exception&) {
     if (team != nullptr) static_cast<void>(team->begin(false));

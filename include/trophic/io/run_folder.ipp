@@ -186,6 +186,7 @@ TROPHIC_INLINE void RunFolder::on_end(const View& view) {
   for (const auto& table : own_tables_) table->observer().end(view);
   recording_.on_end(view);
   manifest_.set_tables(sums());
+  if (recording_.frame_hz() > 0.0) manifest_.set_recording(recording_.frames(), recording_.checksum());
   manifest_.on_end(view);
 }
 

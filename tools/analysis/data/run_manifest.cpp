@@ -3,6 +3,8 @@
 #include <tools/analysis/data/run_manifest.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <set>
 #include <stdexcept>
 #include <trophic/support/whole_file.hpp>
 #include <vector>
@@ -37,6 +39,31 @@ std::string first_difference(const Json& a, const Json& b) {
     }
   }
   return "";
+}
+
+namespace {
+
+/// The codes that a manifest lists: of the program that began the run, of those that resumed it, and of its origin.
+std::vector<std::string> builds_in(const Json& manifest) {
+  std::set<std::string> builds;
+  const auto add = [&](const Json& of) {
+    if (of.contains("code")) builds.insert(of["code"].get<std::string>());
+  };
+  add(manifest);
+  if (manifest.contains("origin")) add(manifest["origin"]);
+  if (manifest.contains("continued")) {
+    for (const Json& one : manifest["continued"]) add(one);
+  }
+  return {builds.begin(), builds.end()};
+}
+
+}  // namespace
+
+std::string builds_text(const std::vector<std::string>& builds) {
+  if (builds.empty()) return "an unknown build";
+  std::string text = builds.front();
+  for (std::size_t i = 1; i < builds.size(); ++i) text += (i + 1 < builds.size() ? ", " : " and ") + builds[i];
+  return text;
 }
 
 RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
@@ -76,6 +103,8 @@ RunManifest manifest_of(std::string_view text, const std::filesystem::path& path
                                  .crc32 = whole_number<std::uint32_t>(sum, "crc32")};
       }
     }
+    if (json.contains("recording")) manifest.recording_crc32 = whole_number<std::uint32_t>(json["recording"], "crc32");
+    manifest.builds = builds_in(json);
     return manifest;
   } catch (const Json::exception& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};

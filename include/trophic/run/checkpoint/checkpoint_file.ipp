@@ -63,8 +63,9 @@ TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& 
   require(bytes.size() >= sizeof(version) + sizeof(crc), "is cut short");
   Archive{bytes.substr(0, sizeof(version))}(version);
   bytes.remove_prefix(sizeof(version));
-  require(version == format_version,
-          "has format " + std::to_string(version) + ": must be " + std::to_string(format_version) + ", as this program writes");
+  require(version == format_version, "has format " + std::to_string(version) +
+                                         (version > format_version ? ", of a newer version of trophic" : "") + ": must be " +
+                                         std::to_string(format_version) + ", as this program writes");
   Archive{bytes.substr(bytes.size() - sizeof(crc))}(crc);
   require(crc == checksum(all.substr(0, all.size() - sizeof(crc))), "is cut short or damaged: its checksum is another");
   bytes.remove_suffix(sizeof(crc));
