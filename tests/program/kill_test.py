@@ -115,7 +115,7 @@ class Killed(InFolder):
 
     def test_signals_stop_within_a_second_and_lose_nothing(self):
         self.whole(7)
-        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGXCPU], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
+        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGXCPU], [signal.SIGUSR1], [signal.SIGUSR2], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
             with self.subTest(signals=signals):
                 out = f"parts{number}"
                 run = self.start(*self.command(out, 7))
