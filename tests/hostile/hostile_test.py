@@ -259,7 +259,54 @@ class Builds(Hostile):
         self.assertIn("2 builds of a program", self.done(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr)
 
 
+BODIES = {
+    "mod.xml": ('<mujoco model="two"><worldbody><body name="core"><freejoint/></body></worldbody></mujoco>', "MJCF, MuJoCo's XML"),
+    "mod.urdf": ('<?xml version="1.0"?><robot name="two"><link name="core"/></robot>', "URDF"),
+    "body.json": ('{"id": 1, "type": "core", "children": {"front": {"type": "hinge"}}}', "a body of revolve2 as JSON"),
+    "robogen.txt": ("0 CoreComponent Core 0\n\t0 ActiveHinge HingeA 1\n\t\t0 FixedBrick BrickA 0\n\nHingeA HingeA 0.5\n", "RoboGen's text"),
+    "robot.yaml": ("---\nid: bot\nbody:\n  id: Core\n  type: Core\n", "a body of revolve2 as YAML"),
+}
+
+
 class Foreign(Hostile):
+    def test_robots_of_other_programs_get_a_sentence_that_names_their_format(self):
+        for name, (text, format_) in BODIES.items():
+            with self.subTest(name):
+                (self.folder / name).write_text(text)
+                said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--robot", f"./{name}", "--duration", 4, "--out", "run")
+                self.assertIn(f"{name}: is {format_}: must be TOML, a robot a tree of cores, hinges and bricks", said)
+
+    def test_a_number_beyond_its_bound_is_refused(self):
+        for number in ("ecology.tick_s=1e18", "ecology.tick_s=3601", "ecology.clock_scale=1000"):
+            more = () if "tick" in number else ("--set", "ecology.tick_s=10")
+            said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--set", number, *more, "--duration", 1e9, "--out", "run")
+            self.assertIn("must", said)
+        spider = (pathlib.Path(__file__).resolve().parents[2] / "models/robots/spider.toml").read_text()
+        (self.folder / "slippery.toml").write_text("friction = 100\n" + spider)
+        said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--robot", "./slippery.toml", "--duration", 4, "--out", "run")
+        self.assertIn("friction = 100", said)
+
+    def test_a_height_field_without_a_rim_is_refused(self):
+        for rim, refused in (("0", True), ("5", False)):
+            edge = f"[{rim}, {rim}, {rim}, {rim}]"
+            (self.folder / "field.toml").write_text(
+                f'name = "field"\nhalf_extent_m = 30\nheight_m = [{edge}, [5, 0, 0, 5], [5, 0, 0, 5], {edge}]\n')
+            words = (PREDATOR_PREY, *KINEMATIC, "--set", "ecology.arena=./field.toml", "--duration", 4, "--out", "run")
+            if refused:
+                self.assertIn("height_m: is 0 somewhere at its edge", self.refused(2, *words))
+            else:
+                self.done(*words)
+
+    def test_a_time_has_no_exponent_and_a_tick_of_0_7_s_comes_on_time(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=2500", "--set", "ecology.control_hz=1", "--duration", 105000, "--out", "long")
+        for name in ("agents.csv", "events.csv"):
+            times = {line.split(",")[0] for line in (self.folder / "long" / name).read_text().splitlines()[1:]}
+            self.assertFalse([time for time in times if "e" in time], name)
+        self.assertIn("\n100000,40,", (self.folder / "long/agents.csv").read_text())
+        self.done(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=0.7", "--duration", 2.1, "--out", "short")
+        times = [line.split(",")[0] for line in (self.folder / "short/agents.csv").read_text().splitlines()[1:]]
+        self.assertEqual(sorted(set(times)), ["0", "0.7", "1.4", "2.1"])
+
     def test_nothing_of_a_manifest_moves_the_cursor(self):
         self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         whole = (self.folder / "run/manifest.json").read_text()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +17,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <trophic/backend/contract.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
@@ -155,9 +157,17 @@ class Runner {
     if (until_s) insert_duration(config.numbers, *until_s);
     replicates::Keeping keeping{options_.provenance, schedule_of(options_), run.extent, {}, options_.own_tables};
     keeping.provenance.emplace_back("planned_run", std::to_string(run.index));
-    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, keeping,
-                progress.watch(run.folder.string()), stop_);
+    try {
+      run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, keeping,
+                  progress.watch(run.folder.string()), stop_);
+    } catch (const Diverged&) {
+      ++diverged_;
+      throw;
+    }
   }
+
+  /// How many runs diverged, which the same numbers do again.
+  [[nodiscard]] std::size_t diverged() const { return diverged_; }
 
  private:
   static void insert_duration(toml::table& numbers, double until_s) {
@@ -168,6 +178,7 @@ class Runner {
   const ExperimentOptions& options_;
   const Offer& offer_;
   const observe::StopOnSignal& stop_;
+  mutable std::atomic<std::size_t> diverged_ = 0;
 };
 
 /// A folder that goes when this does.
@@ -231,7 +242,7 @@ struct PassingFolder {
 }
 
 /// Tells how the sweep stands and returns the exit code.
-[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally) {
+[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally, std::size_t diverged) {
   constexpr std::size_t most_sentences = 20;
   const std::size_t complete = tally.kept + tally.complete;
   std::cout << complete << " of " << complete + tally.unfinished.size() << " runs complete in " << options.out << "\n";
@@ -243,7 +254,8 @@ struct PassingFolder {
   if (tally.unfinished.size() > most_sentences) {
     std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
   }
-  std::cerr << "the same command goes on with these and no others\n";
+  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same numbers\n";
+  if (diverged < tally.unfinished.size()) std::cerr << "the same command continues with these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -360,7 +372,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
                                              : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, go_on);
   if (!leads) return 0;
   sweep::remove_claims(options.out, plan);
-  return detail::sweeps::report(options, tally);
+  return detail::sweeps::report(options, tally, runner.diverged());
 }
 
 }  // namespace trophic::command

@@ -204,6 +204,10 @@ class Population {
   void succeed(BodyIndex body, Species species, const Succession& succession, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
     auto genome = succession.parent && !is_shadow_ ? rules_.heredity.inherit(succession.parent->genome) : nullptr;
+    if (genome && genome->weights.size() != individuals_[body].genome->weights.size()) {
+      throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " +
+                                      std::to_string(individuals_[body].genome->weights.size())};
+    }
     bear_states(born, body, genome ? body_of(succession.parent->id) : std::nullopt);
     if (succession.parent) {
       descend(born, body, *succession.parent, std::move(genome));

@@ -27,6 +27,9 @@ struct Standing {
   [[nodiscard]] Opening opening() const { return from ? Opening::gone_on_with : Opening::made_new; }
 };
 
+/// More than any manifest, bytes: what is read of one takes many times as much memory.
+inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;
+
 /// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no manifest that can be read.
 [[nodiscard]] std::string status_of(const std::filesystem::path& folder);
 

@@ -11,9 +11,11 @@
 #include <system_error>
 #include <trophic/params/params.hpp>
 #include <trophic/run/checkpoint/go_on.hpp>
+#include <trophic/support/clock.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -28,7 +30,7 @@ namespace detail {
 /// manifest.json; null if it cannot be read.
 [[nodiscard]] inline Json manifest_in(const std::filesystem::path& folder) {
   try {
-    auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json"));
+    auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json", largest_manifest));
     return manifest.is_object() ? manifest : Json{};
   } catch (const std::invalid_argument&) {  // what cannot be read says nothing
     return {};
@@ -37,7 +39,8 @@ namespace detail {
 
 [[nodiscard]] inline std::string status_in(const Json& manifest) {
   const auto status = manifest.find("status");
-  return status != manifest.end() && status->is_string() ? status->get<std::string>() : "unreadable";
+  const bool is_text = status != manifest.end() && status->is_string() && is_plain(status->get_ref<const std::string&>());
+  return is_text ? status->get<std::string>() : "unreadable";
 }
 
 /// When the run of a complete manifest was to end; 0 where it does not say.
@@ -168,7 +171,7 @@ TROPHIC_INLINE Standing standing_in(const std::filesystem::path& folder, const o
       throw std::invalid_argument{folder.string() + ": " + error.what()};
     }
     // A run ends with the first tick at or after its end, by the same arithmetic.
-    const double before_s = static_cast<double>(last->tick - 1) * run.tick_s;
+    const double before_s = clock_s(last->tick - 1, run.tick_s);
     if (last->tick > 0 && before_s >= run.until_s) {
       throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be > " + number_text(before_s) +
                                   ", beyond which the run in " + folder.string() + " has come"};

@@ -21,6 +21,7 @@
 #include <trophic/support/host_name.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -101,8 +102,9 @@ struct Owner {
 /// What the owner of a claim said of itself; none where nothing can be read.
 [[nodiscard]] inline std::optional<Owner> owner_of(const std::filesystem::path& claim) {
   try {
-    const Json json = parse_json(read_whole_file(claim / owner_file));
-    return Owner{.host = json.at("host").get<std::string>(),
+    constexpr std::uint64_t largest_owner = 64 * 1024;
+    const Json json = parse_json(read_whole_file(claim / owner_file, largest_owner));
+    return Owner{.host = plain_text(json, "host"),
                  .process = whole_number<pid_t>(json, "process", 1),
                  .space = json.at("space").get<std::string>()};
   } catch (const std::invalid_argument&) {  // not yet written, given back, or a process that cannot be
