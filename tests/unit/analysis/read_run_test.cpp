@@ -131,7 +131,7 @@ TEST_CASE("read_run: genomes, phylogeny or recording damaged or missing -> error
   const auto put = [&](const char* name, const std::string& content) { std::ofstream{run / name} << content; };
   const auto refusal = [&] { return message_of<std::invalid_argument>([&] { static_cast<void>(analysis::read_run(run)); }); };
   for (const char* name : {"genomes.csv", "phylogeny.csv", "replay.trp"}) {
-    CHECK(refusal() == (run / name).string() + ": cannot be read, but its manifest lists it");
+    CHECK(refusal() == (run / name).string() + ": cannot be read: No such file or directory");
     put(name, "id\n1\n");
   }
   CHECK(refusal().empty());

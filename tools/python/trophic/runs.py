@@ -179,7 +179,7 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
     path = pathlib.Path(path)
     try:
         return Analysis(path, _table(path / "metrics.csv"), json.loads((path / "summary.json").read_text()))
-    except (FileNotFoundError, json.JSONDecodeError, pandas.errors.ParserError, KeyError) as error:
+    except (FileNotFoundError, json.JSONDecodeError, pandas.errors.ParserError, KeyError, RunError) as error:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
 
