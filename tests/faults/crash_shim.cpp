@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Preloaded into a program, logs what it does to files: LD_PRELOAD=this CRASH_LOG=FILE CRASH_ROOT=FOLDER logs each call that changes
-// something below the folder, one a line, for power_test.py: the call, its path, and what it changes, separated by tabs.
+// Preloaded into a program, logs what it does to files: LD_PRELOAD=this CRASH_LOG=FILE CRASH_ROOT=FOLDER logs each call that
+// changes something below the folder, one a line, for power_test.py: the call, its path, and what it changes, separated by tabs.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -106,7 +106,9 @@ void try_number(std::size_t which, std::size_t extreme) {
     } else {
       const auto most = static_cast<double>(std::numeric_limits<T>::max());
       const auto least = static_cast<double>(std::numeric_limits<T>::lowest());
-      member = !(value > least) ? std::numeric_limits<T>::lowest() : !(value < most) ? std::numeric_limits<T>::max() : static_cast<T>(value);
+      member = !(value > least)  ? std::numeric_limits<T>::lowest()
+               : !(value < most) ? std::numeric_limits<T>::max()
+                                 : static_cast<T>(value);
     }
   };
   visit_numbers(experiment, set);
@@ -153,7 +155,8 @@ std::vector<std::string> with_extreme_numbers(const std::string& text) {
   std::size_t numbers = 0;
   for (std::sregex_iterator found{text.begin(), text.end(), number}; found != std::sregex_iterator{} && numbers < most_numbers;
        ++found, ++numbers) {
-    for (const char* extreme : {"-1", "0", "1e18", "1e308", "-1e308", "4294967296", "9223372036854775807", "18446744073709551615"}) {
+    for (const char* extreme :
+         {"-1", "0", "1e18", "1e308", "-1e308", "4294967296", "9223372036854775807", "18446744073709551615"}) {
       changed.push_back(text);
       changed.back().replace(static_cast<std::size_t>(found->position()), static_cast<std::size_t>(found->length()), extreme);
     }
@@ -166,7 +169,8 @@ std::vector<std::string> with_extreme_bytes(const std::string& bytes) {
   constexpr std::size_t most_places = 400;
   std::vector<std::string> changed;
   for (std::size_t at = 0; at + 8 <= bytes.size() && at < most_places; ++at) {
-    for (const std::uint64_t extreme : {std::uint64_t{0}, std::uint64_t{0xFFFF'FFFF}, std::uint64_t{1} << 40U, ~std::uint64_t{0}}) {
+    for (const std::uint64_t extreme :
+         {std::uint64_t{0}, std::uint64_t{0xFFFF'FFFF}, std::uint64_t{1} << 40U, ~std::uint64_t{0}}) {
       for (const std::size_t size : {std::size_t{4}, std::size_t{8}}) {
         changed.push_back(bytes);
         std::memcpy(changed.back().data() + at, &extreme, size);
@@ -213,7 +217,11 @@ TEST_CASE("numbers: every number of every file at extremes -> refused, or read w
       cases.insert(cases.end(), more.begin(), more.end());
     }
     REQUIRE(!cases.empty());
-    CHECK(fate_of([&] { for (const std::string& bytes : cases) try_reader(reader, bytes); }, 60) == "");
+    CHECK(fate_of(
+              [&] {
+                for (const std::string& bytes : cases) try_reader(reader, bytes);
+              },
+              60) == "");
   }
 }
 

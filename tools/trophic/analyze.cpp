@@ -133,7 +133,8 @@ void finish(const Options& options, const std::optional<std::filesystem::path>& 
 }
 
 void measure(const Options& options) {
-  const std::array sets{analysis::read_shadowed_set(folders(options.runs), options.shadow, options.until_s, options.accept_other_build)};
+  const std::array sets{
+      analysis::read_shadowed_set(folders(options.runs), options.shadow, options.until_s, options.accept_other_build)};
   const auto out = make_out(options);
   tell(sets[0]);
   std::ostringstream table;

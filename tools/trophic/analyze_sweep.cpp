@@ -97,8 +97,9 @@ void measure_sweep(const std::filesystem::path& folder, const std::filesystem::p
     throw;
   }
   if (sweep.builds.size() > 1) {
-    std::cerr << "trophic analyze: " << sweep.builds.size() << " builds of a program made these runs: "
-              << analysis::builds_text(sweep.builds) << "; their rules may be other code under the same names\n";
+    std::cerr << "trophic analyze: " << sweep.builds.size()
+              << " builds of a program made these runs: " << analysis::builds_text(sweep.builds)
+              << "; their rules may be other code under the same names\n";
   }
   if (!sweep.missing.empty()) std::cerr << "trophic analyze: " << analysis::missing_line(sweep) << "; left out\n";
   const auto differences = analysis::compare_cells(sweep.grid, values, reference, names);

@@ -43,8 +43,8 @@ namespace trophic::command {
 
 /// For --version. `backends`: names and versions.
 [[nodiscard]] inline std::string version_text(const std::string& backends) {
-  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncode      " + program_code() + "\ncompiler  " + io::compiler() +
-         "\nbuild     " + build() + "\nbackends  " + backends;
+  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncode      " + program_code() +
+         "\ncompiler  " + io::compiler() + "\nbuild     " + build() + "\nbackends  " + backends;
 }
 
 }  // namespace trophic::command

@@ -332,7 +332,8 @@ TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, 
     std::filesystem::remove_all(folder);  // a copy that was cut off
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
   }
-  const checkpoint::Standing standing = checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options).other_build);
+  const checkpoint::Standing standing =
+      checkpoint::standing_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options).other_build);
   if (standing.complete) return true;
   observe::StopOnSignal stop;
   io::RunFolder files{folder, {}, origin.extent, standing.opening(), ecology->state_columns(), options.own_tables};

@@ -11,9 +11,9 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/reach.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <trophic/params/params.hpp>
 

@@ -46,8 +46,8 @@ class GrowingFile {
   /// Returns the CRC-32 of all its bytes; of the file of a resumed run, after `persist`.
   [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
 
-  /// Writing: puts all bytes on the disk and notes length and checksum. Reading: cuts the file to that length. Throws DamagedFile,
-  /// and leaves the file as it is, if it is shorter or if its bytes up to that length have another checksum.
+  /// Writing: puts all bytes on the disk and notes length and checksum. Reading: cuts the file to that length. Throws
+  /// DamagedFile, and leaves the file as it is, if it is shorter or if its bytes up to that length have another checksum.
   void persist(Archive& archive);
 
  private:

@@ -32,8 +32,9 @@ TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Openi
   const bool is_file = ::fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
   if (!is_file || status.st_nlink > 1) {
     ::close(std::exchange(file_, -1));
-    throw std::runtime_error{"cannot continue " + path.string() + ": " +
-                             (is_file ? "it has another name (a hard link), whose file would change, too" : "it is not a regular file")};
+    throw std::runtime_error{
+        "cannot continue " + path.string() + ": " +
+        (is_file ? "it has another name (a hard link), whose file would change, too" : "it is not a regular file")};
   }
   length_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -90,7 +91,8 @@ TROPHIC_INLINE void GrowingFile::check_content(std::uint64_t length, std::uint32
   std::array<char, 1U << 16U> piece;
   std::uint32_t sum = 0;
   for (std::uint64_t at = 0; at < length;) {
-    const ::ssize_t got = ::pread(file_, piece.data(), std::min<std::uint64_t>(piece.size(), length - at), static_cast<::off_t>(at));
+    const ::ssize_t got =
+        ::pread(file_, piece.data(), std::min<std::uint64_t>(piece.size(), length - at), static_cast<::off_t>(at));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail("read");
     if (got == 0) break;

@@ -13,8 +13,8 @@
 #include <trophic/population/individual.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
-#include <trophic/support/units.hpp>
 #include <trophic/support/clock.hpp>
+#include <trophic/support/units.hpp>
 #include <vector>
 
 namespace trophic {

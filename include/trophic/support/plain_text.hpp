@@ -27,11 +27,12 @@ namespace trophic {
   return true;
 }
 
-/// Returns the text at a key. Throws Json::exception if the key is missing or is not a text, std::invalid_argument if the text has
-/// a control character.
+/// Returns the text at a key. Throws Json::exception if the key is missing or is not a text, std::invalid_argument if the text
+/// has a control character.
 [[nodiscard]] inline std::string plain_text(const Json& object, const char* key) {
   std::string text = object.at(key).get<std::string>();
-  if (!is_plain(text)) throw std::invalid_argument{std::string{key} + " = " + json_text(text) + ": must be text without control characters"};
+  if (!is_plain(text))
+    throw std::invalid_argument{std::string{key} + " = " + json_text(text) + ": must be text without control characters"};
   return text;
 }
 

@@ -125,7 +125,8 @@ TEST_CASE("read_run: genomes, phylogeny or recording damaged or missing -> error
   const TemporaryFolder folder;
   const std::filesystem::path run = test::write_run(folder.path() / "run", plain_manifest);
   std::string text = plain_manifest;
-  text.insert(1, R"("tables": {"genomes.csv": {"rows": 1, "crc32": 3445352719}, "phylogeny.csv": {"rows": 1, "crc32": 3445352719}},
+  text.insert(1,
+              R"("tables": {"genomes.csv": {"rows": 1, "crc32": 3445352719}, "phylogeny.csv": {"rows": 1, "crc32": 3445352719}},
                     "recording": {"frames": 1, "crc32": 3445352719}, )");
   std::ofstream{run / "manifest.json"} << text;
   const auto put = [&](const char* name, const std::string& content) { std::ofstream{run / name} << content; };

@@ -95,11 +95,7 @@ TEST_CASE("growing file: a link, or a file with another name -> refused to be co
   const TemporaryFolder folder;
   const std::string precious = folder.file("precious", "text");
   const auto path = folder.path() / "table.csv";
-  const auto refusal = [&] {
-    return message_of<std::runtime_error>([&] {
-      GrowingFile{path, Opening::gone_on_with};
-    });
-  };
+  const auto refusal = [&] { return message_of<std::runtime_error>([&] { GrowingFile{path, Opening::gone_on_with}; }); };
   std::filesystem::create_symlink(precious, path);
   CHECK(refusal() == "cannot open " + path.string() + ": Too many levels of symbolic links");
   std::filesystem::remove(path);

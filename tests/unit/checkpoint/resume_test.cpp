@@ -213,8 +213,9 @@ TEST_CASE("resume: a checkpoint of another build -> refused, or accepted and rec
   made_by_another(150);
   Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
   const auto description = ecology.describe(600.0);
-  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::standing_in(run, description)); })
-            .find("the checkpoint's code = another: must be " + program_code()) != std::string::npos);
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(checkpoint::standing_in(run, description));
+        }).find("the checkpoint's code = another: must be " + program_code()) != std::string::npos);
   CHECK_THROWS_AS(checkpoint::check_build(run), std::invalid_argument);
 
   const auto standing = checkpoint::standing_in(run, description, checkpoint::OtherBuild::accepted);

@@ -21,8 +21,8 @@
 #include <trophic/params/archive.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/support/rng.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/rng.hpp>
 #include <vector>
 
 #include "unit/observe/recorded_motion.hpp"

@@ -167,8 +167,9 @@ TEST_CASE("claim: a link in the place of its files or their folder -> nothing is
   const TemporaryFolder elsewhere;
   const fs::path claims = folder.path() / "claims";
   fs::create_directory_symlink(elsewhere.path(), claims);
-  CHECK(test::message_of<std::invalid_argument>([&] { static_cast<void>(Claim::take(claims, 0, 60.0)); })
-            .starts_with(claims.string() + ": is a symbolic link"));
+  CHECK(test::message_of<std::invalid_argument>([&] {
+          static_cast<void>(Claim::take(claims, 0, 60.0));
+        }).starts_with(claims.string() + ": is a symbolic link"));
   CHECK(fs::is_empty(elsewhere.path()));
   fs::remove(claims);
   fs::create_directories(claims);
@@ -229,8 +230,8 @@ TEST_CASE("sweep attempt: an older attempt whose files are damaged -> set aside,
   const fs::path old = folder.path() / (plan[0].folder.string() + ".attempt-0");
   leave_manifest(old, "running", plan[0]);
   checkpoint::write(old, {.fingerprint = "", .program_version = std::string{version}, .sections = {}});
-  const Result result = sweep::attempt(folder.path(), plan[0], long_lease_s,
-                                       [](const fs::path&) { throw DamagedFile{"events.csv: other bytes"}; });
+  const Result result =
+      sweep::attempt(folder.path(), plan[0], long_lease_s, [](const fs::path&) { throw DamagedFile{"events.csv: other bytes"}; });
   CHECK(result.ended == Ended::failed);
   CHECK(result.text.find("other bytes; kept as " + old.string() + ".incomplete-1") != std::string::npos);
   CHECK(fs::exists(old.string() + ".incomplete-1/events.csv"));
@@ -247,8 +248,9 @@ TEST_CASE("sweep: a part made by another build -> refused while there is more to
   leave_manifest(folder.path() / plan[0].folder, "complete", plan[0], program_code());
   CHECK_NOTHROW(sweep::check_builds(folder.path(), plan));
   leave_manifest(folder.path() / plan[0].folder, "complete", plan[0], "another");
-  CHECK(test::message_of<std::invalid_argument>([&] { sweep::check_builds(folder.path(), plan); })
-            .find("code = another: must be " + program_code()) != std::string::npos);
+  CHECK(test::message_of<std::invalid_argument>([&] {
+          sweep::check_builds(folder.path(), plan);
+        }).find("code = another: must be " + program_code()) != std::string::npos);
   leave_manifest(folder.path() / plan[1].folder, "complete", plan[1], program_code());
   CHECK_NOTHROW(sweep::check_builds(folder.path(), plan));
 }

@@ -83,7 +83,8 @@ PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut
       throw std::invalid_argument{error.what()};
     }
     for (const RunManifest& other : pooled.manifests) {
-      if (const std::string why = why_not_pooled(manifest, other, is_cut, any_build); !why.empty()) throw std::invalid_argument{why};
+      if (const std::string why = why_not_pooled(manifest, other, is_cut, any_build); !why.empty())
+        throw std::invalid_argument{why};
     }
     pooled.manifests.push_back(std::move(manifest));
   }
@@ -93,8 +94,9 @@ PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut
   std::set<std::string> builds;
   for (const RunManifest& manifest : pooled.manifests) builds.insert(manifest.builds.begin(), manifest.builds.end());
   if (builds.size() > 1) {
-    pooled.remarks.push_back(std::to_string(builds.size()) + " builds of a program made these runs: " +
-                             builds_text({builds.begin(), builds.end()}) + "; their rules may be other code under the same names");
+    pooled.remarks.push_back(std::to_string(builds.size()) +
+                             " builds of a program made these runs: " + builds_text({builds.begin(), builds.end()}) +
+                             "; their rules may be other code under the same names");
   }
   if (const std::string& begins = pooled.manifests.front().begins; pooled.manifests.size() > 1 && !begins.empty()) {
     pooled.remarks.push_back("all runs begin " + begins +

@@ -28,8 +28,8 @@ struct PooledRuns {
 
 /// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
 /// folder is left out and remarked on, and so are several builds. Throws std::invalid_argument if runs differ in fingerprint,
-/// build, beginning, status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if there
-/// is no run.
+/// build, beginning, status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if
+/// there is no run.
 [[nodiscard]] PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut, bool any_build = false);
 
 }  // namespace trophic::analysis

@@ -99,7 +99,8 @@ void cut_to(RunData& run, double until_s) {
 void check_files(const RunManifest& manifest) {
   for (const auto& [name, was] : manifest.tables) {
     if (std::filesystem::path{name}.has_parent_path()) {
-      throw std::invalid_argument{(manifest.folder / "manifest.json").string() + ": tables: " + name + ": must be the name of a file"};
+      throw std::invalid_argument{(manifest.folder / "manifest.json").string() + ": tables: " + name +
+                                  ": must be the name of a file"};
     }
     detail::check_sum(detail::sum_of(manifest.folder / name), manifest.folder / name, was);
   }

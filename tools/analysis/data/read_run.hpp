@@ -55,8 +55,8 @@ void cut_to(RunData& run, double until_s);
 /// Throws std::invalid_argument naming the first table or recording that is not what the run wrote, by its manifest's checksums.
 void check_files(const RunManifest& manifest);
 
-/// Reads a run's folder. Throws std::runtime_error for the manifest, and std::invalid_argument for a table that cannot be read, and
-/// for any file that is not what the run wrote. The end of a table that a killed program left is left out and remarked on.
+/// Reads a run's folder. Throws std::runtime_error for the manifest, and std::invalid_argument for a table that cannot be read,
+/// and for any file that is not what the run wrote. The end of a table that a killed program left is left out and remarked on.
 [[nodiscard]] RunData read_run(const std::filesystem::path& folder);
 
 }  // namespace trophic::analysis

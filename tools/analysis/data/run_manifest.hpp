@@ -32,7 +32,7 @@ struct RunManifest {
   Json policies;                        ///< by slot
   Json params;
   FoodWeb web{{}, {}};
-  std::map<std::string, io::TableSum> tables;  ///< by file name; empty for a run that was killed
+  std::map<std::string, io::TableSum> tables;    ///< by file name; empty for a run that was killed
   std::optional<std::uint32_t> recording_crc32;  ///< of replay.trp; none for a run that was killed or was not recorded
   std::vector<std::string> builds;  ///< the codes of the programs that made it, sorted; see trophic/support/program_code.hpp
 };

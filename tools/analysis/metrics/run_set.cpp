@@ -2,10 +2,10 @@
 // Definitions of run_set.hpp.
 #include <tools/analysis/metrics/run_set.hpp>
 
+#include <stdexcept>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
-#include <stdexcept>
 #include <utility>
 
 namespace trophic::analysis {
@@ -42,8 +42,7 @@ ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths, cons
   check_shadow(ours, shadow);
   if (ours.builds != shadow.builds && !any_build) {
     throw std::invalid_argument{shadow.folder.string() + ": made by " + builds_text(shadow.builds) + ": must be made by " +
-                                builds_text(ours.builds) + ", as " + ours.folder.string() +
-                                " (--accept-other-build takes it)"};
+                                builds_text(ours.builds) + ", as " + ours.folder.string() + " (--accept-other-build takes it)"};
   }
   return set;
 }

@@ -24,7 +24,8 @@ namespace trophic::detail {
 [[nodiscard]] inline std::string about_foreign_format(std::string_view text) {
   const std::string_view format = foreign_format(text);
   if (format.empty()) return "";
-  return ": is " + std::string{format} + ": must be TOML, a robot a tree of cores, hinges and bricks as models/README.md describes it";
+  return ": is " + std::string{format} +
+         ": must be TOML, a robot a tree of cores, hinges and bricks as models/README.md describes it";
 }
 
 }  // namespace trophic::detail

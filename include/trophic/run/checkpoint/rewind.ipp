@@ -144,7 +144,8 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
   require(folder);
   for (const auto& entry : std::filesystem::directory_iterator{run}) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_symlink() || !entry.is_regular_file() || name.starts_with("checkpoint.") || name.starts_with("manifest.")) continue;
+    if (entry.is_symlink() || !entry.is_regular_file() || name.starts_with("checkpoint.") || name.starts_with("manifest."))
+      continue;
     std::filesystem::copy_file(entry.path(), folder / name, error);
     require(entry.path());
     detail::sync_copy(folder / name);

@@ -159,7 +159,8 @@ class Folder {
 
   void look_at(const Plan& plan, const Replicate& replicate, observe::RunDescription run) {
     run.seed = replicate.seed;
-    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::standing_in(replicate.folder, run, plan.past, plan.checkpoints.other_build).remark);
+    remarks_.push_back(name_of(replicate.index) + " " +
+                       checkpoint::standing_in(replicate.folder, run, plan.past, plan.checkpoints.other_build).remark);
   }
 
   std::optional<FolderLock> lock_;

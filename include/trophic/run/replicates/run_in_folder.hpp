@@ -20,7 +20,8 @@ namespace trophic::replicates {
 template <class... Observers>
 void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const Keeping& keeping,
                    observe::JointProgress::Part progress, const observe::StopOnSignal& stop, Observers&... extra) {
-  checkpoint::Standing standing = checkpoint::standing_in(folder, ecology.describe(until_s), keeping.past, keeping.checkpoints.other_build);
+  checkpoint::Standing standing =
+      checkpoint::standing_in(folder, ecology.describe(until_s), keeping.past, keeping.checkpoints.other_build);
   io::RunFolder files{
       folder, keeping.provenance, keeping.extent, standing.opening(), ecology.state_columns(), keeping.own_tables};
   if (standing.begins) {
