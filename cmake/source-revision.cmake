@@ -1,5 +1,6 @@
 # cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources and with the
-# build that the definition TROPHIC_BUILD states, only where it changed. The revision is "unknown" where SOURCE is not the top of a git checkout: an enclosing project's is not ours.
+# build that the definition TROPHIC_BUILD states, only where it changed. The revision is data of one length: code and constants, by which
+# trophic::program_code knows a program, do not change with it. The revision is "unknown" where SOURCE is not the top of a git checkout: an enclosing project's is not ours.
 set(revision unknown)
 find_program(GIT git)
 if(GIT)
@@ -18,7 +19,8 @@ endif()
 set(text "extern \"C\" {
 extern const char* const trophic_source_revision;
 extern const char* const trophic_build;
-const char* const trophic_source_revision = \"${revision}\";
+char trophic_source_revision_text[256] = \"${revision}\";
+const char* const trophic_source_revision = trophic_source_revision_text;
 const char* const trophic_build = TROPHIC_BUILD;
 }
 ")

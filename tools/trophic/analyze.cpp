@@ -43,6 +43,7 @@ struct Options {
   std::optional<std::string> shadow;
   std::optional<double> until_s;
   bool published = false;
+  bool accept_other_build = false;
   SweepOptions sweep;
   std::optional<std::string> out;
   std::string html;
@@ -132,7 +133,8 @@ void finish(const Options& options, const std::optional<std::filesystem::path>& 
 }
 
 void measure(const Options& options) {
-  const std::array sets{analysis::read_shadowed_set(folders(options.runs), options.shadow, options.until_s)};
+  const std::array sets{
+      analysis::read_shadowed_set(folders(options.runs), options.shadow, options.until_s, options.accept_other_build)};
   const auto out = make_out(options);
   tell(sets[0]);
   std::ostringstream table;
@@ -147,7 +149,7 @@ void measure(const Options& options) {
 void compare(const Options& options) {
   const auto both = folders(options.compare);
   const auto read = [&](std::size_t i) {
-    return analysis::read_shadowed_set(std::span{both}.subspan(i, 1), {}, options.until_s);
+    return analysis::read_shadowed_set(std::span{both}.subspan(i, 1), {}, options.until_s, options.accept_other_build);
   };
   std::array sets{read(0), read(1)};
   analysis::check_comparable(sets[0].ours.manifests.front(), sets[1].ours.manifests.front());
@@ -199,7 +201,7 @@ void run(const Options& options) {
     if (options.shadow || options.published)
       throw std::invalid_argument{*sweep + ": is a sweep: not with --shadow or --published"};
     if (!options.html.empty()) throw std::invalid_argument{*sweep + ": is a sweep: not with --html; name one of its cells"};
-    measure_sweep(*sweep, options.out.value_or("analysis"), options.sweep, options.until_s);
+    measure_sweep(*sweep, options.out.value_or("analysis"), options.sweep, options.until_s, options.accept_other_build);
     return;
   }
   options.sweep.check_none();
@@ -229,6 +231,8 @@ Command analyze() {
             2},
            {"--shadow", &options->shadow, "the runs' neutral shadow, where it is not in RUNS/shadow"},
            {"--until", &options->until_s, "measure only the first seconds of every run"},
+           {"--accept-other-build", &options->accept_other_build,
+            "pool runs that several builds of a program made, whose rules may be other code under the same names"},
            {"--published", &options->published,
             "a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or "
             "inconclusive"},

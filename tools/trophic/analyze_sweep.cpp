@@ -75,9 +75,9 @@ void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const 
 }
 
 void measure_sweep(const std::filesystem::path& folder, const std::filesystem::path& out_folder, const SweepOptions& options,
-                   std::optional<double> until_s) {
+                   std::optional<double> until_s, bool any_build) {
   options.check();
-  const analysis::SweepRuns sweep = analysis::read_sweep(folder);
+  const analysis::SweepRuns sweep = analysis::read_sweep(folder, any_build);
   const auto reference = static_cast<std::size_t>(options.reference.value_or(sweep.grid.cells.front().number));
   check_sweep(sweep, reference, options, until_s);
   std::set<std::int64_t> thinnings;
@@ -95,6 +95,11 @@ void measure_sweep(const std::filesystem::path& folder, const std::filesystem::p
     std::error_code ignored;
     std::filesystem::remove(out, ignored);
     throw;
+  }
+  if (sweep.builds.size() > 1) {
+    std::cerr << "trophic analyze: " << sweep.builds.size()
+              << " builds of a program made these runs: " << analysis::builds_text(sweep.builds)
+              << "; their rules may be other code under the same names\n";
   }
   if (!sweep.missing.empty()) std::cerr << "trophic analyze: " << analysis::missing_line(sweep) << "; left out\n";
   const auto differences = analysis::compare_cells(sweep.grid, values, reference, names);

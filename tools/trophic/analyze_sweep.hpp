@@ -36,6 +36,6 @@ void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const 
 
 /// Measures a sweep and writes what its cells differ in.
 void measure_sweep(const std::filesystem::path& folder, const std::filesystem::path& out_folder, const SweepOptions& options,
-                   std::optional<double> until_s);
+                   std::optional<double> until_s, bool any_build);
 
 }  // namespace trophic::command::detail::analyze

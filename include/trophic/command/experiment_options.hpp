@@ -30,6 +30,7 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> replicates;
   std::optional<std::uint64_t> jobs;
   bool resume = false;
+  bool accept_other_build = false;
   std::string from;            ///< folder of a run that this one begins from
   std::optional<double> at_s;  ///< when
   double checkpoint_s = checkpoint::Schedule{}.every_s;
@@ -53,6 +54,13 @@ struct ExperimentOptions {
   io::Provenance provenance;
   io::OwnTables own_tables;  ///< that the program has each run write
 };
+
+/// What --checkpoint-s and --accept-other-build say.
+[[nodiscard]] inline checkpoint::Schedule schedule_of(const ExperimentOptions& options) {
+  using checkpoint::OtherBuild;
+  return {.every_s = options.checkpoint_s,
+          .other_build = options.accept_other_build ? OtherBuild::accepted : OtherBuild::refused};
+}
 
 /// A run at a moment of which others begin.
 struct OriginRun {

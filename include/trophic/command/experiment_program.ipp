@@ -53,6 +53,8 @@ namespace detail {
       {"--jobs", &options.jobs, "replicates at a time (one per core); results do not depend on it"},
       {"--resume", &options.resume,
        "go on in OUT: with a run, or with those replicates that are missing or were cut off, from their last checkpoints"},
+      {"--accept-other-build", &options.accept_other_build,
+       "resume what another build of this program made, whose rules may be other code under the same names; manifests record it"},
       {"--from", &options.from,
        "begin where the run in this folder was at --at, with another --seed, other rules or other numbers of rules, or with "
        "--replicates of its future"},
@@ -159,7 +161,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     check_unchanged(*origin);
     config.origin = origin->params;
     if (table != origin->rule_table) config.origin.erase("rules");
-    origin->make = [&, its](const std::filesystem::path& folder) { return replay(its, *origin, options.own_tables, folder); };
+    origin->make = [&, its](const std::filesystem::path& folder) { return replay(its, *origin, options, folder); };
   }
   return run_experiment(selection, options, config, origin, open_window);
 }

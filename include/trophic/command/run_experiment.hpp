@@ -25,7 +25,7 @@ namespace trophic::command {
 [[nodiscard]] observe::RunDescription describe(const Selection& selection, const OriginRun& origin);
 
 /// Makes in a folder what that run was at its moment, the same bytes, and tables of one's own. False if a signal came first.
-[[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const io::OwnTables& own_tables,
+[[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const ExperimentOptions& options,
                           const std::filesystem::path& folder);
 
 /// Does what the options say with a selection and returns the exit code.

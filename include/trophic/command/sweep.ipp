@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <trophic/backend/contract.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
@@ -153,12 +155,19 @@ class Runner {
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::CommonOptions common{
-        options_.provenance, {.every_s = options_.checkpoint_s}, run.output, {}, options_.own_tables};
+    replicates::CommonOptions common{options_.provenance, schedule_of(options_), run.output, {}, options_.own_tables};
     common.provenance.emplace_back("planned_run", std::to_string(run.index));
-    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, common,
-                progress.watch(run.folder.string()), stop_);
+    try {
+      run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, common,
+                  progress.watch(run.folder.string()), stop_);
+    } catch (const Diverged&) {
+      ++diverged_;
+      throw;
+    }
   }
+
+  /// How many runs diverged, which the same numbers do again.
+  [[nodiscard]] std::size_t diverged() const { return diverged_; }
 
  private:
   static void insert_duration(toml::table& numbers, double until_s) {
@@ -169,6 +178,7 @@ class Runner {
   const ExperimentOptions& options_;
   const Offer& offer_;
   const observe::StopOnSignal& stop_;
+  mutable std::atomic<std::size_t> diverged_ = 0;
 };
 
 /// A folder that goes when this does.
@@ -232,7 +242,7 @@ struct PassingFolder {
 }
 
 /// Tells how the sweep stands and returns the exit code.
-[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally) {
+[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally, std::size_t diverged) {
   constexpr std::size_t most_sentences = 20;
   const std::size_t complete = tally.kept + tally.complete;
   std::cout << complete << " of " << complete + tally.unfinished.size() << " runs complete in " << options.out << "\n";
@@ -244,7 +254,8 @@ struct PassingFolder {
   if (tally.unfinished.size() > most_sentences) {
     std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
   }
-  std::cerr << "the same command goes on with these and no others\n";
+  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same numbers\n";
+  if (diverged < tally.unfinished.size()) std::cerr << "the same command continues with these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -335,6 +346,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
       plan = plan_of(file, offer);
       if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
       sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
+      if (!options.accept_other_build) sweep::check_builds(options.out, plan);
     }
   } catch (const std::exception&) {
     if (team != nullptr) static_cast<void>(team->begin(false));
@@ -361,7 +373,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
                                  : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, keep_running);
   if (!leads) return 0;
   sweep::remove_claims(options.out, plan);
-  return detail::sweeps::report(options, tally);
+  return detail::sweeps::report(options, tally, runner.diverged());
 }
 
 }  // namespace trophic::command

@@ -16,10 +16,14 @@ namespace trophic::io {
 struct Written {
   int decimals = -1;
   std::string_view none = {};  ///< what stands for an optional that is none
+  bool plain = false;          ///< never with an exponent: 100000, not 1e+05
 };
 
+/// Seconds of the ecology's clock.
+inline constexpr Written seconds{.decimals = -1, .none = {}, .plain = true};
+
 /// A metre's cell has six decimals: a micrometre.
-inline constexpr Written micro{.decimals = 6, .none = {}};
+inline constexpr Written micro{.decimals = 6};
 
 /// A member of a row with the name of its column. `unit`: "s", "m", "rad"; empty for what has none.
 template <class Row, class T>

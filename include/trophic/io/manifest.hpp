@@ -36,7 +36,7 @@ class Manifest {
   ~Manifest();
 
   /// Takes part in checkpoints. Read from one, the manifest keeps what it said of the program that started the run; what this
-  /// program says of itself is added under "continued".
+  /// program says of itself is added under "continued", with "other_build": "accepted" if its code is other code.
   void persist(Archive& archive);
 
   /// Says that the run began from another one, as read from its checkpoint; `origin`: which, and when.
@@ -56,6 +56,9 @@ class Manifest {
 
   /// What it says of the run's tables when it is written next.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
+
+  /// What it says of the run's recording, whole, when it is written next.
+  void set_recording(std::uint64_t frames, std::uint32_t crc32);
 
   /// Adds provenance that is known only now, such as the wall time, and writes again.
   void add(const Provenance& provenance);

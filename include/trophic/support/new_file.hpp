@@ -24,6 +24,9 @@ class NewFile {
   /// Where to write until then: an empty file.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
 
+  /// Appends a text. Throws.
+  void write(std::string_view text);
+
   /// Puts what was written onto the disk and gives it its name.
   void finish();
 

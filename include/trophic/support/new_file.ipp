@@ -23,7 +23,7 @@ namespace detail {
 
 /// Opens a file and locks it. -1, with errno, where the system refuses; EWOULDBLOCK where another program has it.
 [[nodiscard]] inline int open_locked(const std::filesystem::path& path, int more_flags) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | more_flags, 0666);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | more_flags, 0666);
   if (file < 0 || lock_named(file, path)) return file;
   ::close(file);
   errno = EWOULDBLOCK;
@@ -38,6 +38,7 @@ TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(pa
     return errno == EWOULDBLOCK || errno == EEXIST ? "another program is making it" : std::strerror(errno);
   };
   if (std::filesystem::exists(std::filesystem::symlink_status(path_))) refuse("it exists");
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(part_))) ::unlink(part_.c_str());
   const int left = detail::open_locked(part_, 0);
   if (left < 0) refuse(reason());
   // Not the file itself: a program that a killed one had started may still write into it.
@@ -53,6 +54,10 @@ TROPHIC_INLINE NewFile::~NewFile() {
   ::close(file_);
 }
 
+TROPHIC_INLINE void NewFile::write(std::string_view text) {
+  if (!detail::write_all(file_, text)) throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
+}
+
 TROPHIC_INLINE void NewFile::finish() {
   if (::fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) {
     throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
@@ -62,9 +67,7 @@ TROPHIC_INLINE void NewFile::finish() {
 
 TROPHIC_INLINE void write_new_file(const std::filesystem::path& path, std::string_view text) {
   NewFile file{path};
-  if (!detail::write_onto_disk(file.part(), text)) {
-    throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(errno)};
-  }
+  file.write(text);
   file.finish();
 }
 

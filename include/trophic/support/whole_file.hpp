@@ -2,6 +2,7 @@
 // The text of a file, without waiting for what is no file.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -15,6 +16,9 @@ inline constexpr std::uint64_t largest_whole_file = std::uint64_t{256} << 20U;
 /// Everything in a file. Throws std::invalid_argument "PATH: ..." where nothing can be read, where it is no regular file (a pipe
 /// would be waited for) and where it is larger than `most_bytes`.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes = largest_whole_file);
+
+/// The first bytes of a file, as many as there are. Throws as read_whole_file, whatever the file's size.
+[[nodiscard]] std::string read_beginning(const std::filesystem::path& path, std::size_t bytes);
 
 }  // namespace trophic
 

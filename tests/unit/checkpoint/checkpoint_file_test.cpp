@@ -50,12 +50,12 @@ TEST_CASE("errors name the file and what is wrong with it") {
     return message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::from_bytes(bytes, "x.bin")); });
   };
   const std::string bytes = to_bytes(moment(5));
-  CHECK(refusal("") == "x.bin: is no checkpoint of trophic");
+  CHECK(refusal("") == "x.bin: is not a checkpoint of trophic");
   CHECK(refusal("trophic checkpoint\n12") == "x.bin: is cut short");
   CHECK(refusal(bytes + "x") == "x.bin: is cut short or damaged: its checksum is another");
   std::string newer = bytes;
-  newer[19] = 4;
-  CHECK(refusal(newer) == "x.bin: has format 4: must be 3, as this program writes");
+  newer[19] = 5;
+  CHECK(refusal(newer) == "x.bin: has format 5, of a newer version of trophic: must be 4, as this program writes");
 }
 
 TEST_CASE("the one before it stands in for a checkpoint that is missing or damaged") {

@@ -2,6 +2,7 @@
 // Definitions of run_set.hpp.
 #include <tools/analysis/metrics/run_set.hpp>
 
+#include <stdexcept>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
@@ -9,8 +10,8 @@
 
 namespace trophic::analysis {
 
-RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s) {
-  PooledRuns pooled = pooled_runs(paths, until_s.has_value());
+RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s, bool any_build) {
+  PooledRuns pooled = pooled_runs(paths, until_s.has_value(), any_build);
   RunSet set{pooled.manifests.front().rules, std::move(pooled.manifests), {}, std::move(pooled.remarks)};
   for (RunManifest& manifest : set.manifests) {
     RunData run = read_run(manifest.folder);
@@ -31,12 +32,18 @@ std::span<const RunMetrics> ShadowedSet::shadow_runs() const {
 }
 
 ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths, const std::optional<std::filesystem::path>& elsewhere,
-                              std::optional<double> until_s) {
-  ShadowedSet set{read_set(paths, until_s), {}};
+                              std::optional<double> until_s, bool any_build) {
+  ShadowedSet set{read_set(paths, until_s, any_build), {}};
   const auto folders = elsewhere ? std::vector{*elsewhere} : shadow_folders(paths);
   if (folders.empty()) return set;
-  set.shadow = read_set(folders, until_s);
-  check_shadow(set.ours.manifests.front(), set.shadow->manifests.front());
+  set.shadow = read_set(folders, until_s, any_build);
+  const RunManifest& ours = set.ours.manifests.front();
+  const RunManifest& shadow = set.shadow->manifests.front();
+  check_shadow(ours, shadow);
+  if (ours.builds != shadow.builds && !any_build) {
+    throw std::invalid_argument{shadow.folder.string() + ": made by " + builds_text(shadow.builds) + ": must be made by " +
+                                builds_text(ours.builds) + ", as " + ours.folder.string() + " (--accept-other-build takes it)"};
+  }
   return set;
 }
 

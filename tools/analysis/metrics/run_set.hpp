@@ -20,9 +20,10 @@ struct RunSet {
   std::vector<std::string> remarks;
 };
 
-/// Reads and measures runs that may be pooled; with `until_s`, only their first seconds. Throws as pooled_runs does, and
-/// std::invalid_argument for a run that is shorter than `until_s`.
-[[nodiscard]] RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s = {});
+/// Reads and measures runs that may be pooled; with `until_s`, only their first seconds. Throws as pooled_runs and read_run do,
+/// and std::invalid_argument for a run that is shorter than `until_s`.
+[[nodiscard]] RunSet read_set(std::span<const std::filesystem::path> paths, std::optional<double> until_s = {},
+                              bool any_build = false);
 
 /// A set with its shadow, where there is one.
 struct ShadowedSet {
@@ -32,9 +33,10 @@ struct ShadowedSet {
   [[nodiscard]] std::span<const RunMetrics> shadow_runs() const;
 };
 
-/// Reads a set and its shadow: `elsewhere`, or else what shadow_folders finds. Throws as read_set and check_shadow do.
+/// Reads a set and its shadow: `elsewhere`, or else what shadow_folders finds. Throws as read_set and check_shadow do, and
+/// std::invalid_argument if another build made the shadow, unless `any_build`.
 [[nodiscard]] ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths,
                                             const std::optional<std::filesystem::path>& elsewhere = {},
-                                            std::optional<double> until_s = {});
+                                            std::optional<double> until_s = {}, bool any_build = false);
 
 }  // namespace trophic::analysis

@@ -54,7 +54,7 @@ SweepValues measure_sweep(const SweepRuns& sweep, std::size_t jobs, std::optiona
   };
   const auto attempts = replicates::in_parallel(sweep.plan.size(), jobs, measure, [&] { return !has_failed; });
   for (std::size_t i = 0; i < attempts.size(); ++i) {
-    if (!attempts[i].error.empty()) throw std::runtime_error{"run " + std::to_string(i) + ": " + attempts[i].error};
+    if (!attempts[i].error.empty()) throw std::invalid_argument{"run " + std::to_string(i) + ": " + attempts[i].error};
   }
   return values;
 }

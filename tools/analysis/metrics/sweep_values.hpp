@@ -29,8 +29,8 @@ struct SweepValues {
 [[nodiscard]] std::vector<MetricName> metric_names(std::span<const FoodWeb> webs);
 
 /// Reads and measures the runs that are there, `jobs` at a time, each only for its first `until_s` seconds where given; what was
-/// read of a run is gone when it is measured. The values do not depend on `jobs`. Throws std::runtime_error for the first run in
-/// the plan's order that cannot be read as a whole; the others are given up.
+/// read of a run is gone when it is measured. The values do not depend on `jobs`. Throws std::invalid_argument for the first run
+/// in the plan's order that cannot be read as a whole; the others are given up.
 [[nodiscard]] SweepValues measure_sweep(const SweepRuns& sweep, std::size_t jobs, std::optional<double> until_s = {});
 
 /// One metric of a cell: its values by seed, and by seed how far above its shadow a run is.
