@@ -1,5 +1,6 @@
 # cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources and with the build
-# that the definition TROPHIC_BUILD states, only if it changed. The revision is "unknown" if SOURCE is neither the top of a git checkout
+# that the definition TROPHIC_BUILD states, only if it changed. The revision is data of one length: code and constants, by which trophic::program_code identifies a program, do not
+# change with it. It is "unknown" if SOURCE is neither the top of a git checkout
 # (an enclosing project's revision is not ours) nor trophic's own archive, into which `git archive` writes its commit.
 set(revision unknown)
 set(archived "$Format:%H$")
@@ -25,7 +26,8 @@ endif()
 set(text "extern \"C\" {
 extern const char* const trophic_source_revision;
 extern const char* const trophic_build;
-const char* const trophic_source_revision = \"${revision}\";
+char trophic_source_revision_text[256] = \"${revision}\";
+const char* const trophic_source_revision = trophic_source_revision_text;
 const char* const trophic_build = TROPHIC_BUILD;
 }
 ")

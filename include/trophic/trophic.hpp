@@ -79,6 +79,7 @@
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/link_frames.hpp>
 #include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/installed_models.hpp>
@@ -238,6 +239,7 @@
 #include <trophic/run/sweep/team.hpp>
 #include <trophic/run/sweep/work_through.hpp>
 #include <trophic/support/checksum.hpp>
+#include <trophic/support/clock.hpp>
 #include <trophic/support/colour.hpp>
 #include <trophic/support/faster_mode.hpp>
 #include <trophic/support/folder_lock.hpp>
@@ -246,6 +248,9 @@
 #include <trophic/support/json.hpp>
 #include <trophic/support/linkage.hpp>
 #include <trophic/support/new_file.hpp>
+#include <trophic/support/no_links.hpp>
+#include <trophic/support/plain_text.hpp>
+#include <trophic/support/program_code.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>

@@ -264,22 +264,24 @@ class Analyze(InFolderWithSets):
             self.assertIn(sentence, refused.stderr)
             self.assertFalse((self.folder / "wrong").exists())
 
-    def test_bad_input_is_named_and_the_rest_is_used(self):
-        for replicate in (0, 1):  # as of runs that were killed before their tables had a checksum
+    def test_the_end_that_a_killed_run_left_is_named_and_another_kind_of_table_is_an_error(self):
+        for replicate in (0, 1):  # as of runs that were killed, whose tables have no checksum
             path = self.folder / f"paper/replicate-0{replicate}/manifest.json"
             content = json.loads(path.read_text())
             del content["tables"]
             path.write_text(json.dumps(content))
         with open(self.folder / "paper/replicate-00/agents.csv", "ab") as table:
             table.write(b"1000,500,0,1,pr")
-        (self.folder / "paper/replicate-01/events.csv").write_text("generation,fitness\n1,2\n")
         self.remove_replicates(2, 3, 4, 5)
         result = self.analyze("paper")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 6, result.stderr)
-        for text in ("replicate-00/agents.csv:15032: cut off", 'replicate-01/events.csv:1: no column "time_s"', "replicate-02: missing"):
+        self.assertEqual(len(result.stderr.strip().splitlines()), 5, result.stderr)
+        for text in ("replicate-00/agents.csv:15032: cut off", "replicate-02: missing"):
             self.assertIn(text, result.stderr)
-        self.assertIn("(1 of 2 runs)", result.stdout)
+        (self.folder / "paper/replicate-01/events.csv").write_text("generation,fitness\n1,2\n")
+        refused = self.call(TROPHIC, "analyze", "paper", "--out", "other")
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
+        self.assertIn('replicate-01/events.csv:1: no column "time_s"', refused.stderr)
 
     def test_usage_errors(self):
         for arguments, text in ((["nowhere"], "nowhere: is not a folder"), ([], "either folders of runs, or --compare"),
@@ -312,7 +314,7 @@ class Analyze(InFolderWithSets):
         self.assertIn("exists already", refused.stderr)
         resumed = self.call(*command, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
-        self.assertIn("replicate-00 resumes from its checkpoint at", resumed.stdout)
+        self.assertIn("replicate-00 continues from its checkpoint at", resumed.stdout)
         self.assertIn("3 of 3 replicates complete", resumed.stdout)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")

@@ -3,6 +3,7 @@
 """evolve_gait_test.py TROPHIC [unittest arguments]: gaits evolved and measured as users do it."""
 
 import csv
+import pathlib
 import signal
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import unittest
 from in_folder import InFolder
 
 TROPHIC = sys.argv.pop(1)
+ROBOTS = pathlib.Path(__file__).resolve().parents[2] / "models/robots"
 EVOLVE = [TROPHIC, "evolve-gait"]
 MEASURE = [TROPHIC, "measure-gait"]
 FILES = ["settings.toml", "checkpoint.toml", "gait.toml", "generations.csv", "phylogeny.csv"]
@@ -68,7 +70,41 @@ class EvolveGait(InFolder):
         self.assertEqual([float(row["target_angle_rad"]) for row in table], [0.7, 0.0, -0.7] * 2)
         self.assertAlmostEqual(float(table[1]["timestep_s"]), 0.0012)
 
-    def test_one_program_at_a_time_resumes(self):
+    def test_a_pre_experiment_whose_every_trial_diverged_is_a_failure_and_leaves_no_gait(self):
+        failed = self.call(EVOLVE, "--robot", "gecko", "--generations", 0, "--threads", 1, "--set", "trial.duration_s=2",
+                           "--set", "physics.timestep_s=0.006", "--out", "diverged")
+        self.assertEqual(failed.returncode, 1, failed.stdout)
+        self.assertIn("every trial of 20 candidates diverged, so there is no gait: physics.timestep_s = 0.006", failed.stderr)
+        self.assertFalse((self.folder / "diverged/gait.toml").exists())
+
+    def test_the_phylogeny_follows_the_alife_data_standard(self):
+        """An id a row, each once; ancestors are listed that were born before; without ancestor_id, which would name one of two."""
+        self.evolve(*SMALL, "--set", "variation.crossover_probability=1", "--out", "run")
+        with open(self.folder / "run/phylogeny.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        self.assertNotIn("ancestor_id", rows[0])
+        self.assertLessEqual({"id", "ancestor_list", "origin_time", "destruction_time"}, rows[0].keys())
+        ids = [int(row["id"]) for row in rows]
+        self.assertEqual(len(set(ids)), len(ids))
+        births = {int(row["id"]): float(row["origin_time"]) for row in rows}
+        sizes = set()
+        for row in rows:
+            self.assertRegex(row["ancestor_list"], r"^\[(none|[0-9]+(,[0-9]+)*)\]$")
+            ancestors = [] if row["ancestor_list"] == "[none]" else [int(one) for one in row["ancestor_list"][1:-1].split(",")]
+            sizes.add(len(ancestors))
+            for ancestor in ancestors:
+                self.assertLess(births[ancestor], births[int(row["id"])])
+            self.assertGreater(float(row["destruction_time"]), births[int(row["id"])] - 1)
+        self.assertIn(2, sizes)
+
+    def test_what_cannot_be_measured_is_an_error(self):
+        lines = (ROBOTS / "spider.toml").read_text().splitlines(keepends=True)
+        (self.folder / "bare.toml").write_text("".join(line for line in lines if not line.startswith("gait ")))
+        refused = self.call(MEASURE, "--robot", "bare.toml")
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
+        self.assertIn("--gait: must name a gait", refused.stderr)
+
+    def test_one_program_at_a_time_goes_on(self):
         self.evolve(*SMALL, "--out", "whole")
         self.interrupt("run", signal.SIGKILL, "checkpoint.toml")
         pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}

@@ -115,7 +115,7 @@ class Killed(InFolder):
 
     def test_signals_stop_within_a_second_and_lose_nothing(self):
         self.whole(7)
-        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGXCPU], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
+        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGXCPU], [signal.SIGUSR1], [signal.SIGUSR2], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
             with self.subTest(signals=signals):
                 out = f"parts{number}"
                 run = self.start(*self.command(out, 7))
@@ -133,7 +133,7 @@ class Killed(InFolder):
                 self.assertEqual(self.manifest(out)["status"], "stopped")
                 again = self.finish(*self.command(out, 7, "--resume"))
                 self.assertEqual(again.returncode, 0, again.stderr)
-                self.assertIn("resumes from its checkpoint at", again.stdout)
+                self.assertIn("continues from its checkpoint at", again.stdout)
                 self.assert_same("whole", out)
 
     def started_and_kept(self, out, preexec=None):
@@ -157,7 +157,7 @@ class Killed(InFolder):
         self.assertEqual(self.failed(run), "no longer there, removed or moved: here")
         self.assertNotEqual(self.manifest("there")["status"], "complete")
         again = self.finish(*self.command("there", 7, "--resume"))
-        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("continues from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "there")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["there", "whole"])
 
@@ -183,7 +183,7 @@ class Killed(InFolder):
         (self.folder / "run").chmod(0o755)
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
-        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("continues from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "run")
 
     def test_a_file_that_reaches_its_size_limit(self):
@@ -197,7 +197,7 @@ class Killed(InFolder):
         self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\neverything written so far is in run\n$")
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
-        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("continues from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "run")
 
     def test_replicates_whose_output_pipe_is_closed(self):
@@ -238,7 +238,7 @@ class Killed(InFolder):
         killed.communicate()
         resumed = self.finish(*common, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
-        self.assertIn("replicate-00 resumes from its checkpoint at", resumed.stdout)
+        self.assertIn("replicate-00 continues from its checkpoint at", resumed.stdout)
         for number in range(3):
             self.assert_same(f"whole/replicate-0{number}", f"set/replicate-0{number}")
 

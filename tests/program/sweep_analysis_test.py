@@ -184,7 +184,7 @@ class SweepAnalysis(InFolderWithSets):
     def test_broken_tables_are_an_error_with_the_run(self):
         (self.folder / "sweep/cell-001/replicate-03/events.csv").unlink()
         result = self.analyze("sweep")
-        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn("run 15: ", result.stderr)
         self.assertFalse((self.folder / "analysis").exists())
 

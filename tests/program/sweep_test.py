@@ -203,6 +203,44 @@ class Ways(Sweeps):
         self.assert_done(self.run_words(*words, "--", *shards, env={**os.environ, "HOME": str(self.folder)}))
         self.assert_same()
 
+    def array_task(self, index, **variables):
+        """What slurm.sh makes of an array task of Slurm: its command's words, or its refusal."""
+        program = self.folder / "words"
+        program.write_text('#!/bin/sh\necho "$@"\n')
+        program.chmod(0o755)
+        slurm = {name: value for name, value in os.environ.items() if not name.startswith("SLURM")}
+        slurm |= {f"SLURM_ARRAY_TASK_{name}": str(value) for name, value in (variables | {"ID": index}).items()}
+        return self.run_words("bash", OPTIONS.sweeps / "slurm.sh", program, "sweep.toml", "out", env=slurm)
+
+    def test_any_array_without_gaps_is_every_shard_once(self):
+        for indices in (range(0, 4), range(1, 9), range(10, 81, 10), range(5, 6)):
+            shards = []
+            for index in indices:
+                done = self.array_task(index, COUNT=len(indices), MIN=indices[0], MAX=indices[-1], STEP=indices.step)
+                self.assert_done(done)
+                shards.append(done.stdout.split("--shard ")[1].split()[0])
+            self.assertEqual(shards, [f"{i + 1}/{len(indices)}" for i in range(len(indices))])
+        for index in range(4):  # a Slurm that does not say where the array ends
+            self.assertIn(f"--shard {index + 1}/4 ", self.array_task(index, COUNT=4, MIN=0, STEP=1).stdout)
+
+    def test_an_array_with_gaps_is_refused_at_the_start(self):
+        for indices in ((1, 3, 7), (0, 1, 2, 4)):
+            for index in indices:
+                refused = self.array_task(index, COUNT=len(indices), MIN=indices[0], MAX=indices[-1], STEP=1)
+                self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
+                self.assertIn("must be an array without gaps", refused.stderr)
+
+    def test_a_signal_of_slurm_to_the_shell_ends_the_sweep_well(self):
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("SLURM")}
+        words = ["bash", OPTIONS.sweeps / "slurm.sh", OPTIONS.program, "killed.toml", "signalled"]
+        running = subprocess.Popen(words, cwd=self.folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while not list(self.folder.glob("signalled/cell-*/*/agents.csv")) and running.poll() is None:
+            time.sleep(0.01)
+        running.send_signal(signal.SIGTERM)
+        said = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 3, said)
+        self.assertTrue(list(self.folder.glob("signalled/cell-*/*/checkpoint.bin")), said)
+
     @unittest.skipUnless(shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm")
     def test_slurm(self):
         with Slurm(self.folder) as environment:

@@ -147,11 +147,54 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(runs.read_runs(folder)), 5)
         self.assertEqual(len(runs.read_runs(folder, incomplete=True)), 6)
 
+    def test_a_table_that_is_not_what_the_run_wrote_is_refused(self):
+        folder = self.folder / "damaged"
+        subprocess.run(["cp", "-r", self.folder / "set/replicate-00", folder], check=True)
+        for name in ("events", "agents", "phylogeny", "genomes"):
+            path = folder / f"{name}.csv"
+            whole = path.read_bytes()
+            for damaged in (whole[:-9], b"\xef\xbb\xbf" + whole, whole.replace(b"\n", b"\r\n"), whole.replace(b"0", b"1", 1)):
+                path.write_bytes(damaged)
+                with self.subTest(name=name), self.assertRaisesRegex(runs.RunError, f"damaged/{name}.csv: has .* as its manifest says"):
+                    getattr(runs.read_run(folder), name)
+            path.unlink()
+            with self.assertRaisesRegex(runs.RunError, f"damaged/{name}.csv: cannot be read"):
+                getattr(runs.read_run(folder), name)
+            path.write_bytes(whole)
+
+    def test_a_table_that_cannot_be_read_is_refused_also_without_checksums(self):
+        folder = self.folder / "unsummed"
+        subprocess.run(["cp", "-r", self.folder / "set/replicate-00", folder], check=True)
+        manifest = json.loads((folder / "manifest.json").read_text())
+        del manifest["tables"]
+        (folder / "manifest.json").write_text(json.dumps(manifest))
+        path = folder / "events.csv"
+        whole = path.read_bytes()
+        lines = whole.splitlines(keepends=True)
+        for damaged, said in ((b"\xef\xbb\xbf" + whole, "byte order mark"), (b"", "no header"), (whole + b"1,2\n", "2 cells, the header has 16"),
+                              (b"".join([lines[0], *reversed(lines[1:])]), "tick: must be >= that of the row before")):
+            path.write_bytes(damaged)
+            with self.subTest(said), self.assertRaisesRegex(runs.RunError, said):
+                runs.read_run(folder).events
+
+    def test_runs_of_two_builds_are_no_set_unless_that_is_accepted(self):
+        folder = self.folder / "builds"
+        subprocess.run(["cp", "-r", self.folder / "set", folder], check=True)
+        path = folder / "replicate-00/manifest.json"
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"continued": [{"code": "another", "other_build": "accepted"}]}))
+        with self.assertRaisesRegex(runs.RunError, "builds: made by different builds: "):
+            runs.read_runs(folder)
+        mixed = runs.read_runs(folder, accept_other_build=True)[0]
+        self.assertEqual(mixed.builds, sorted([mixed.manifest["code"], "another"]))
+
     def test_an_incomplete_last_line_is_not_a_row(self):
         folder = self.folder / "killed"
         subprocess.run(["cp", "-r", self.folder / "set/replicate-00", folder], check=True)
         whole = runs.read_run(folder).agents
         path = folder / "agents.csv"
+        manifest = json.loads((folder / "manifest.json").read_text())
+        del manifest["tables"]  # a killed program writes none
+        (folder / "manifest.json").write_text(json.dumps(manifest))
         path.write_bytes(path.read_bytes()[:-9])
         cut = runs.read_run(folder).agents
         self.assertEqual(len(cut), len(whole) - 1)

@@ -2,6 +2,7 @@
 // The files of a pre-experiment, and how to go on from them.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -69,8 +70,16 @@ template <class Table, JointDriven B>
   return gait_file(gait, champion.genome, about, named_params_of(experiment.params()));
 }
 
-/// Writes checkpoint.toml and, once there is somebody, generations.csv, phylogeny.csv and gait.toml (the champion so far); each
-/// file is replaced as a whole. Nothing in them depends on the number of threads or on how often the run was resumed.
+/// Whether a candidate has walked: the trials of all others diverged.
+template <class Table, JointDriven B>
+[[nodiscard]] bool has_champion(const PreExperiment<Table, B>& experiment) {
+  const Lineage& lineage = experiment.lineage();
+  return !lineage.individuals.empty() && std::isfinite(lineage.individuals[lineage.champion()].fitness);
+}
+
+/// Writes checkpoint.toml and, once there are candidates, generations.csv and phylogeny.csv; gait.toml (the champion so far) once
+/// there is one. Each file is replaced as a whole. Nothing in them depends on the number of threads or on how often the run was
+/// resumed.
 template <class Table, JointDriven B>
 void save(const PreExperiment<Table, B>& experiment, const std::filesystem::path& folder) {
   const Lineage& lineage = experiment.lineage();
@@ -78,7 +87,7 @@ void save(const PreExperiment<Table, B>& experiment, const std::filesystem::path
   if (lineage.individuals.empty()) return;
   replace_file(folder / "generations.csv", generations_csv(lineage));
   replace_file(folder / "phylogeny.csv", phylogeny_csv(lineage));
-  replace_file(folder / "gait.toml", champion_file(experiment));
+  if (has_champion(experiment)) replace_file(folder / "gait.toml", champion_file(experiment));
 }
 
 /// Goes on from the checkpoint in a folder. Throws std::runtime_error for a file that is missing or broken and

@@ -51,7 +51,6 @@ std::string phylogeny_csv(const Lineage& lineage) {
     for (const std::size_t parent : one.parents) ancestors += (ancestors.empty() ? "" : ",") + number_text(parent);
     rows.push_back({.id = id,
                     .ancestor_list = "[" + (ancestors.empty() ? std::string{"none"} : ancestors) + "]",
-                    .ancestor = one.parents.empty() ? id : one.parents[0],
                     .origin_time = one.born,
                     .destruction_time = one.died,
                     .fitness = one.fitness,

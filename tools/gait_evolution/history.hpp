@@ -42,7 +42,6 @@ struct GenerationRow {
 struct TaxonRow {
   std::size_t id = 0;
   std::string ancestor_list = {};
-  std::size_t ancestor = 0;
   std::size_t origin_time = 0;
   std::optional<std::size_t> destruction_time = {};
   double fitness = 0.0;
@@ -51,16 +50,14 @@ struct TaxonRow {
 
   static constexpr auto columns() {
     using io::column;
-    return std::tuple{
-        column("id", &TaxonRow::id, "", "the candidate"),
-        column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], [3] or, of a crossover, [3,9]"),
-        column("ancestor_id", &TaxonRow::ancestor, "", "the first ancestor as a plain number; a founder's is its own id"),
-        column("origin_time", &TaxonRow::origin_time, "generations", "when it was born"),
-        column("destruction_time", &TaxonRow::destruction_time, "generations",
-               "when it was not selected; inf for who lives at the end", {.none = "inf"}),
-        column("fitness", &TaxonRow::fitness, "m", "-inf: its trial diverged"),
-        column("hidden_nodes", &TaxonRow::hidden_nodes, "", "of its CPPN"),
-        column("enabled_links", &TaxonRow::enabled_links, "", "of its CPPN")};
+    return std::tuple{column("id", &TaxonRow::id, "", "the candidate"),
+                      column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], [3] or, of a crossover, [3,9]"),
+                      column("origin_time", &TaxonRow::origin_time, "generations", "when it was born"),
+                      column("destruction_time", &TaxonRow::destruction_time, "generations",
+                             "when it was not selected; inf for who lives at the end", {.none = "inf"}),
+                      column("fitness", &TaxonRow::fitness, "m", "-inf: its trial diverged"),
+                      column("hidden_nodes", &TaxonRow::hidden_nodes, "", "of its CPPN"),
+                      column("enabled_links", &TaxonRow::enabled_links, "", "of its CPPN")};
   }
 };
 

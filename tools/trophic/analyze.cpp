@@ -54,6 +54,7 @@ struct Options {
   std::vector<std::string> metrics;
   std::vector<std::string> columns;
   std::optional<std::uint64_t> jobs;
+  bool accept_other_build = false;
   SweepOptions sweep;
   std::optional<std::string> out;
   std::string html;
@@ -174,7 +175,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
 }
 
 [[nodiscard]] analysis::Measuring measuring_of(const Options& options) {
-  analysis::Measuring how{.until_s = options.until_s, .columns = {}, .jobs = options.jobs.value_or(1), .on_run = {}};
+  analysis::Measuring how{.until_s = options.until_s, .any_build = options.accept_other_build, .columns = {}, .jobs = options.jobs.value_or(1), .on_run = {}};
   for (const std::string& column : options.columns) how.columns.push_back(analysis::own_column_of(column));
   return how;
 }
@@ -183,10 +184,10 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
 /// that are asked for. Returns how many runs there are.
 [[nodiscard]] std::size_t check_runs(std::span<const std::filesystem::path> paths, const std::optional<std::string>& shadow,
                                      const Options& options, const analysis::Measuring& how) {
-  std::vector<analysis::PooledRuns> all{analysis::pooled_runs(paths, how.until_s.has_value())};
+  std::vector<analysis::PooledRuns> all{analysis::pooled_runs(paths, how.until_s.has_value(), how.any_build)};
   const auto shadows = shadow ? std::vector<std::filesystem::path>{*shadow} : analysis::shadow_folders(paths);
   if (!shadows.empty()) {
-    all.push_back(analysis::pooled_runs(shadows, how.until_s.has_value()));
+    all.push_back(analysis::pooled_runs(shadows, how.until_s.has_value(), how.any_build));
     analysis::check_shadow(all[0].manifests.front(), all[1].manifests.front());
   }
   std::size_t runs = 0;
@@ -239,8 +240,8 @@ void compare(const Options& options) {
   const auto one = [&](std::size_t i) { return std::span{both}.subspan(i, 1); };
   const std::size_t runs = check_runs(one(0), {}, options, how) + check_runs(one(1), {}, options, how);
   if (!how.until_s) {
-    analysis::check_comparable(analysis::pooled_runs(one(0), false).manifests.front(),
-                               analysis::pooled_runs(one(1), false).manifests.front());
+    analysis::check_comparable(analysis::pooled_runs(one(0), false, how.any_build).manifests.front(),
+                               analysis::pooled_runs(one(1), false, how.any_build).manifests.front());
   }
   const auto out = make_out(options);
   const analysis::Measuring shown = with_progress(how, runs);
@@ -335,6 +336,8 @@ Command analyze() {
            {"--column", &options->columns,
             "a metric of your own: FILE:COLUMN or FILE:COLUMN:UNIT, a CSV table in each run's folder, of which the mean over rows "
             "is tested like any metric; may be repeated"},
+           {"--accept-other-build", &options->accept_other_build,
+            "pool runs that several builds of a program made, whose rules may be other code under the same names"},
            {"--published", &options->published,
             "a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or "
             "inconclusive"},

@@ -104,7 +104,7 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
   }
   if (options.difference && metrics.empty())
     throw std::invalid_argument{"--difference: needs --metric, which names what is to differ"};
-  const analysis::SweepRuns sweep = analysis::read_sweep(folder);
+  const analysis::SweepRuns sweep = analysis::read_sweep(folder, how.any_build);
   const auto reference = static_cast<std::size_t>(options.reference.value_or(sweep.grid.cells.front().number));
   check_sweep(sweep, reference, options, how);
   std::set<std::int64_t> thinnings;
@@ -121,6 +121,11 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
   const analysis::SweepValues values = analysis::measure_sweep(sweep, with_progress(how, there));
   const auto names = analysis::chosen(values.names, metrics);
   const std::optional<double> until_s = how.until_s;
+  if (sweep.builds.size() > 1) {
+    std::cerr << "trophic analyze: " << sweep.builds.size()
+              << " builds of a program made these runs: " << analysis::builds_text(sweep.builds)
+              << "; their rules may be other code under the same names\n";
+  }
   if (!sweep.missing.empty()) std::cerr << "trophic analyze: " << analysis::missing_line(sweep) << "; left out\n";
   const auto differences = analysis::compare_cells(sweep.grid, values, reference, names);
   std::vector<analysis::RunsForDifference> answers;

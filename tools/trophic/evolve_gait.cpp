@@ -107,6 +107,11 @@ int run(const Options& options, const Config& config) {
               << std::endl;
     return stopped;
   }
+  if (!gait_evolution::has_champion(experiment)) {
+    throw std::runtime_error{"every trial of " + std::to_string(experiment.lineage().individuals.size()) +
+                             " candidates diverged, so there is no gait: physics.timestep_s = " +
+                             number_text(numbers.physics.timestep_s) + " may be too long for " + experiment.robot().name};
+  }
   const std::size_t champion = experiment.lineage().champion();
   std::cout << experiment.robot().name << ": fitness " << experiment.lineage().individuals[champion].fitness << " (individual "
             << champion << "), " << evaluations << " evaluations in " << observe::duration_text(watch.elapsed_s()) << " on "

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 
 #include <array>
+#include <cstddef>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -40,8 +41,10 @@ void complain(const Physics& how, const Diverged& error) {
 }
 
 /// The [walk] of a robot file.
+/// Returns how many walks could be measured.
 template <Backend B>
-void print_walk(const RobotModel& robot, const Gait& gait, double duration_s) {
+std::size_t print_walk(const RobotModel& robot, const Gait& gait, double duration_s) {
+  std::size_t measured = 0;
   for (const Physics& how : physics) {
     try {
       const MeasuredWalk walk = gait_evolution::measure_walk<B>(robot, gait, control::steering::TargetedSteering{},
@@ -49,6 +52,7 @@ void print_walk(const RobotModel& robot, const Gait& gait, double duration_s) {
       std::cout << "# " << robot.name << " with " << gait.name << ", " << B::name << ", " << enum_name(how.integrator) << " "
                 << how.timestep_s << " s\n[walk]\nspeed_m_s = " << walk.speed_m_s
                 << "\nturn_rate_per_rad = " << walk.turn_rate_per_rad << std::endl;
+      ++measured;
       if (walk.speed_m_s <= 0.0 || walk.turn_rate_per_rad <= 0.0) {
         std::cerr << "trophic measure-gait: no robot file can hold these: the gait walks backwards or turns the wrong way\n";
       }
@@ -56,10 +60,13 @@ void print_walk(const RobotModel& robot, const Gait& gait, double duration_s) {
       complain(how, error);
     }
   }
+  return measured;
 }
 
+/// Returns how many walks could be measured.
 template <Backend B>
-void print_table(const RobotModel& robot, const Gait& gait, double duration_s) {
+std::size_t print_table(const RobotModel& robot, const Gait& gait, double duration_s) {
+  std::size_t measured = 0;
   std::cout << "robot,gait,integrator,timestep_s,target_angle_rad,displacement_m,forward_m_s,left_m_s,turn_rate_rad_s\n";
   for (const Physics& how : physics) {
     for (const double target_angle_rad : {0.7, 0.0, -0.7}) {
@@ -72,21 +79,28 @@ void print_table(const RobotModel& robot, const Gait& gait, double duration_s) {
         const auto [forward_m_s, left_m_s] = track.forward_and_left_m_s();
         std::cout << track.displacement_m() << "," << forward_m_s << "," << left_m_s << "," << track.turn_rate_rad_s()
                   << std::endl;
+        ++measured;
       } catch (const Diverged& error) {
         std::cout << ",,," << std::endl;
         complain(how, error);
       }
     }
   }
+  return measured;
 }
 
 template <Backend B>
 int measure(const Options& options) {
   const RobotModel robot = load_robot(options.robot);
+  if (options.gait.empty() && robot.gait.empty()) {
+    throw std::invalid_argument{"--gait: must name a gait, as the file of " + robot.name + " names none"};
+  }
   const Gait gait = load_gait(options.gait.empty() ? robot.gait : options.gait);
   check_fit(gait, robot);
-  options.walk ? print_walk<B>(robot, gait, options.duration_s) : print_table<B>(robot, gait, options.duration_s);
+  const std::size_t measured =
+      options.walk ? print_walk<B>(robot, gait, options.duration_s) : print_table<B>(robot, gait, options.duration_s);
   flush_output();
+  if (measured == 0) throw std::runtime_error{"nothing could be measured: every simulation diverged"};
   return 0;
 }
 

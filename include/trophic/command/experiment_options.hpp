@@ -31,6 +31,7 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> replicates;
   std::optional<std::uint64_t> jobs;
   bool resume = false;
+  bool accept_other_build = false;
   std::string from;            ///< folder of the run that this one begins from
   std::optional<double> at_s;  ///< moment of that run
   double checkpoint_s = checkpoint::Schedule{}.every_s;
@@ -58,6 +59,13 @@ struct ExperimentOptions {
   io::Provenance provenance;
   io::OwnTables own_tables;  ///< the program's own tables, written by each run
 };
+
+/// The schedule that --checkpoint-s and --accept-other-build set.
+[[nodiscard]] inline checkpoint::Schedule schedule_of(const ExperimentOptions& options) {
+  using checkpoint::OtherBuild;
+  return {.every_s = options.checkpoint_s,
+          .other_build = options.accept_other_build ? OtherBuild::accepted : OtherBuild::refused};
+}
 
 /// A run, and a moment of it at which others begin.
 struct OriginRun {

@@ -88,6 +88,8 @@ namespace detail {
       {{"--resume", &options.resume,
         "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It keeps "
         "what OUT has of --replay-hz, --agents-every, --senses and --states"},
+       {"--accept-other-build", &options.accept_other_build,
+        "resume runs that another build of this program made, whose rules may be other code under the same names; manifests record it"},
        {"--from", &options.from,
         "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
         "with --replicates of its future"},
@@ -173,7 +175,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     check_unchanged(*origin);
     config.origin = origin->params;
     if (table != origin->rule_table) config.origin.erase("rules");
-    origin->make = [&, its](const std::filesystem::path& folder) { return replay(its, *origin, options.own_tables, folder); };
+    origin->make = [&, its](const std::filesystem::path& folder) { return replay(its, *origin, options, folder); };
   }
   return run_experiment(selection, options, config, origin, open_window);
 }

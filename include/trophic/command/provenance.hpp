@@ -6,6 +6,7 @@
 #include <trophic/command/run_command.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/support/host_name.hpp>
+#include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 
 /// `git describe` of the program's sources at the last build, and its build type and flags. The CMake function
@@ -42,8 +43,8 @@ namespace trophic::command {
 
 /// For --version. `backends`: names and versions.
 [[nodiscard]] inline std::string version_text(const std::string& backends) {
-  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncompiler  " + io::compiler() +
-         "\nbuild     " + build() + "\nbackends  " + backends;
+  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncode      " + program_code() +
+         "\ncompiler  " + io::compiler() + "\nbuild     " + build() + "\nbackends  " + backends;
 }
 
 }  // namespace trophic::command

@@ -28,6 +28,7 @@
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/observe/terminal.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -56,11 +57,13 @@ TROPHIC_INLINE void print_error(std::string_view name, std::string_view what) {
   std::size_t used = 0;
   const auto write_out = [&] { std::fwrite(line.data(), 1, std::exchange(used, 0), stderr); };
   for (const std::string_view part : {name, std::string_view{": "}, what}) {
-    for (const char character : part) {
+    std::size_t control = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
       if (used + 8 > line.size()) write_out();
-      const auto byte = static_cast<unsigned char>(character);
-      const bool is_control = byte < 0x20 || byte == 0x7f;
-      used += static_cast<std::size_t>(std::snprintf(line.data() + used, 5, is_control ? "\\x%02x" : "%c", unsigned{byte}));
+      if (control == 0) control = control_bytes(part.substr(i));
+      const auto byte = static_cast<unsigned char>(part[i]);
+      used += static_cast<std::size_t>(std::snprintf(line.data() + used, 5, control > 0 ? "\\x%02x" : "%c", unsigned{byte}));
+      if (control > 0) --control;
     }
   }
   line[used++] = '\n';

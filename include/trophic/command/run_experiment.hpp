@@ -25,7 +25,7 @@ namespace trophic::command {
 [[nodiscard]] observe::RunDescription describe(const Selection& selection, const OriginRun& origin);
 
 /// Makes in a folder that run up to its moment, byte for byte, with one's own tables. Returns false if a signal came first.
-[[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const io::OwnTables& own_tables,
+[[nodiscard]] bool replay(const Selection& selection, const OriginRun& origin, const ExperimentOptions& options,
                           const std::filesystem::path& folder);
 
 /// Does the work of the options with a selection and returns the exit code.

@@ -79,7 +79,7 @@ namespace detail {
           .count = *options.replicates,
           .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
           .resume = options.resume,
-          .checkpoints = {.every_s = options.checkpoint_s},
+          .checkpoints = schedule_of(options),
           .output = output_options_of(options),
           .own_tables = options.own_tables};
 }
@@ -192,15 +192,16 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
                                                                        const Simulation& ecology, double until_s,
                                                                        const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
-  if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run) : checkpoint::RunState{};
+  const checkpoint::OtherBuild other_build = schedule_of(options).other_build;
+  if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run, other_build) : checkpoint::RunState{};
   const checkpoint::Snapshot snapshot = snapshot_of(options, *origin, run);
   if (!checkpoint::needs_snapshot(options.out, run.until_s) && !checkpoint::SnapshotFolder::exists(snapshot)) {
-    return checkpoint::run_state_in(options.out, run, snapshot);
+    return checkpoint::run_state_in(options.out, run, snapshot, other_build);
   }
   checkpoint::SnapshotFolder room{snapshot};
   if (!options.resume) io::check_new_folder(options.out);
   if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin)) return std::nullopt;
-  auto run_state = checkpoint::run_state_in(options.out, run, snapshot);
+  auto run_state = checkpoint::run_state_in(options.out, run, snapshot, other_build);
   room.clear();
   return run_state;
 }
@@ -219,7 +220,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     if (run_state.begins) {
       checkpoint::begin_at(run_state, origin->moment, ecology, folder.manifest(), checkpoint::parts_of(folder, progress, stop));
     }
-    const checkpoint::Schedule schedule{.every_s = options.checkpoint_s};
+    const checkpoint::Schedule schedule = schedule_of(options);
     if (window != nullptr) {
       window->run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
     } else {
@@ -304,6 +305,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
     origin.moment.fingerprint = json.at("fingerprint").get<std::string>();
     origin.moment.seed = whole_number<std::uint64_t>(json, "seed");
+    if (json.contains("code")) origin.moment.code = json["code"].get<std::string>();
     if (json.contains("agents_every_ticks")) {
       origin.output.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
     }
@@ -329,17 +331,18 @@ TROPHIC_INLINE observe::RunDescription describe(const Selection& selection, cons
   return detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
 }
 
-TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, const io::OwnTables& own_tables,
+TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, const ExperimentOptions& options,
                            const std::filesystem::path& folder) {
   const std::unique_ptr<Simulation> ecology = detail::experiment_of(selection, origin)->simulations(false)(origin.moment.seed);
   if (checkpoint::read_all(folder).empty()) {
     std::filesystem::remove_all(folder);  // a copy that was interrupted
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
   }
-  const checkpoint::RunState run_state = checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s));
+  const checkpoint::RunState run_state =
+      checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options).other_build);
   if (run_state.complete) return true;
   observe::StopOnSignal stop;
-  io::RunFolder files{folder, {}, origin.output, run_state.opening(), ecology->state_columns(), own_tables};
+  io::RunFolder files{folder, {}, origin.output, run_state.opening(), ecology->state_columns(), options.own_tables};
   observe::Progress progress;
   checkpoint::run_with_checkpoints(*ecology, origin.moment.at_s, folder, {}, run_state.from, files, progress, stop);
   return ecology->time_s() >= origin.moment.at_s;

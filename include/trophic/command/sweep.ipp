@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <thread>
+#include <trophic/backend/contract.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
@@ -100,7 +101,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
 }
 
 /// Prints how many runs are complete and returns the exit code.
-[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally) {
+[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally, std::size_t diverged) {
   constexpr std::size_t most_sentences = 20;
   const std::size_t complete = tally.kept + tally.complete;
   std::cout << complete << " of " << complete + tally.unfinished.size() << " runs complete in " << options.out << "\n";
@@ -112,7 +113,8 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   if (tally.unfinished.size() > most_sentences) {
     std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
   }
-  std::cerr << "the same command resumes these and no others\n";
+  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same numbers\n";
+  if (diverged < tally.unfinished.size()) std::cerr << "the same command resumes these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -205,6 +207,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
       if (options.sbatch) return detail::sweeps::print_sbatch(options, file, plan, runner);
       if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
       sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
+      if (!options.accept_other_build) sweep::check_builds(options.out, plan);
     }
   } catch (const std::exception&) {
     if (team != nullptr) static_cast<void>(team->begin(false));
@@ -231,7 +234,7 @@ TROPHIC_INLINE int run_sweep(const ExperimentOptions& options, const Offer& offe
                                  : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, keep_running);
   if (!leads) return 0;
   sweep::remove_claims(options.out, plan);
-  return detail::sweeps::report(options, tally);
+  return detail::sweeps::report(options, tally, runner.diverged());
 }
 
 }  // namespace trophic::command

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/backend/contract.hpp>
 #include <trophic/command/config.hpp>
 #include <trophic/command/experiment_options.hpp>
 #include <trophic/command/run_experiment.hpp>
@@ -72,12 +74,19 @@ class Runner {
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.numbers, *until_s);
-    replicates::CommonOptions common{
-        options_.provenance, {.every_s = options_.checkpoint_s}, run.output, {}, options_.own_tables};
+    replicates::CommonOptions common{options_.provenance, schedule_of(options_), run.output, {}, options_.own_tables};
     common.provenance.emplace_back("planned_run", std::to_string(run.index));
-    run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, common,
-                progress.watch(run.folder.string()), stop_);
+    try {
+      run_planned(selection_of(run.rule_table, run.engine, offer_), config, run.shadow, run.seed, folder, common,
+                  progress.watch(run.folder.string()), stop_);
+    } catch (const Diverged&) {
+      ++diverged_;
+      throw;
+    }
   }
+
+  /// The number of runs that diverged, which they do again with the same numbers.
+  [[nodiscard]] std::size_t diverged() const { return diverged_; }
 
  private:
   static void insert_duration(toml::table& numbers, double until_s) {
@@ -88,6 +97,7 @@ class Runner {
   const ExperimentOptions& options_;
   const Offer& offer_;
   const observe::StopOnSignal& stop_;
+  mutable std::atomic<std::size_t> diverged_ = 0;
 };
 
 }  // namespace trophic::command::detail::sweeps

@@ -33,6 +33,7 @@
 #include <trophic/population/view.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/clock.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <utility>
@@ -73,7 +74,7 @@ class Ecology final : public Simulation {
     population_.stand_at(poses_);
   }
 
-  [[nodiscard]] double time_s() const override { return static_cast<double>(tick_) * params_.ecology.tick_s; }
+  [[nodiscard]] double time_s() const override { return clock_s(tick_, params_.ecology.tick_s); }
   [[nodiscard]] std::int64_t tick() const override { return tick_; }
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }

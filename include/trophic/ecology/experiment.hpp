@@ -49,6 +49,14 @@ template <class Rules>
     throw std::invalid_argument{"ecology.tick_s = " + number_text(ecology.tick_s) + ": tick_s * clock_scale * control_hz = " +
                                 number_text(steps) + " control steps, must be a whole number >= 1"};
   }
+  constexpr double most_steps = 1e6;  // of a tick, which can be given up: what is shown of it is kept until its end
+  constexpr double most_simulated_s = 3600.0;
+  if (whole > most_steps || ecology.tick_s * ecology.clock_scale > most_simulated_s) {
+    throw std::invalid_argument{"ecology.tick_s = " + number_text(ecology.tick_s) + ": a tick has " +
+                                number_text(ecology.tick_s * ecology.clock_scale) + " simulated seconds and " +
+                                number_text(steps) + " control steps: must have <= " + number_text(most_simulated_s) +
+                                " and <= " + number_text(most_steps)};
+  }
   if (has_joints && physics.timestep_s * ecology.control_hz > 1.0) {
     throw std::invalid_argument{"physics.timestep_s = " + number_text(physics.timestep_s) +
                                 ": must be <= " + number_text(1.0 / ecology.control_hz) + ", the control period"};

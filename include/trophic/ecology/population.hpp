@@ -204,6 +204,10 @@ class Population {
   void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
     auto genome = parentage.parent && !is_shadow_ ? rules_.heredity.inherit(parentage.parent->genome) : nullptr;
+    if (genome && genome->weights.size() != individuals_[body].genome->weights.size()) {
+      throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " +
+                                      std::to_string(individuals_[body].genome->weights.size())};
+    }
     create_states(born, body, genome ? body_of(parentage.parent->id) : std::nullopt);
     if (parentage.parent) {
       descend(born, body, *parentage.parent, std::move(genome));

@@ -35,7 +35,7 @@ struct EcologyParams {
     return std::tuple{
         field("robots", &EcologyParams::robots, between(1, 10'000'000), "robot bodies, fixed for the whole run"),
         field("duration_s", &EcologyParams::duration_s, above_to(0.0, 1e12), "length of the run, ecology seconds"),
-        field("tick_s", &EcologyParams::tick_s, above(0.0), "decision step, ecology seconds"),
+        field("tick_s", &EcologyParams::tick_s, above_to(0.0, 3600.0), "decision step, ecology seconds"),
         field("first_tick_s", &EcologyParams::first_tick_s, at_least(0.0), "rules act from then on, ecology seconds"),
         field("control_hz", &EcologyParams::control_hz, above_to(0.0, 1e5), "gait control per simulated second"),
         field("clock_scale", &EcologyParams::clock_scale, above_to(0.0, 1e3), "simulated seconds per ecology second"),

@@ -9,6 +9,9 @@
 
 namespace trophic {
 
+/// Of a floor or a body: with more, engines let robots sink.
+inline constexpr double most_friction = 10.0;
+
 enum class Integrator { semi_implicit_euler, rk4 };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Integrator) {
   return {"semi_implicit_euler", "rk4"};

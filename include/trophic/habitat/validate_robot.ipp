@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/reach.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/validate_robot.hpp>
@@ -31,7 +32,7 @@ TROPHIC_INLINE void validate(const RobotModel& robot) {
     fail("hinge_neighbours.size() = " + std::to_string(robot.hinge_neighbours.size()) +
          ": must be hinges.size() = " + std::to_string(robot.hinges.size()));
   }
-  check("friction", robot.friction, robot.friction >= 0.0, "must be >= 0");
+  check("friction", robot.friction, robot.friction >= 0.0 && robot.friction <= most_friction, "must be >= 0 and <= 10");
   check("forward_rad", robot.forward_rad, std::abs(robot.forward_rad) <= std::numbers::pi, "must be within -pi and pi");
   check("rest_height_m", robot.rest_height_m, robot.rest_height_m > 0.0, "must be > 0");
   validate(robot.walk, "robot " + robot.name + ": walk");

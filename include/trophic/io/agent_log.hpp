@@ -47,6 +47,7 @@ class AgentLog {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) file_.write(agent_row(view, body), view.web);
     file_.flush();
   }
+  void on_end(const View&) { file_.finish(); }
 
   void persist(Archive& archive) {
     archive(every_ticks_, file_);

@@ -15,11 +15,15 @@ namespace trophic::io {
 /// Format of a cell. Numbers are written in their shortest exact form unless `decimals` >= 0 fixes their count.
 struct Written {
   int decimals = -1;
-  std::string_view none = {};  ///< the text of an optional without a value
+  std::string_view none = {};  ///< what stands for an optional that is none
+  bool plain = false;          ///< never with an exponent: 100000, not 1e+05
 };
 
+/// Seconds of the ecology's clock.
+inline constexpr Written seconds{.decimals = -1, .none = {}, .plain = true};
+
 /// A metre's cell has six decimals: a micrometre.
-inline constexpr Written micro{.decimals = 6, .none = {}};
+inline constexpr Written micro{.decimals = 6};
 
 /// A member of a row with the name of its column. `unit`: "s", "m", "rad"; empty for what has none.
 template <class Row, class T>

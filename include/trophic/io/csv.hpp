@@ -35,6 +35,7 @@ void append_cell(std::string& text, const Cell& value, const Written& written = 
     text.push_back(value ? '1' : '0');
   } else if constexpr (std::floating_point<Cell>) {
     if (!(value == value)) return;
+    if (written.decimals < 0 && written.plain) return append_number(text, value, std::chars_format::fixed);
     if (written.decimals < 0) return append_number(text, value);
     append_number(text, value, std::chars_format::fixed, written.decimals);
   } else if constexpr (std::integral<Cell>) {

@@ -38,7 +38,7 @@ class EventLog {
                 view.web);
   }
   void on_tick(const View&) { file_.flush(); }
-  void on_end(const View&) { file_.flush(); }
+  void on_end(const View&) { file_.finish(); }
 
   void persist(Archive& archive) { archive(file_); }
   [[nodiscard]] TableSum sum() const { return file_.sum(); }

@@ -30,6 +30,9 @@ class GenomeLog {
   void on_tick(const View&) {
     if (file_) file_->flush();
   }
+  void on_end(const View&) {
+    if (file_) file_->finish();
+  }
 
   void persist(Archive& archive) {
     if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to continue"};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string_view>
 #include <trophic/params/archive.hpp>
 #include <trophic/support/linkage.hpp>
@@ -13,11 +14,17 @@ namespace trophic {
 /// Whether the files of a run are new or those of a run that is resumed.
 enum class Opening { created, resumed };
 
+/// A file of a run that differs from what the run wrote. The message names the file and what differs.
+class DamagedFile : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Appends to a file. Throws std::runtime_error naming the file if the system refuses.
 ///
-/// With `Opening::created` nothing of that name may exist. With `Opening::resumed` the file must exist; `persist` then cuts
-/// it to the length in an archive. An observer of a run that owns such files takes part in checkpoints by its own
-/// `persist`, which calls theirs.
+/// With `Opening::created` nothing of that name may exist. With `Opening::resumed` the file must be a regular file without
+/// another name, and no link: nothing is written elsewhere. `persist` then compares it with the archive and cuts it. An observer
+/// that owns such files takes part in checkpoints by a `persist` of its own that calls theirs.
 class GrowingFile {
  public:
   GrowingFile(const std::filesystem::path& path, Opening opening);
@@ -27,25 +34,25 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
   ~GrowingFile();
 
-  /// Passes the bytes to the system: a later crash of the program does not lose them.
+  /// Passes the bytes to the system: if the program dies later, they are written.
   void append(std::string_view bytes);
 
-  /// Puts all bytes on the disk, so that not even a power failure loses them.
+  /// Puts all bytes on the disk, so that they survive a power failure.
   void sync();
 
-  /// Length of the file, bytes.
+  /// Returns the length of the file in bytes.
   [[nodiscard]] std::uint64_t length() const { return length_; }
 
-  /// CRC-32 of all its bytes; of a resumed run's file, once `persist` has cut it.
+  /// Returns the CRC-32 of all its bytes; of the file of a resumed run, after `persist`.
   [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
 
-  /// Writing: puts all bytes on the disk and notes the length. Reading: cuts the file to the noted length, without a check of its
-  /// content. Throws std::runtime_error if it is shorter than that.
+  /// Writing: puts all bytes on the disk and notes length and checksum. Reading: cuts the file to that length. Throws
+  /// DamagedFile, and leaves the file as it is, if it is shorter or if its bytes up to that length have another checksum.
   void persist(Archive& archive);
 
  private:
   [[noreturn]] void fail(std::string_view what) const;
-  void cut(std::uint64_t length);
+  void check_content(std::uint64_t length, std::uint32_t checksum) const;
 
   std::filesystem::path path_;
   int file_ = -1;

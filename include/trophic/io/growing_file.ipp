@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -21,15 +23,18 @@ namespace trophic {
 
 TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Opening opening) : path_{path} {
   const bool is_new = opening == Opening::created;
-  // O_NONBLOCK: a pipe in a file's place must not make the program wait for a reader.
-  const int flags = O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK | (is_new ? O_CREAT | O_EXCL : 0);
+  // O_NONBLOCK: the program must not wait for a reader of a pipe. O_RDWR: what is there is compared with the checkpoint.
+  const int flags = O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | (is_new ? O_WRONLY | O_CREAT | O_EXCL : O_RDWR);
   file_ = ::open(path.c_str(), flags, 0666);
   if (file_ < 0) fail(is_new ? "create" : "open");
   if (is_new) return;
   struct stat status {};
-  if (::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) {
+  const bool is_file = ::fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
+  if (!is_file || status.st_nlink > 1) {
     ::close(std::exchange(file_, -1));
-    throw std::runtime_error{"cannot continue " + path.string() + ": it is not a regular file"};
+    throw std::runtime_error{
+        "cannot continue " + path.string() + ": " +
+        (is_file ? "it has another name (a hard link), whose file would change, too" : "it is not a regular file")};
   }
   length_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -72,17 +77,32 @@ TROPHIC_INLINE void GrowingFile::persist(Archive& archive) {
   std::uint32_t sum = checksum_;
   archive(length, sum);
   if (!archive.reads()) return;
-  cut(length);
+  check_content(length, sum);
+  if (::ftruncate(file_, static_cast<::off_t>(length)) != 0) fail("cut");
+  length_ = length;
   checksum_ = sum;
 }
 
-TROPHIC_INLINE void GrowingFile::cut(std::uint64_t length) {
+TROPHIC_INLINE void GrowingFile::check_content(std::uint64_t length, std::uint32_t checksum) const {
   if (length > length_) {
-    throw std::runtime_error{"cannot continue " + path_.string() + ": it has " + std::to_string(length_) +
-                             " bytes: must be >= " + std::to_string(length) + ", as many as it had at the checkpoint"};
+    throw DamagedFile{"cannot continue " + path_.string() + ": it has " + std::to_string(length_) +
+                      " bytes: must be >= " + std::to_string(length) + ", as many as it had at the checkpoint"};
   }
-  if (::ftruncate(file_, static_cast<::off_t>(length)) != 0) fail("cut");
-  length_ = length;
+  std::array<char, 1U << 16U> piece;
+  std::uint32_t sum = 0;
+  for (std::uint64_t at = 0; at < length;) {
+    const ::ssize_t got =
+        ::pread(file_, piece.data(), std::min<std::uint64_t>(piece.size(), length - at), static_cast<::off_t>(at));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail("read");
+    if (got == 0) break;
+    sum = trophic::checksum({piece.data(), static_cast<std::size_t>(got)}, sum);
+    at += static_cast<std::uint64_t>(got);
+  }
+  if (sum == checksum) return;
+  throw DamagedFile{"cannot continue " + path_.string() + ": its first " + std::to_string(length) + " bytes have checksum " +
+                    std::to_string(sum) + ": must be " + std::to_string(checksum) +
+                    ", as at the checkpoint; the file was damaged or changed after the run wrote it"};
 }
 
 TROPHIC_INLINE void GrowingFile::fail(std::string_view what) const {

@@ -35,8 +35,8 @@ class Manifest {
   Manifest& operator=(Manifest&&) noexcept;
   ~Manifest();
 
-  /// Takes part in checkpoints. Read from one, the manifest keeps the provenance of the program that started the run; that
-  /// of this program is added under "continued".
+  /// Takes part in checkpoints. Read from one, the manifest keeps what it said of the program that started the run; what this
+  /// program says of itself is added under "continued", with "other_build": "accepted" if its code is other code.
   void persist(Archive& archive);
 
   /// Adds that the run began from another one, as read from its checkpoint; `origin`: that run and the moment.
@@ -57,7 +57,10 @@ class Manifest {
   /// Sets the sums of the run's tables, for the next time that it is written.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
 
-  /// Adds late provenance, such as the wall time, and writes again.
+  /// What it says of the run's recording, whole, when it is written next.
+  void set_recording(std::uint64_t frames, std::uint32_t crc32);
+
+  /// Adds provenance that is known only now, such as the wall time, and writes again.
   void add(const Provenance& provenance);
 
  private:

@@ -2,13 +2,16 @@
 // Definitions of manifest.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <trophic/io/manifest.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/program_code.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/version.hpp>
 #include <utility>
@@ -58,7 +61,9 @@ struct Manifest::Content {
 };
 
 TROPHIC_INLINE Manifest::Manifest(std::filesystem::path path, Provenance provenance)
-    : path_{std::move(path)}, provenance_{std::move(provenance)}, content_{std::make_unique<Content>()} {}
+    : path_{std::move(path)}, provenance_{std::move(provenance)}, content_{std::make_unique<Content>()} {
+  provenance_.emplace_back("code", program_code());
+}
 TROPHIC_INLINE Manifest::Manifest(Manifest&&) noexcept = default;
 TROPHIC_INLINE Manifest& Manifest::operator=(Manifest&&) noexcept = default;
 TROPHIC_INLINE Manifest::~Manifest() = default;
@@ -66,7 +71,12 @@ TROPHIC_INLINE Manifest::~Manifest() = default;
 TROPHIC_INLINE void Manifest::persist(Archive& archive) {
   Provenance ours = provenance_;
   archive(provenance_, continued_, origin_, tally_, reached_s_);
-  if (archive.reads()) continued_.push_back({.from_s = reached_s_, .provenance = std::move(ours)});
+  if (!archive.reads()) return;
+  const Provenance& last = continued_.empty() ? provenance_ : continued_.back().provenance;
+  if (std::ranges::find(last, std::pair{std::string{"code"}, program_code()}) == last.end()) {
+    ours.emplace_back("other_build", "accepted");
+  }
+  continued_.push_back({.from_s = reached_s_, .provenance = std::move(ours)});
 }
 
 TROPHIC_INLINE void Manifest::begin_from(Provenance origin) {
@@ -83,6 +93,10 @@ TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string
   content_->change([&](Json& json) {
     for (const auto& [file, sum] : tables) json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
   });
+}
+
+TROPHIC_INLINE void Manifest::set_recording(std::uint64_t frames, std::uint32_t crc32) {
+  content_->change([&](Json& json) { json["recording"] = {{"frames", frames}, {"crc32", crc32}}; });
 }
 
 TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const View& view) {

@@ -14,6 +14,7 @@
 #include <trophic/params/params.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <utility>
 
 namespace trophic::io {
@@ -25,6 +26,7 @@ namespace recording {
 inline constexpr std::size_t most_robots = 0xFFFF'FFFF;
 inline constexpr std::size_t most_nodes = 0xFFFF'FFFF;  ///< of a height field, along one side
 inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
+inline constexpr std::size_t largest_head = std::size_t{64} << 20U;
 
 [[nodiscard]] TROPHIC_INLINE Eigen::Vector3d vector_of(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
@@ -35,7 +37,7 @@ inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
 
 [[nodiscard]] TROPHIC_INLINE RobotModel robot_of(const Json& json) {
   RobotModel robot;
-  robot.name = json.at("name").get<std::string>();
+  robot.name = plain_text(json, "name");
   robot.forward_rad = json.at("forward_rad").get<double>();
   robot.bounding_radius_m = json.at("bounding_radius_m").get<double>();
   for (const auto& one : json.at("links")) {
@@ -68,7 +70,7 @@ inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
 
 [[nodiscard]] TROPHIC_INLINE Arena arena_of(const Json& json) {
   Arena arena;
-  arena.name = json.at("name").get<std::string>();
+  arena.name = plain_text(json, "name");
   arena.half_side_m = json.at("half_side_m").get<double>();
   arena.extent_m = json.at("extent_m").get<double>();
   if (json.contains("height_field")) {
@@ -91,11 +93,12 @@ TROPHIC_INLINE void read_run(const Json& json, RecordingHead& head) {
     throw std::runtime_error{"version " + json_text(json.at("version")) + " of the format; this program reads " +
                              std::to_string(version)};
   }
-  head.fingerprint = json.at("fingerprint").get<std::string>();
+  head.fingerprint = plain_text(json, "fingerprint");
   head.seed = whole_number<std::uint64_t>(json, "seed");
-  head.rule_table = json.at("rule_table").get<std::string>();
-  head.backend = json.at("backend").get<std::string>();
+  head.rule_table = plain_text(json, "rule_table");
+  head.backend = plain_text(json, "backend");
   head.species = json.at("species").get<std::vector<std::string>>();
+  if (!std::ranges::all_of(head.species, is_plain)) throw std::runtime_error{"species: must have no control characters"};
 }
 
 [[nodiscard]] TROPHIC_INLINE RecordingHead head_of(const Json& json) {
@@ -143,25 +146,34 @@ TROPHIC_INLINE void RecordingReader::scan() {
     file.read(front.data(), front.size());
     const bool nothing = file.gcount() == 0;
     const std::size_t size = recording::u32_at({front.data(), front.size()}, 0);
+    const std::string_view kind{front.data() + 4, 4};
+    // Of frames only their numbers are kept here; a head is short.
+    const std::size_t most_kept = kind == recording::head_kind ? recording::largest_head : 16;
+    std::uint32_t sum = checksum(kind);
     std::string data;
-    if (file) {
-      data.resize(std::min<std::size_t>(size, std::filesystem::file_size(path_)) + 4);
-      file.read(data.data(), static_cast<std::streamsize>(data.size()));
+    for (std::size_t left = size; file && left > 0;) {
+      std::array<char, 1U << 16U> piece;
+      const std::size_t wanted = std::min(left, piece.size());
+      file.read(piece.data(), static_cast<std::streamsize>(wanted));
+      if (!file) break;
+      sum = checksum({piece.data(), wanted}, sum);
+      data.append(piece.data(), std::min(wanted, most_kept - std::min(most_kept, data.size())));
+      left -= wanted;
     }
-    if (!file || data.size() != size + 4) {
+    std::array<char, 4> written_sum{};
+    file.read(written_sum.data(), written_sum.size());
+    if (!file) {
       const std::string where = nothing ? "after " : "in the middle of the block after ";
       if (blocks_.empty()) throw std::runtime_error{name + ": ends before its first frames"};
       remark_ =
           name + ": ends early, " + where + std::to_string(frames_) + " frames (" + number_text(time_s(frames_ - 1)) + " s)";
       return;
     }
-    const std::string_view kind{front.data() + 4, 4};
-    const std::uint32_t sum = checksum(std::string_view{data}.substr(0, size), checksum(kind));
     const auto damaged = [&](const std::string& what) {
       return std::runtime_error{name + ": damaged, " + what + " at byte " + std::to_string(at)};
     };
-    if (sum != recording::u32_at(data, size)) throw damaged("a wrong checksum of the block");
-    data.resize(size);
+    if (sum != recording::u32_at({written_sum.data(), written_sum.size()}, 0)) throw damaged("a wrong checksum of the block");
+    if (kind == recording::head_kind && size > recording::largest_head) throw damaged("a head that is too long");
     if (head_.robots == 0) {
       if (kind != recording::head_kind) throw damaged("no head");
       read_head(data);

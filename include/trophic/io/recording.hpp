@@ -42,6 +42,10 @@ class Recording {
   static constexpr std::size_t most_block_values = std::size_t{1} << 22U;
 
   [[nodiscard]] double frame_hz() const { return hz_; }
+  /// How many frames it has.
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
+  /// CRC-32 of the file as far as it is written; 0 without one.
+  [[nodiscard]] std::uint32_t checksum() const;
   void on_start(const observe::RunDescription& run, const View& view);
   void on_frame(const observe::Frame& frame);
   void on_end(const View& view);

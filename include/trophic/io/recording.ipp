@@ -75,6 +75,10 @@ TROPHIC_INLINE Recording::Recording(Recording&&) noexcept = default;
 TROPHIC_INLINE Recording& Recording::operator=(Recording&&) noexcept = default;
 TROPHIC_INLINE Recording::~Recording() = default;
 
+TROPHIC_INLINE std::uint32_t Recording::checksum() const {
+  return file_ ? file_->file.checksum() : 0;
+}
+
 TROPHIC_INLINE void Recording::on_start(const observe::RunDescription& run, const View& view) {
   if (!file_) return;
   const bool is_same_run = fingerprint_ == run.fingerprint && seed_ == run.seed;

@@ -181,11 +181,15 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
 }
 
 TROPHIC_INLINE void RunFolder::on_end(const View& view) {
+  // On the disk before the manifest says that the run is complete.
   tables_->events.on_end(view);
+  tables_->agents.on_end(view);
   tables_->phylogeny.on_end(view);
+  tables_->genomes.on_end(view);
   for (const auto& table : own_tables_) table->observer().end(view);
   recording_.on_end(view);
   manifest_.set_tables(sums());
+  if (recording_.frame_hz() > 0.0) manifest_.set_recording(recording_.frames(), recording_.checksum());
   manifest_.on_end(view);
 }
 

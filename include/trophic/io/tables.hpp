@@ -36,7 +36,7 @@ struct EventRow {
 
   static constexpr auto columns() {
     return std::tuple{
-        column("time_s", &EventRow::time_s, "s", "the ecology's clock"),
+        column("time_s", &EventRow::time_s, "s", "the ecology's clock", seconds),
         column("tick", &EventRow::tick, "", "number of the decision step; 0 at the start"),
         column("event", &EventRow::kind, "", "what happened"),
         column("id", &EventRow::id, "", "the individual it happened to; of a catch the hunter"),
@@ -75,7 +75,7 @@ struct AgentRow {
 
   static constexpr auto columns() {
     return std::tuple{
-        column("time_s", &AgentRow::time_s, "s", "the ecology's clock"),
+        column("time_s", &AgentRow::time_s, "s", "the ecology's clock", seconds),
         column("tick", &AgentRow::tick, "", "number of the decision step; 0 at the start"),
         column("body", &AgentRow::body, "", "the robot body"),
         column("id", &AgentRow::id, "", "the individual that lives in it"),
@@ -120,7 +120,7 @@ struct SenseRow {
 
   static constexpr auto columns() {
     return std::tuple{
-        column("time_s", &SenseRow::time_s, "s", "the ecology's clock"),
+        column("time_s", &SenseRow::time_s, "s", "the ecology's clock", seconds),
         column("tick", &SenseRow::tick, "", "number of the decision step; 0 at the start"),
         column("body", &SenseRow::body, "", "the robot body"),
         column("id", &SenseRow::id, "", "the individual that lives in it"),
@@ -168,8 +168,9 @@ struct TaxonRow {
         column("id", &TaxonRow::id, "", "the individual"),
         column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], or its parent: [7]"),
         column("ancestor_id", &TaxonRow::ancestor, "", "its parent as a plain number; a root's is its own id"),
-        column("origin_time", &TaxonRow::origin_time, "s", "birth, by the ecology's clock"),
-        column("destruction_time", &TaxonRow::destruction_time, "s", "death; inf for who lives at the end", {.none = "inf"}),
+        column("origin_time", &TaxonRow::origin_time, "s", "birth, by the ecology's clock", seconds),
+        column("destruction_time", &TaxonRow::destruction_time, "s", "death; inf for who lives at the end",
+               {.none = "inf", .plain = true}),
         species_column("species", &TaxonRow::species, "its species"),
         column("origin", &TaxonRow::origin, "", "whether its genome is labelled random or inherited"),
         column("body", &TaxonRow::body, "", "the robot body that it lived in"),
@@ -193,7 +194,7 @@ struct GenomeRow {
   static constexpr auto columns() {
     return std::tuple{column("id", &GenomeRow::id, "", "the newborn individual"),
                       column("genome_id", &GenomeRow::genome, "", "its genome"),
-                      column("time_s", &GenomeRow::time_s, "s", "the ecology's clock"),
+                      column("time_s", &GenomeRow::time_s, "s", "the ecology's clock", seconds),
                       list_columns("w", &GenomeRow::weights, "", "the weights that it was born with")};
   }
 };

@@ -10,16 +10,19 @@
 
 namespace trophic::observe {
 
-/// Once one exists, SIGINT, SIGTERM, SIGXCPU (of batch systems) and SIGHUP (unless it was ignored, as by nohup) do not kill the
-/// program. Runs with this observer end with complete files after the last whole tick; a tick that may take long is cancelled.
-/// A second signal changes nothing; a third one kills as usual. Writing to a closed pipe, or to a file above the system's size
-/// limit, fails instead of killing the program.
+/// From the first one made on, SIGINT, SIGTERM, the signals by which batch systems announce an end (SIGXCPU, SIGUSR1, SIGUSR2)
+/// and (unless it was ignored, as nohup does) SIGHUP do not kill the program: runs that this observer watches end with complete
+/// files, after the last whole tick. The one in hand is given up where it may take long. A second signal changes nothing; a third
+/// one kills as usual. A pipe whose reader is gone and a file above the system's limit no longer kill it either: writing to them
+/// fails.
 class StopOnSignal {
  public:
   StopOnSignal() {
     listen(SIGINT);
     listen(SIGTERM);
     listen(SIGXCPU);
+    listen(SIGUSR1);
+    listen(SIGUSR2);
     struct sigaction before {};
     if (::sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) listen(SIGHUP);
     std::signal(SIGPIPE, SIG_IGN);

@@ -13,6 +13,7 @@
 #include <trophic/population/individual.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
+#include <trophic/support/clock.hpp>
 #include <trophic/support/units.hpp>
 #include <vector>
 
@@ -51,7 +52,9 @@ struct View {
     return all;
   }
   [[nodiscard]] double age_s(const Individual& individual) const { return time_s - individual.age_from_s; }
-  /// Ticks since birth or the last catch (Sec. "Predator Death").
+  /// Whether `wait_s` have passed since a moment: times are floating point, and a rule must not come a tick late for it.
+  [[nodiscard]] bool passed(double since_s, double wait_s) const { return has_passed(time_s - since_s, wait_s, tick_s); }
+  /// Ticks since birth or last catch (Sec. "Predator Death").
   [[nodiscard]] std::int64_t hunger_ticks(const Individual& individual) const { return tick - individual.fed_tick; }
 
   /// The body closest to `self` for which `accepts(individual)` or `accepts(body)` holds, excluding itself; on equal distance

@@ -24,7 +24,10 @@ class NewFile {
   /// The name to write to until then; the file is empty.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
 
-  /// Flushes the written bytes to the disk and renames the file.
+  /// Appends a text. Throws.
+  void write(std::string_view text);
+
+  /// Puts what was written onto the disk and gives it its name.
   void finish();
 
  private:

@@ -24,7 +24,7 @@ namespace detail {
 /// Opens a file and locks it. Returns -1, with errno, if the system refuses; errno is EWOULDBLOCK if another program holds the
 /// lock.
 [[nodiscard]] inline int open_locked(const std::filesystem::path& path, int more_flags) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | more_flags, 0666);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | more_flags, 0666);
   if (file < 0 || lock_named(file, path)) return file;
   ::close(file);
   errno = EWOULDBLOCK;
@@ -39,6 +39,7 @@ TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(pa
     return errno == EWOULDBLOCK || errno == EEXIST ? "another program is writing it" : std::strerror(errno);
   };
   if (std::filesystem::exists(std::filesystem::symlink_status(path_))) refuse("it exists");
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(part_))) ::unlink(part_.c_str());
   const int left = detail::open_locked(part_, 0);
   if (left < 0) refuse(reason());
   // Not the file itself: a child of a killed program may still write to it.
@@ -54,6 +55,10 @@ TROPHIC_INLINE NewFile::~NewFile() {
   ::close(file_);
 }
 
+TROPHIC_INLINE void NewFile::write(std::string_view text) {
+  if (!detail::write_all(file_, text)) throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
+}
+
 TROPHIC_INLINE void NewFile::finish() {
   if (::fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) {
     throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
@@ -63,9 +68,7 @@ TROPHIC_INLINE void NewFile::finish() {
 
 TROPHIC_INLINE void write_new_file(const std::filesystem::path& path, std::string_view text) {
   NewFile file{path};
-  if (!detail::write_onto_disk(file.part(), text)) {
-    throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(errno)};
-  }
+  file.write(text);
   file.finish();
 }
 

@@ -8,9 +8,10 @@
 
 namespace trophic {
 
-/// Writes `text` to "PATH.part", then renames it. When this returns, both the text and the name are on the disk, so that a
-/// power failure also leaves the old file or the new one. Throws std::runtime_error naming the file, and keeps the old one. If
-/// `predecessor` is not empty, the old file is kept under that name; a program that dies may leave only this one.
+/// Writes `text` to a new file "PATH.part", then renames it: what is linked from either name is left as it is. Both the text and
+/// the name are on the disk when this returns, so that a power failure leaves the old file or the new one, too. Throws
+/// std::runtime_error naming the file; the old one then stands. The old file is kept under the name `predecessor`, if that is not
+/// empty; a program that dies may leave only this one.
 void replace_file(const std::filesystem::path& path, std::string_view text, const std::filesystem::path& predecessor = {});
 
 }  // namespace trophic

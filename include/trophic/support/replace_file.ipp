@@ -19,10 +19,15 @@ namespace trophic {
 
 namespace detail {
 
-/// Writes a new file and flushes it to the disk. Returns false, with errno, if the system refuses.
-[[nodiscard]] inline bool write_onto_disk(const std::string& path, std::string_view text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666);
-  if (file < 0) return false;
+/// Makes an empty file. What had the name is removed, not written to: it may be a link or have another name. -1, with errno, if
+/// the system refuses.
+[[nodiscard]] inline int open_fresh(const std::string& path) {
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return -1;
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
+/// Writes all of a text. False, with errno, if the system refuses.
+[[nodiscard]] inline bool write_all(int file, std::string_view text) {
   bool good = true;
   while (good && !text.empty()) {
     const ::ssize_t written = ::write(file, text.data(), text.size());
@@ -32,7 +37,14 @@ namespace detail {
       good = errno == EINTR;
     }
   }
-  good = good && ::fsync(file) == 0;
+  return good;
+}
+
+/// Writes a new file and puts it on the disk. False, with errno, if the system refuses.
+[[nodiscard]] inline bool write_onto_disk(const std::string& path, std::string_view text) {
+  const int file = open_fresh(path);
+  if (file < 0) return false;
+  const bool good = write_all(file, text) && ::fsync(file) == 0;
   const int reason = errno;
   ::close(file);
   errno = reason;

@@ -2,6 +2,7 @@
 // Reads the text of a regular file; never blocks on other kinds of files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -15,6 +16,9 @@ inline constexpr std::uint64_t largest_whole_file = std::uint64_t{256} << 20U;
 /// Returns the content of a file. Throws std::invalid_argument "PATH: ..." if it cannot be read, is not a regular file (reading
 /// a pipe could block) or is larger than `most_bytes`.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes = largest_whole_file);
+
+/// The first bytes of a file, as many as there are. Throws as read_whole_file, whatever the file's size.
+[[nodiscard]] std::string read_beginning(const std::filesystem::path& path, std::size_t bytes);
 
 }  // namespace trophic
 

@@ -7,43 +7,82 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic {
 
-TROPHIC_INLINE std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
-  const auto refuse = [&](const std::string& why) { throw std::invalid_argument{path.string() + ": " + why}; };
-  struct Opened {
-    int file;
-    ~Opened() {
-      if (file >= 0) ::close(file);
+namespace detail {
+
+/// A regular file that is read.
+class ReadFile {
+ public:
+  explicit ReadFile(const std::filesystem::path& path) : path_{path} {
+    // O_NONBLOCK: opening a pipe that nobody writes to would wait.
+    file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    struct stat status {};
+    if (file_ < 0 || ::fstat(file_, &status) != 0) {
+      const std::string why = std::strerror(errno);
+      close();
+      refuse("cannot be read: " + why);
     }
-  };
-  // O_NONBLOCK: opening a pipe without a writer would block.
-  const Opened opened{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  if (opened.file < 0) refuse("cannot be read: " + std::string{std::strerror(errno)});
-  struct stat status {};
-  if (::fstat(opened.file, &status) != 0) refuse("cannot be read: " + std::string{std::strerror(errno)});
-  if (!S_ISREG(status.st_mode)) refuse("is not a regular file");
-  const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size > most_bytes) refuse("has " + std::to_string(size) + " bytes: must be <= " + std::to_string(most_bytes));
-  std::string text(size, '\0');
-  std::size_t have = 0;
-  while (have < text.size()) {
-    const ::ssize_t got = ::read(opened.file, text.data() + have, text.size() - have);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) refuse("cannot be read: " + std::string{std::strerror(errno)});
-    if (got == 0) break;
-    have += static_cast<std::size_t>(got);
+    if (!S_ISREG(status.st_mode)) {
+      close();
+      refuse("is not a regular file");
+    }
+    size_ = static_cast<std::uint64_t>(status.st_size);
   }
-  text.resize(have);
-  return text;
+  ReadFile(const ReadFile&) = delete;
+  ReadFile& operator=(const ReadFile&) = delete;
+  ~ReadFile() { close(); }
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  /// Its first bytes; fewer if it ends sooner.
+  [[nodiscard]] std::string read(std::uint64_t bytes) const {
+    std::string text(bytes, '\0');
+    std::size_t have = 0;
+    while (have < text.size()) {
+      const ::ssize_t got = ::read(file_, text.data() + have, text.size() - have);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) refuse("cannot be read: " + std::string{std::strerror(errno)});
+      if (got == 0) break;
+      have += static_cast<std::size_t>(got);
+    }
+    text.resize(have);
+    return text;
+  }
+
+  [[noreturn]] void refuse(const std::string& why) const { throw std::invalid_argument{path_.string() + ": " + why}; }
+
+ private:
+  void close() {
+    if (file_ >= 0) ::close(file_);
+    file_ = -1;
+  }
+
+  std::filesystem::path path_;
+  int file_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace detail
+
+TROPHIC_INLINE std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
+  const detail::ReadFile file{path};
+  if (file.size() > most_bytes) {
+    file.refuse("has " + std::to_string(file.size()) + " bytes: must be <= " + std::to_string(most_bytes));
+  }
+  return file.read(file.size());
+}
+
+TROPHIC_INLINE std::string read_beginning(const std::filesystem::path& path, std::size_t bytes) {
+  return detail::ReadFile{path}.read(bytes);
 }
 
 }  // namespace trophic

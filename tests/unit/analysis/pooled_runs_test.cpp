@@ -21,6 +21,29 @@ using Paths = std::vector<std::filesystem::path>;
 
 }  // namespace
 
+TEST_CASE("pooled runs: runs of two builds -> refused, or pooled with a remark") {
+  const TemporaryFolder folder;
+  const auto run_by = [&](const char* name, int seed, const std::string& builds) {
+    const std::string text = test::manifest("aa", seed);
+    return write_run(folder.path() / name, text.substr(0, text.size() - 1) + ", " + builds + "}");
+  };
+  const auto a = run_by("a", 1, R"("code": "0aaa")");
+  const auto b = run_by("b", 2, R"("code": "0bbb")");
+  const auto mixed = run_by("mixed", 3, R"("code": "0aaa", "continued": [{"code": "0bbb", "other_build": "accepted"}])");
+  const auto unknown = write_run(folder.path() / "unknown", test::manifest("aa", 4));
+  const auto refusal = [&](const Paths& paths) {
+    return message_of<std::invalid_argument>([&] { static_cast<void>(pooled_runs(paths, false)); });
+  };
+  CHECK(refusal({a, b}) == b.string() + ": made by 0bbb, but " + a.string() +
+                               " by 0aaa; builds of a program may have other rules under the same names: --accept-other-build "
+                               "pools them");
+  CHECK(refusal({a, mixed}).find("made by 0aaa and 0bbb, but") != std::string::npos);
+  CHECK(refusal({a, unknown}).find("made by an unknown build, but") != std::string::npos);
+  CHECK(pooled_runs(Paths{a}, false).remarks.empty());
+  CHECK(pooled_runs(Paths{mixed}, false).remarks.at(0).starts_with("2 builds of a program made these runs: 0aaa and 0bbb;"));
+  CHECK(pooled_runs(Paths{a, b, mixed, unknown}, false, true).remarks.at(0).starts_with("2 builds of a program made these runs"));
+}
+
 TEST_CASE("pooled runs: folder of replicates -> the runs of its list, with a remark on missing ones") {
   const TemporaryFolder folder;
   static_cast<void>(folder.file("replicates.json", R"({"replicates": [{"folder": "replicate-00"}, {"folder": "replicate-01"},

@@ -101,7 +101,7 @@ TEST_CASE("read run: last line incomplete -> reported and dropped, with the whol
   CHECK(run.remarks[1].find("agents.csv:5: cut off in the middle of a line") != std::string::npos);
 }
 
-TEST_CASE("read run: missing table -> absent with a remark, missing or foreign manifest -> error") {
+TEST_CASE("read run: missing table, missing or foreign manifest -> error") {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "manifest.json").string();
   const auto read = [&] { static_cast<void>(analysis::read_run(folder.path())); };
@@ -109,13 +109,42 @@ TEST_CASE("read run: missing table -> absent with a remark, missing or foreign m
   static_cast<void>(folder.file("manifest.json", R"({"fingerprint": "00ff"})"));
   CHECK(message_of<std::runtime_error>(read).find("'rule_table' not found") != std::string::npos);
   static_cast<void>(folder.file("manifest.json", plain_manifest));
-  const auto run = analysis::read_run(folder.path());
-  CHECK(run.manifest.seed == 12);
-  CHECK(run.manifest.web.eats(1, 0));
-  CHECK(run.manifest.half_side_m == 10.0);
-  CHECK_FALSE(run.events);
-  CHECK_FALSE(run.agents);
-  CHECK(run.remarks.size() == 2);
+  const auto manifest = analysis::read_manifest(folder.path());
+  CHECK(manifest.seed == 12);
+  CHECK(manifest.web.eats(1, 0));
+  CHECK(manifest.half_side_m == 10.0);
+  CHECK(message_of<std::invalid_argument>(read).starts_with((folder.path() / "events.csv").string() + ": cannot be read: "));
+  static_cast<void>(folder.file("events.csv", "\xEF\xBB\xBF" + event_header));
+  CHECK(message_of<std::invalid_argument>(read) ==
+        (folder.path() / "events.csv").string() + ":1: no column \"time_s\"; another kind of file?");
+  static_cast<void>(folder.file("events.csv", event_header));
+  CHECK(message_of<std::invalid_argument>(read).starts_with((folder.path() / "agents.csv").string() + ": cannot be read: "));
+}
+
+TEST_CASE("read_run: genomes, phylogeny or recording damaged or missing -> error, by the manifest's checksums") {
+  const TemporaryFolder folder;
+  const std::filesystem::path run = test::write_run(folder.path() / "run", plain_manifest);
+  std::string text = plain_manifest;
+  text.insert(1,
+              R"("tables": {"genomes.csv": {"rows": 1, "crc32": 3445352719}, "phylogeny.csv": {"rows": 1, "crc32": 3445352719}},
+                    "recording": {"frames": 1, "crc32": 3445352719}, )");
+  std::ofstream{run / "manifest.json"} << text;
+  const auto put = [&](const char* name, const std::string& content) { std::ofstream{run / name} << content; };
+  const auto refusal = [&] { return message_of<std::invalid_argument>([&] { static_cast<void>(analysis::read_run(run)); }); };
+  for (const char* name : {"genomes.csv", "phylogeny.csv", "replay.trp"}) {
+    CHECK(refusal() == (run / name).string() + ": cannot be read: No such file or directory");
+    put(name, "id\n1\n");
+  }
+  CHECK(refusal().empty());
+  for (const char* name : {"genomes.csv", "phylogeny.csv", "replay.trp"}) {
+    put(name, "id\n2\n");
+    CHECK(refusal().starts_with((run / name).string() + ": has "));
+    CHECK(refusal().find(": must be ") != std::string::npos);
+    put(name, "id\n1\n");
+  }
+  text.replace(text.find("genomes.csv"), 11, "../x.csv");
+  std::ofstream{run / "manifest.json"} << text;
+  CHECK(refusal().ends_with("tables: ../x.csv: must be the name of a file"));
 }
 
 TEST_CASE("read run: cut to its first seconds -> the rows up to there, refused if the run is shorter") {
@@ -166,10 +195,7 @@ TEST_CASE("read run: thinned table -> must have the ticks of its manifest, and n
   };
   CHECK(analysis::read_manifest(thinned("two", "2")).agents_every_ticks == 2);
   CHECK(analysis::read_manifest(test::write_run(folder.path() / "all", plain_manifest)).agents_every_ticks == 1);
-  const auto run = analysis::read_run(folder.path() / "two");
-  CHECK_FALSE(run.agents);
-  REQUIRE(run.remarks.size() == 1);
-  CHECK(run.remarks[0] ==
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(analysis::read_run(folder.path() / "two")); }) ==
         (folder.path() / "two/agents.csv").string() + ":4: tick = \"1\": must be a multiple of 2, as its manifest says");
   const auto broken = thinned("none", "0");
   CHECK(message_of<std::runtime_error>([&] { static_cast<void>(analysis::read_manifest(broken)); }) ==

@@ -46,7 +46,7 @@ TEST_CASE("a run that cannot be read as a whole is an error with its number") {
   test::write_sweep(folder.path(), plan);
   std::filesystem::remove(folder.path() / plan[4].folder / "agents.csv");
   const SweepRuns sweep = read_sweep(folder.path());
-  const std::string why = test::message_of<std::runtime_error>([&] { static_cast<void>(measure_sweep(sweep, {.jobs = 2})); });
+  const std::string why = test::message_of<std::invalid_argument>([&] { static_cast<void>(measure_sweep(sweep, {.jobs = 2})); });
   CHECK(why.starts_with("run 4: "));
   CHECK(why.find("cell-1/replicate-1/agents.csv: cannot be read") != std::string::npos);
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <boost/crc.hpp>
 #include <cstdint>
 #include <filesystem>
@@ -55,7 +56,55 @@ TEST_CASE("growing file: resumed -> cut to its length at the checkpoint, and end
   CHECK(moved.checksum() == crc("one\ntwo\n"));
 }
 
-TEST_CASE("growing file: exists, or is too short, missing or a pipe on resuming -> refused") {
+TEST_CASE("growing file: bytes changed before the checkpoint's length -> refused and left as they are") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "table.csv";
+  Archive archive;
+  const std::string written = std::string(100'000, 'x') + "1,2\n";
+  {
+    GrowingFile file{path, Opening::created};
+    file.append(written);
+    file.persist(archive);
+    file.append("a row after the checkpoint\n");
+  }
+  const std::string whole = content(path);
+  const auto refusal = [&](const std::string& changed) {
+    std::ofstream{path, std::ios::binary} << changed;
+    GrowingFile file{path, Opening::resumed};
+    Archive back{archive.bytes()};
+    const std::string said = message_of<DamagedFile>([&] { file.persist(back); });
+    if (!said.empty()) CHECK(content(path) == changed);
+    return said;
+  };
+  std::string digit = whole;
+  digit[written.size() - 2] = '3';
+  CHECK(refusal(digit) == "cannot continue " + path.string() + ": its first 100004 bytes have checksum " +
+                              std::to_string(crc(digit.substr(0, written.size()))) + ": must be " + std::to_string(crc(written)) +
+                              ", as at the checkpoint; the file was damaged or changed after the run wrote it");
+  std::string zeros = whole;
+  std::fill_n(zeros.begin() + 4096, 4096, '\0');
+  CHECK_FALSE(refusal(zeros).empty());
+  CHECK_FALSE(refusal("\r" + whole).empty());
+  std::string later = whole;
+  later.back() = '!';
+  CHECK(refusal(later).empty());
+  CHECK(content(path) == written);
+}
+
+TEST_CASE("growing file: a link, or a file with another name -> refused to be continued") {
+  const TemporaryFolder folder;
+  const std::string precious = folder.file("precious", "text");
+  const auto path = folder.path() / "table.csv";
+  const auto refusal = [&] { return message_of<std::runtime_error>([&] { GrowingFile{path, Opening::resumed}; }); };
+  std::filesystem::create_symlink(precious, path);
+  CHECK(refusal() == "cannot open " + path.string() + ": Too many levels of symbolic links");
+  std::filesystem::remove(path);
+  std::filesystem::create_hard_link(precious, path);
+  CHECK(refusal() == "cannot continue " + path.string() + ": it has another name (a hard link), whose file would change, too");
+  CHECK(content(precious) == "text");
+}
+
+TEST_CASE("a file is never overwritten, and one that is too short, missing or a pipe is refused") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "table.csv";
   Archive archive;

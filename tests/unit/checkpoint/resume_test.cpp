@@ -13,6 +13,7 @@
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/program_code.hpp>
 #include <trophic/support/rng.hpp>
 #include <type_traits>
 #include <unit/checkpoint/resumed.hpp>
@@ -196,7 +197,106 @@ TEST_CASE("resume: checkpoint of another run, seed or number -> refused, and not
   CHECK(content(run / "agents.csv") == before);
 }
 
-TEST_CASE("resume: folder without a usable checkpoint -> renamed, and folder that another program works in -> unchanged") {
+TEST_CASE("resume: a checkpoint of another build -> refused, or accepted and recorded in the manifest for ever") {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  const auto made_by_another = [&](std::int64_t until_tick) {
+    run_part(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, until_tick, 50.0);
+    checkpoint::Checkpoint last = checkpoint::read_last(run);
+    CHECK(last.code == program_code());
+    last.code = "another";
+    checkpoint::write(run, last);
+    auto manifest = content(run / "manifest.json");
+    manifest.replace(manifest.find(program_code()), 16, "another");
+    std::ofstream{run / "manifest.json"} << manifest;
+  };
+  made_by_another(150);
+  Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
+  const auto description = ecology.describe(600.0);
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(checkpoint::run_state_in(run, description));
+        }).find("the checkpoint's code = another: must be " + program_code()) != std::string::npos);
+  CHECK_THROWS_AS(checkpoint::check_build(run), std::invalid_argument);
+
+  const auto run_state = checkpoint::run_state_in(run, description, checkpoint::OtherBuild::accepted);
+  CHECK(run_state.remark.ends_with(", which another build of this program wrote"));
+  {
+    io::RunFolder files{run, {}, {}, run_state.opening()};
+    checkpoint::run_with_checkpoints(ecology, 600.0, run, {.every_s = 50.0}, run_state.from, files);
+  }
+  const auto manifest = parse_json(content(run / "manifest.json"));
+  CHECK(manifest["continued"][0]["code"] == program_code());
+  // The section that it was read from names this program, as this test wrote it: only a run by two programs has both.
+  CHECK(checkpoint::builds_of(run) == std::vector{program_code()});
+}
+
+TEST_CASE("manifest: resumed by another build -> says so") {
+  const TemporaryFolder folder;
+  Archive archive;
+  const auto text_of = [&](io::Manifest& manifest) {
+    const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
+    manifest.on_start(ecology.describe(1.0), ecology.view());
+    return parse_json(content(folder.path() / "manifest.json"));
+  };
+  {
+    io::Manifest manifest{folder.path() / "manifest.json", {}};
+    manifest.persist(archive);
+    CHECK(text_of(manifest)["code"] == program_code());
+  }
+  const auto resumed_from = [&](const std::string& bytes) {
+    io::Manifest manifest{folder.path() / "manifest.json", {}};
+    Archive back{bytes};
+    manifest.persist(back);
+    return text_of(manifest);
+  };
+  CHECK_FALSE(resumed_from(archive.bytes())["continued"][0].contains("other_build"));
+  std::string other = archive.bytes();
+  other.replace(other.find(program_code()), 16, "0123456789abcdef");
+  const Json mixed = resumed_from(other);
+  CHECK(mixed["code"] == "0123456789abcdef");
+  CHECK(mixed["continued"][0]["code"] == program_code());
+  CHECK(mixed["continued"][0]["other_build"] == "accepted");
+  CHECK(checkpoint::builds_of(folder.path()).size() == 2);
+}
+
+TEST_CASE("resume: links among a run's files -> refused, and what they lead to is left as it is") {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  const std::string precious = folder.file("precious", "a PhD's worth");
+  run_part(brief<rules::Paper>(3), backend::Kinematic::Params{}, run, 150, 50.0);
+  const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
+  const auto refusal = [&] {
+    return message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::run_state_in(run, ecology.describe(600.0))); });
+  };
+  CHECK(refusal().empty());
+  for (const char* name : {"manifest.json.part", "checkpoint.bin.part", "agents.csv", "replay.trp"}) {
+    CAPTURE(name);
+    const bool was_there = fs::exists(run / name);
+    if (was_there) fs::rename(run / name, folder.path() / "moved");
+    fs::create_symlink(precious, run / name);
+    CHECK(refusal().starts_with((run / name).string() + ": is a symbolic link"));
+    fs::remove(run / name);
+    fs::create_hard_link(precious, run / name);
+    CHECK(refusal().starts_with((run / name).string() + ": has another name"));
+    fs::remove(run / name);
+    if (was_there) fs::rename(folder.path() / "moved", run / name);
+  }
+  CHECK(refusal().empty());
+  CHECK(content(precious) == "a PhD's worth");
+}
+
+TEST_CASE("resume: a complete run that lacks a table -> refused") {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  run_part(brief<rules::Paper>(3, 100.0), backend::Kinematic::Params{}, run, never, 50.0);
+  const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
+  CHECK(checkpoint::run_state_in(run, ecology.describe(100.0)).complete);
+  fs::remove(run / "genomes.csv");
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::run_state_in(run, ecology.describe(100.0))); }) ==
+        run.string() + ": its manifest says that it is complete, but it lacks genomes.csv");
+}
+
+TEST_CASE("a folder in which nothing can go on is set aside, one that another program works in is left alone") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
   const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};

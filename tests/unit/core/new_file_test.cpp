@@ -42,7 +42,26 @@ TEST_CASE("new file: child of a killed program still writes -> other file") {
   CHECK(read_whole_file(file.part()) == "");
 }
 
-TEST_CASE("new file: missing folder or a pipe -> error") {
+TEST_CASE("new file: a link in its way -> removed, and what it leads to is neither made nor changed") {
+  const test::TemporaryFolder folder;
+  const std::string precious = folder.file("precious", "text");
+  const std::filesystem::path path = folder.path() / "film.mp4";
+  for (const std::filesystem::path& target : {std::filesystem::path{precious}, folder.path() / "nowhere"}) {
+    std::filesystem::create_symlink(target, path.string() + ".part");
+    write_new_file(path, "whole");
+    CHECK(read_whole_file(path) == "whole");
+    std::filesystem::remove(path);
+  }
+  std::filesystem::create_hard_link(precious, path.string() + ".part");
+  write_new_file(path, "whole");
+  CHECK(read_whole_file(precious) == "text");
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "nowhere"));
+  std::filesystem::remove(path);
+  std::filesystem::create_symlink(precious, path);
+  CHECK(message_of<std::runtime_error>([&] { write_new_file(path, "other"); }).ends_with("film.mp4: it exists"));
+}
+
+TEST_CASE("a new file is made neither in a folder that is not there nor in a pipe") {
   const test::TemporaryFolder folder;
   const auto refusal = [&](const char* name) {
     return message_of<std::runtime_error>([&] { write_new_file(folder.path() / name, "text"); });

@@ -31,7 +31,29 @@ TEST_CASE("replace file: new text -> replaced as a whole, no other file left") {
   CHECK(std::distance(std::filesystem::directory_iterator{folder.path()}, {}) == 1);
 }
 
-TEST_CASE("replace file: failure -> old file kept, error with its name") {
+TEST_CASE("replace_file: links under the file's names -> what they lead to is left as it is") {
+  const TemporaryFolder folder;
+  const std::filesystem::path precious = folder.file("precious", "a PhD's worth");
+  const std::filesystem::path path = folder.path() / "a.txt";
+  const auto part = path.string() + ".part";
+  std::filesystem::create_symlink(precious, part);
+  replace_file(path, "one");
+  CHECK(content(path) == "one");
+  std::filesystem::create_hard_link(precious, part);
+  replace_file(path, "two");
+  CHECK(content(path) == "two");
+  std::filesystem::remove(path);
+  std::filesystem::create_symlink(precious, path);
+  replace_file(path, "three");
+  CHECK_FALSE(std::filesystem::is_symlink(path));
+  CHECK(content(path) == "three");
+  std::filesystem::create_symlink(folder.path() / "nowhere", part);
+  replace_file(path, "four");
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "nowhere"));
+  CHECK(content(precious) == "a PhD's worth");
+}
+
+TEST_CASE("where a file cannot be replaced the old one stands, and the error names it") {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.file("a.txt", "old");
   std::filesystem::create_directory(path.string() + ".part");

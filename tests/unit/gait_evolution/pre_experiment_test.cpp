@@ -217,7 +217,7 @@ TEST_CASE("history: a pre-experiment -> its tables") {
   CHECK(gait_evolution::generations_csv(lineage) ==
         "generation,evaluations,best,median,worst,diverged\n0,2,2,1.25,0.5,0\n1,4,2,1.625,1.25,1\n");
   CHECK(gait_evolution::phylogeny_csv(lineage) ==
-        "id,ancestor_list,ancestor_id,origin_time,destruction_time,fitness,hidden_nodes,enabled_links\n"
+        "id,ancestor_list,origin_time,destruction_time,fitness,hidden_nodes,enabled_links\n"
         "0,[none],0,0,1,0.5,0,0\n1,[none],1,0,inf,2,0,0\n2,\"[0,1]\",0,1,inf,1.25,0,0\n3,[1],1,1,1,-inf,0,0\n");
 }
 

@@ -86,8 +86,8 @@ TEST_CASE("arena: bad file -> error with key and value") {
   CHECK(complaint("name = \"a\"\nrobots_per_m2 = 1\nside_m = 5\n") ==
         ": side_m: unknown key; known here: friction, height_m, name, robots_per_m2");
   CHECK(complaint("name = \"a\"\n") == ": side_m: missing");
-  CHECK(complaint("name = \"a\"\nside_m = 0\n") == ": side_m = 0: must be > 0");
-  CHECK(complaint("name = \"a\"\nside_m = inf\n") == ": side_m = inf: must be > 0");
+  CHECK(complaint("name = \"a\"\nside_m = 0\n") == ": side_m = 0: must be > 0 and <= 1e+06");
+  CHECK(complaint("name = \"a\"\nside_m = inf\n") == ": side_m = inf: must be > 0 and <= 1e+06");
   CHECK(complaint("name = \"a\"\nside_m = 5\nwalls = 4\n") ==
         ": walls: unknown key; known here: friction, height_m, name, robots_per_m2, side_m");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0]]\n") == ": height_m: 1 rows: must be >= 2");

@@ -97,7 +97,7 @@ TEST_CASE("robot file: bad content -> error with key and value") {
   CHECK(robot_complaint("name = \"a\"\npart_mass_kg.wheel = 1\ncore = {}\n") ==
         " part_mass_kg.wheel: unknown key; known here: brick, core, hinge_frame, servo_body, servo_plate");
   CHECK(robot_complaint("name = \"a\"\nroot_density_kg_m3 = 0\ncore = {}\n") == " root_density_kg_m3 = 0: must be > 0");
-  CHECK(robot_complaint("name = \"a\"\nfriction = nan\ncore = {}\n") == " friction = nan: must be >= 0");
+  CHECK(robot_complaint("name = \"a\"\nfriction = nan\ncore = {}\n") == " friction = nan: must be >= 0 and <= 10");
   CHECK(robot_complaint("name = \"a\"\nfriction = \"high\"\ncore = {}\n") == " friction = 'high': must be a number");
   CHECK(robot_complaint("name = \"a\"\nservo.position_gain = -5\ncore = {}\n") == " servo.position_gain = -5: must be > 0");
   CHECK(robot_complaint("name = \"a\"\nwalk.speed_m_s = -1\ncore = {}\n") == " walk.speed_m_s = -1: must be >= 0 and <= 100");

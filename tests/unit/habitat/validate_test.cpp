@@ -56,6 +56,6 @@ TEST_CASE("validate robot: broken invariant -> error with robot, field, value an
   CHECK(broken([](RobotModel& r) {
           r.bounding_radius_m = 0.19;
         }).starts_with("robot spider: bounding_radius_m = 0.19: must be >= 0.199"));
-  CHECK(broken([](RobotModel& r) { r.friction = -0.1; }) == "robot spider: friction = -0.1: must be >= 0");
+  CHECK(broken([](RobotModel& r) { r.friction = -0.1; }) == "robot spider: friction = -0.1: must be >= 0 and <= 10");
   CHECK(broken([](RobotModel& r) { r.rest_height_m = 0.0; }) == "robot spider: rest_height_m = 0: must be > 0");
 }

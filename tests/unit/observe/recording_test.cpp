@@ -21,6 +21,7 @@
 #include <trophic/params/archive.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/rules/paper.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>
 
@@ -114,13 +115,18 @@ TEST_CASE("recording: with and without -> same tables, positions agree") {
     io::RunFolder files{folder.path() / number_text(hz), {}, {.replay_hz = hz}};
     ecology.run_until(120.0, files);
   }
-  for (const char* file : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"}) {
+  for (const char* file : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"}) {
     CAPTURE(file);
     const std::string none = bytes_of(folder.path() / "0" / file);
     CHECK(none.size() > 100);
     CHECK(none == bytes_of(folder.path() / "5" / file));
     CHECK(none == bytes_of(folder.path() / "30" / file));
   }
+  const auto manifest_of = [&](const char* run) { return parse_json(bytes_of(folder.path() / run / "manifest.json")); };
+  Json recorded = manifest_of("5");
+  CHECK(recorded["recording"]["frames"] == 601);
+  recorded.erase("recording");
+  CHECK(recorded == manifest_of("0"));
   CHECK_FALSE(std::filesystem::exists(folder.path() / "0" / "replay.trp"));
   const RecordingReader slow{folder.path() / "5" / "replay.trp"};
   const RecordingReader fast{folder.path() / "30" / "replay.trp"};

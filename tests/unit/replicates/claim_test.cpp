@@ -15,10 +15,14 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <trophic/io/growing_file.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/sweep/attempt.hpp>
 #include <trophic/run/sweep/claim.hpp>
 #include <trophic/run/sweep/folder.hpp>
 #include <trophic/run/sweep/work_through.hpp>
+#include <trophic/support/program_code.hpp>
+#include <trophic/support/version.hpp>
 #include <vector>
 
 #include "../../support/temporary_folder.hpp"
@@ -56,10 +60,13 @@ std::vector<PlannedRun> plan_with(const std::vector<double>& works) {
   return plan;
 }
 
-/// Writes the files of a run that ended with this status.
-void leave_manifest(const fs::path& folder, const std::string& status) {
+/// What a run leaves that ended so.
+void leave_manifest(const fs::path& folder, const std::string& status, const PlannedRun& run, const std::string& code = "") {
   fs::create_directories(folder);
-  std::ofstream{folder / "manifest.json"} << R"({"status": ")" << status << "\"}\n";
+  std::ofstream{folder / "events.csv"} << "time_s\n";
+  std::ofstream{folder / "manifest.json"} << R"({"status": ")" << status << R"(", "fingerprint": ")" << run.fingerprint
+                                          << R"(", "seed": )" << run.seed << R"(, "clock": {"until_s": )" << run.until_s
+                                          << R"(}, "tables": {"events.csv": {}}, "code": ")" << code << "\"}\n";
 }
 
 void make_old(const fs::path& path, double by_s) {
@@ -144,7 +151,111 @@ TEST_CASE("claim: of another machine, not renewed for its lease -> stale") {
   CHECK(Claim::take(folder.path(), 5, 60.0));
 }
 
-TEST_CASE("claim: without an owner's file -> as old as its folder") {
+TEST_CASE("claim: renewed in the future by more than its lease -> stale") {
+  const TemporaryFolder folder;
+  const fs::path claim = folder.path() / "5.0";
+  fs::create_directory(claim);
+  std::ofstream{claim / "owner.json"} << R"({"host": "elsewhere", "process": 1, "space": "another boot"})";
+  make_old(claim / "owner.json", -50.0);
+  CHECK_FALSE(Claim::take(folder.path(), 5, 60.0));
+  make_old(claim / "owner.json", -1e6);
+  CHECK(Claim::take(folder.path(), 5, 60.0));
+}
+
+TEST_CASE("claim: a link in the place of its files or their folder -> nothing is written where it leads") {
+  const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
+  const fs::path claims = folder.path() / "claims";
+  fs::create_directory_symlink(elsewhere.path(), claims);
+  CHECK(test::message_of<std::invalid_argument>([&] {
+          static_cast<void>(Claim::take(claims, 0, 60.0));
+        }).starts_with(claims.string() + ": is a symbolic link"));
+  CHECK(fs::is_empty(elsewhere.path()));
+  fs::remove(claims);
+  fs::create_directories(claims);
+  fs::create_directory_symlink(elsewhere.path(), claims / "0.0");
+  CHECK_FALSE(Claim::take(claims, 0, 60.0));
+  CHECK(fs::is_empty(elsewhere.path()));
+}
+
+TEST_CASE("sweep attempt: a link on the way to the run, or among its attempts -> a failure, and nothing is written there") {
+  const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
+  const auto plan = plan_with({1.0});
+  const auto failure = [&] {
+    const Result result = sweep::attempt(folder.path(), plan[0], long_lease_s, [](const fs::path&) { FAIL("worked"); });
+    CHECK(result.ended == Ended::failed);
+    return result.text;
+  };
+  fs::create_directory_symlink(elsewhere.path(), folder.path() / "cell-0");
+  CHECK(failure().find("cell-0: is a symbolic link") != std::string::npos);
+  fs::remove(folder.path() / "cell-0");
+  fs::create_directory(folder.path() / "cell-0");
+  fs::create_directory_symlink(elsewhere.path(), folder.path() / "cell-0/replicate-00.attempt-0");
+  CHECK(failure().find("replicate-00.attempt-0: is a symbolic link") != std::string::npos);
+  CHECK(fs::is_empty(elsewhere.path()));
+}
+
+TEST_CASE("sweep attempt: another run, or one without its tables, in the run's folder -> not complete, and a failure") {
+  const TemporaryFolder folder;
+  const auto plan = plan_with({1.0, 1.0});
+  const fs::path run = folder.path() / plan[0].folder;
+  const auto failure = [&] {
+    CHECK_FALSE(sweep::is_complete(folder.path(), plan[0]));
+    return sweep::attempt(folder.path(), plan[0], long_lease_s, [](const fs::path&) { FAIL("worked"); }).text;
+  };
+  leave_manifest(run, "complete", plan[1]);
+  CHECK(failure() == run.string() + ": holds something else than the complete run that was planned: move it away");
+  PlannedRun other = plan[0];
+  other.seed = 8;
+  leave_manifest(run, "complete", other);
+  CHECK_FALSE(failure().empty());
+  other = plan[0];
+  other.until_s = 0.5;
+  leave_manifest(run, "complete", other);
+  CHECK_FALSE(failure().empty());
+  leave_manifest(run, "complete", plan[0]);
+  CHECK(sweep::is_complete(folder.path(), plan[0]));
+  fs::remove(run / "events.csv");
+  CHECK_FALSE(failure().empty());
+  fs::remove(run / "manifest.json");
+  CHECK(sweep::attempt(folder.path(), plan[0], long_lease_s, [&](const fs::path& own) {
+          leave_manifest(own, "complete", plan[0]);
+        }).ended == Ended::complete);
+}
+
+TEST_CASE("sweep attempt: an older attempt whose files are damaged -> set aside, and the next begins without it") {
+  const TemporaryFolder folder;
+  const auto plan = plan_with({1.0});
+  const fs::path old = folder.path() / (plan[0].folder.string() + ".attempt-0");
+  leave_manifest(old, "running", plan[0]);
+  checkpoint::write(old, {.fingerprint = "", .program_version = std::string{version}, .sections = {}});
+  const Result result =
+      sweep::attempt(folder.path(), plan[0], long_lease_s, [](const fs::path&) { throw DamagedFile{"events.csv: other bytes"}; });
+  CHECK(result.ended == Ended::failed);
+  CHECK(result.text.find("other bytes; kept as " + old.string() + ".incomplete-1") != std::string::npos);
+  CHECK(fs::exists(old.string() + ".incomplete-1/events.csv"));
+  const Result next = sweep::attempt(folder.path(), plan[0], long_lease_s, [&](const fs::path& own) {
+    CHECK_FALSE(fs::exists(own));
+    leave_manifest(own, "complete", plan[0]);
+  });
+  CHECK(next.ended == Ended::complete);
+}
+
+TEST_CASE("sweep: a part made by another build -> refused while there is more to do") {
+  const TemporaryFolder folder;
+  const auto plan = plan_with({1.0, 1.0});
+  leave_manifest(folder.path() / plan[0].folder, "complete", plan[0], program_code());
+  CHECK_NOTHROW(sweep::check_builds(folder.path(), plan));
+  leave_manifest(folder.path() / plan[0].folder, "complete", plan[0], "another");
+  CHECK(test::message_of<std::invalid_argument>([&] {
+          sweep::check_builds(folder.path(), plan);
+        }).find("code = another: must be " + program_code()) != std::string::npos);
+  leave_manifest(folder.path() / plan[1].folder, "complete", plan[1], program_code());
+  CHECK_NOTHROW(sweep::check_builds(folder.path(), plan));
+}
+
+TEST_CASE("A claim without an owner's file is as old as its folder") {
   const TemporaryFolder folder;
   const fs::path claim = folder.path() / "5.0";
   fs::create_directory(claim);
@@ -207,11 +318,11 @@ TEST_CASE("attempt: complete -> the run's folder appears, and older attempts are
   const TemporaryFolder folder;
   const auto plan = plan_with({1.0});
   const fs::path run = folder.path() / plan[0].folder;
-  leave_manifest(run.string() + ".attempt-4", "running");
+  leave_manifest(run.string() + ".attempt-4", "running", plan[0]);
   const Result result = sweep::attempt(folder.path(), plan[0], long_lease_s, [&](const fs::path& own) {
     CHECK(own == fs::path{run.string() + ".attempt-5"});
     CHECK_FALSE(fs::exists(run));
-    leave_manifest(own, "complete");
+    leave_manifest(own, "complete", plan[0]);
   });
   CHECK(result.ended == Ended::complete);
   CHECK(sweep::is_complete(folder.path(), plan[0]));
@@ -228,8 +339,8 @@ TEST_CASE("attempt: program killed at the very end of a run -> its files are rem
     return sweep::attempt(folder.path(), plan[0], long_lease_s, [](const fs::path&) { FAIL("done twice"); }).ended;
   };
   const fs::path run = folder.path() / plan[0].folder;
-  leave_manifest(run, "complete");
-  leave_manifest(run.string() + ".attempt-3", "running");
+  leave_manifest(run, "complete", plan[0]);
+  leave_manifest(run.string() + ".attempt-3", "running", plan[0]);
   CHECK(look() == Ended::was_complete);
   CHECK_FALSE(fs::exists(run.string() + ".attempt-3"));
 
@@ -241,7 +352,7 @@ TEST_CASE("attempt: program killed at the very end of a run -> its files are rem
   sweep::remove_claims(folder.path(), plan);
   CHECK_FALSE(fs::exists(claims));
   fs::create_directories(claims / "0.0");
-  leave_manifest(folder.path() / plan[1].folder, "complete");
+  leave_manifest(folder.path() / plan[1].folder, "complete", plan[1]);
   sweep::remove_claims(folder.path(), plan);
   CHECK_FALSE(fs::exists(claims));
 }
@@ -285,7 +396,7 @@ TEST_CASE("attempt: claimed by another -> elsewhere, throws -> failed, ended by 
   const Result failed = attempt([](const fs::path&) { throw std::runtime_error{"diverged"}; });
   CHECK(failed.ended == Ended::failed);
   CHECK(failed.text == "diverged");
-  CHECK(attempt([](const fs::path& own) { leave_manifest(own, "stopped"); }).ended == Ended::stopped);
+  CHECK(attempt([&](const fs::path& own) { leave_manifest(own, "stopped", plan[0]); }).ended == Ended::stopped);
   CHECK_FALSE(sweep::is_complete(folder.path(), plan[0]));
 }
 
@@ -294,15 +405,15 @@ TEST_CASE("attempt: two programs do the same run -> the slower one finds it done
   const auto plan = plan_with({1.0});
   const fs::path run = folder.path() / plan[0].folder;
   const auto faster = [&](const fs::path& own) {
-    leave_manifest(run, "complete");
+    leave_manifest(run, "complete", plan[0]);
     fs::remove_all(own);
     throw std::runtime_error{"its folder is gone"};
   };
   CHECK(sweep::attempt(folder.path(), plan[0], long_lease_s, faster).ended == Ended::complete);
   fs::remove_all(run);
   const auto same_time = [&](const fs::path& own) {
-    leave_manifest(own, "complete");
-    leave_manifest(run, "complete");
+    leave_manifest(own, "complete", plan[0]);
+    leave_manifest(run, "complete", plan[0]);
   };
   CHECK(sweep::attempt(folder.path(), plan[0], long_lease_s, same_time).ended == Ended::complete);
   CHECK_FALSE(fs::exists(run.string() + ".attempt-0"));

@@ -2,6 +2,7 @@
 // Definitions of pooled_runs.hpp.
 #include <tools/analysis/data/pooled_runs.hpp>
 
+#include <set>
 #include <stdexcept>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -17,7 +18,11 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
   try {
     const auto json = parse_json(read_whole_file(list));
     for (const auto& replicate : json.at("replicates")) {
-      const std::filesystem::path folder = path / replicate.at("folder").get<std::string>();
+      const std::filesystem::path name = replicate.at("folder").get<std::string>();
+      if (name.has_parent_path() || name == "..") {
+        throw std::invalid_argument{list.string() + ": folder = " + name.string() + ": must be the name of a folder beside it"};
+      }
+      const std::filesystem::path folder = path / name;
       if (std::filesystem::is_directory(folder)) {
         folders.push_back(folder);
       } else {
@@ -30,13 +35,17 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
   return folders;
 }
 
-std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut) {
+std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut, bool any_build) {
   const std::string here = manifest.folder.string() + ": ";
   const std::string there = other.folder.string();
   if (manifest.fingerprint != other.fingerprint) {
     return here + "fingerprint " + manifest.fingerprint + " (" + manifest.rules + " on " + manifest.backend + "), but " + there +
            " has " + other.fingerprint + " (" + other.rules + " on " + other.backend +
            "); runs of different rules or numbers are not pooled: use --compare";
+  }
+  if (manifest.builds != other.builds && !any_build) {
+    return here + "made by " + builds_text(manifest.builds) + ", but " + there + " by " + builds_text(other.builds) +
+           "; builds of a program may have other rules under the same names: --accept-other-build pools them";
   }
   if (other.seed == manifest.seed) {
     return here + "seed " + std::to_string(manifest.seed) + " as in " + there + "; the same run twice is not a second replicate";
@@ -60,7 +69,7 @@ std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other
   return "";
 }
 
-PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut) {
+PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut, bool any_build) {
   PooledRuns pooled;
   std::vector<std::filesystem::path> folders;
   for (const std::filesystem::path& path : paths) {
@@ -71,16 +80,23 @@ PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut
     try {
       manifest = read_manifest(folder);
     } catch (const std::runtime_error& error) {
-      pooled.remarks.push_back(std::string{error.what()} + "; left out");
-      continue;
+      throw std::invalid_argument{error.what()};
     }
     for (const RunManifest& other : pooled.manifests) {
-      if (const std::string why = why_not_pooled(manifest, other, is_cut); !why.empty()) throw std::invalid_argument{why};
+      if (const std::string why = why_not_pooled(manifest, other, is_cut, any_build); !why.empty())
+        throw std::invalid_argument{why};
     }
     pooled.manifests.push_back(std::move(manifest));
   }
   if (pooled.manifests.empty()) {
-    throw std::invalid_argument{"no run can be read" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
+    throw std::invalid_argument{"no run is there" + (pooled.remarks.empty() ? "" : ": " + pooled.remarks.front())};
+  }
+  std::set<std::string> builds;
+  for (const RunManifest& manifest : pooled.manifests) builds.insert(manifest.builds.begin(), manifest.builds.end());
+  if (builds.size() > 1) {
+    pooled.remarks.push_back(std::to_string(builds.size()) +
+                             " builds of a program made these runs: " + builds_text({builds.begin(), builds.end()}) +
+                             "; their rules may be other code under the same names");
   }
   if (const std::string& begins = pooled.manifests.front().begins; pooled.manifests.size() > 1 && !begins.empty()) {
     pooled.remarks.push_back("all runs begin " + begins +

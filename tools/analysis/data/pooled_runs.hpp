@@ -21,12 +21,15 @@ struct PooledRuns {
 [[nodiscard]] std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path,
                                                              std::vector<std::string>& remarks);
 
-/// Why two runs are not pooled: a sentence that names both; empty where they may be.
-[[nodiscard]] std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut);
+/// Why two runs are not pooled: a sentence that names both; empty if they may be. `any_build`: also runs that different builds of
+/// a program made.
+[[nodiscard]] std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut,
+                                         bool any_build = false);
 
 /// Finds the runs of some folders and sees that they may be pooled; `is_cut`: all will be cut to one duration. A run without a
-/// readable manifest is left out and remarked on. Throws std::invalid_argument if runs differ in fingerprint, beginning, status,
-/// duration or the ticks in agents.csv, if one is there twice, or if nothing can be read.
-[[nodiscard]] PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut);
+/// folder is left out and remarked on, and so are several builds. Throws std::invalid_argument if runs differ in fingerprint,
+/// build, beginning, status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if
+/// there is no run.
+[[nodiscard]] PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut, bool any_build = false);
 
 }  // namespace trophic::analysis

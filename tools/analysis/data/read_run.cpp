@@ -2,9 +2,15 @@
 // Definitions of read_run.hpp.
 #include <tools/analysis/data/read_run.hpp>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <stdexcept>
+#include <string_view>
 #include <tools/analysis/data/table_reader.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
+#include <trophic/support/whole_file.hpp>
 
 namespace trophic::analysis::detail {
 
@@ -14,11 +20,27 @@ void remark_truncated(const CsvReader& csv, const std::filesystem::path& path, s
                     ": cut off in the middle of a line (killed run?); everything before it is used");
 }
 
+io::TableSum sum_of(const std::filesystem::path& path) {
+  static_cast<void>(read_beginning(path, 0));  // says what is wrong; opening a pipe would wait
+  std::ifstream file{path, std::ios::binary};
+  std::array<char, 1U << 16U> piece;
+  std::uint64_t lines = 0;
+  std::uint32_t crc32 = 0;
+  while (file) {
+    file.read(piece.data(), piece.size());
+    const std::string_view got{piece.data(), static_cast<std::size_t>(file.gcount())};
+    lines += static_cast<std::uint64_t>(std::ranges::count(got, '\n'));
+    crc32 = checksum(got, crc32);
+  }
+  return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = crc32};
+}
+
 void check_sum(const CsvReader& csv, const std::filesystem::path& path, const std::map<std::string, io::TableSum>& sums) {
   const auto expected = sums.find(path.filename().string());
-  if (expected == sums.end()) return;
-  const io::TableSum is = csv.sum();
-  const io::TableSum was = expected->second;
+  if (expected != sums.end()) check_sum(csv.sum(), path, expected->second);
+}
+
+void check_sum(io::TableSum is, const std::filesystem::path& path, io::TableSum was) {
   if (is.rows == was.rows && is.crc32 == was.crc32) return;
   throw std::invalid_argument{path.string() + ": has " + std::to_string(is.rows) + " rows and checksum " +
                               std::to_string(is.crc32) + ": must be " + std::to_string(was.rows) + " and " +
@@ -74,24 +96,37 @@ void cut_to(RunData& run, double until_s) {
   run.manifest.until_s = until_s;
 }
 
+void check_files(const RunManifest& manifest) {
+  for (const auto& [name, was] : manifest.tables) {
+    if (std::filesystem::path{name}.has_parent_path()) {
+      throw std::invalid_argument{(manifest.folder / "manifest.json").string() + ": tables: " + name +
+                                  ": must be the name of a file"};
+    }
+    detail::check_sum(detail::sum_of(manifest.folder / name), manifest.folder / name, was);
+  }
+  if (!manifest.recording_crc32) return;
+  const std::filesystem::path path = manifest.folder / "replay.trp";
+  const std::uint32_t is = detail::sum_of(path).crc32;
+  if (is == *manifest.recording_crc32) return;
+  throw std::invalid_argument{path.string() + ": has checksum " + std::to_string(is) + ": must be " +
+                              std::to_string(*manifest.recording_crc32) +
+                              ", as its manifest says; the recording was cut or changed after the run"};
+}
+
 RunData read_run(const std::filesystem::path& folder) {
   RunData run{.manifest = read_manifest(folder), .events = {}, .agents = {}, .remarks = {}};
+  check_files(run.manifest);
   if (run.manifest.status != "complete") {
     run.remarks.push_back((folder / "manifest.json").string() + ": status \"" + run.manifest.status +
                           "\": the run did not reach its end");
   }
-  const auto attempt = [&](auto&& read) {
-    try {
-      read();
-    } catch (const std::runtime_error& error) {
-      run.remarks.push_back(error.what());
-    }
-  };
-  attempt([&] { run.events = read_events(folder / "events.csv", run.manifest.web, run.remarks, run.manifest.tables); });
-  attempt([&] {
+  try {
+    run.events = read_events(folder / "events.csv", run.manifest.web, run.remarks, run.manifest.tables);
     run.agents =
         read_agents(folder / "agents.csv", run.manifest.web, run.remarks, run.manifest.tables, run.manifest.agents_every_ticks);
-  });
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument{error.what()};
+  }
   return run;
 }
 

@@ -15,7 +15,7 @@
 
 namespace trophic::analysis {
 
-/// A run's manifest and tables. A table that could not be read is missing; `remarks` say what was wrong, and where.
+/// A run's manifest and tables. `remarks` say what is left out, and where.
 struct RunData {
   RunManifest manifest;
   std::optional<std::vector<EventRow>> events;
@@ -27,7 +27,11 @@ namespace detail {
 
 void remark_truncated(const CsvReader& csv, const std::filesystem::path& path, std::vector<std::string>& remarks);
 
+/// Rows and checksum of a table on the disk. Throws std::invalid_argument if it cannot be read.
+[[nodiscard]] io::TableSum sum_of(const std::filesystem::path& path);
+
 /// Throws std::invalid_argument if a table is not what the run wrote.
+void check_sum(io::TableSum is, const std::filesystem::path& path, io::TableSum was);
 void check_sum(const CsvReader& csv, const std::filesystem::path& path, const std::map<std::string, io::TableSum>& sums);
 
 }  // namespace detail
@@ -48,9 +52,11 @@ void check_sum(const CsvReader& csv, const std::filesystem::path& path, const st
 /// Leaves of a run its first `until_s` seconds. Throws std::invalid_argument if it did not last that long.
 void cut_to(RunData& run, double until_s);
 
-/// Reads a run's folder. Throws std::runtime_error for the manifest, without which nothing can be understood, and
-/// std::invalid_argument for a table that is another than the run wrote. What else is missing or broken is left out and remarked
-/// on.
+/// Throws std::invalid_argument naming the first table or recording that is not what the run wrote, by its manifest's checksums.
+void check_files(const RunManifest& manifest);
+
+/// Reads a run's folder. Throws std::runtime_error for the manifest, and std::invalid_argument for a table that cannot be read,
+/// and for any file that is not what the run wrote. The end of a table that a killed program left is left out and remarked on.
 [[nodiscard]] RunData read_run(const std::filesystem::path& folder);
 
 }  // namespace trophic::analysis

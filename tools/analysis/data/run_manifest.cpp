@@ -3,7 +3,11 @@
 #include <tools/analysis/data/run_manifest.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <set>
 #include <stdexcept>
+#include <trophic/run/checkpoint/resume.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <vector>
 
@@ -39,18 +43,43 @@ std::string first_difference(const Json& a, const Json& b) {
   return "";
 }
 
+namespace {
+
+/// The codes that a manifest lists: of the program that began the run, of those that resumed it, and of its origin.
+std::vector<std::string> builds_in(const Json& manifest) {
+  std::set<std::string> builds;
+  const auto add = [&](const Json& of) {
+    if (of.contains("code")) builds.insert(plain_text(of, "code"));
+  };
+  add(manifest);
+  if (manifest.contains("origin")) add(manifest["origin"]);
+  if (manifest.contains("continued")) {
+    for (const Json& one : manifest["continued"]) add(one);
+  }
+  return {builds.begin(), builds.end()};
+}
+
+}  // namespace
+
+std::string builds_text(const std::vector<std::string>& builds) {
+  if (builds.empty()) return "an unknown build";
+  std::string text = builds.front();
+  for (std::size_t i = 1; i < builds.size(); ++i) text += (i + 1 < builds.size() ? ", " : " and ") + builds[i];
+  return text;
+}
+
 RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
   try {
     const auto json = parse_json(text);
     RunManifest manifest;
     manifest.folder = path.parent_path();
-    manifest.fingerprint = json.at("fingerprint").get<std::string>();
-    manifest.rules = json.at("rule_table").get<std::string>();
-    manifest.backend = json.at("backend").get<std::string>();
-    manifest.status = json.at("status").get<std::string>();
+    manifest.fingerprint = plain_text(json, "fingerprint");
+    manifest.rules = plain_text(json, "rule_table");
+    manifest.backend = plain_text(json, "backend");
+    manifest.status = plain_text(json, "status");
     manifest.seed = whole_number<std::uint64_t>(json, "seed");
     if (json.contains("origin")) {
-      const auto said = [&](const char* key) { return json["origin"].at(key).get<std::string>(); };
+      const auto said = [&](const char* key) { return plain_text(json["origin"], key); };
       manifest.begins = "at " + said("at_s") + " s of " + said("run") + " (seed " + said("seed") + ")";
     }
     manifest.until_s = json.at("clock").at("until_s").get<double>();
@@ -62,6 +91,10 @@ RunManifest manifest_of(std::string_view text, const std::filesystem::path& path
     manifest.policies = json.value("rules", Json::object());
     manifest.params = json.value("params", Json::object());
     const auto names = json.at("species").get<std::vector<std::string>>();
+    constexpr std::size_t most_species = 1000;
+    if (names.size() > most_species || !std::ranges::all_of(names, is_plain)) {
+      throw std::invalid_argument{"species: must be <= " + std::to_string(most_species) + " names without control characters"};
+    }
     std::vector<Feeding> links;
     const auto number = [&](const std::string& name) {
       return static_cast<Species>(std::ranges::find(names, name) - names.begin());
@@ -76,6 +109,8 @@ RunManifest manifest_of(std::string_view text, const std::filesystem::path& path
                                  .crc32 = whole_number<std::uint32_t>(sum, "crc32")};
       }
     }
+    if (json.contains("recording")) manifest.recording_crc32 = whole_number<std::uint32_t>(json["recording"], "crc32");
+    manifest.builds = builds_in(json);
     return manifest;
   } catch (const Json::exception& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};
@@ -88,7 +123,7 @@ RunManifest read_manifest(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "manifest.json";
   std::string text;
   try {
-    text = read_whole_file(path);
+    text = read_whole_file(path, checkpoint::largest_manifest);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error{std::string{error.what()} + "; is " + folder.string() + " a run's folder?"};
   }

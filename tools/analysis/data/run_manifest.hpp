@@ -12,6 +12,7 @@
 #include <trophic/params/params.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
+#include <vector>
 
 namespace trophic::analysis {
 
@@ -31,8 +32,13 @@ struct RunManifest {
   Json policies;                        ///< by slot
   Json params;
   FoodWeb web{{}, {}};
-  std::map<std::string, io::TableSum> tables;  ///< by file name; empty for a run that was killed
+  std::map<std::string, io::TableSum> tables;    ///< by file name; empty for a run that was killed
+  std::optional<std::uint32_t> recording_crc32;  ///< of replay.trp; none for a run that was killed or was not recorded
+  std::vector<std::string> builds;  ///< the codes of the programs that made it, sorted; see trophic/support/program_code.hpp
 };
+
+/// "0123456789abcdef and fedcba9876543210": the builds of a run, "an unknown build" if its manifest lists none.
+[[nodiscard]] std::string builds_text(const std::vector<std::string>& builds);
 
 /// When a run ended; none of one that was killed or is still running.
 [[nodiscard]] std::optional<double> end_s(const RunManifest& run);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/data/shadow.hpp>
@@ -64,18 +65,26 @@ void check_shadows(const SweepRuns& sweep) {
 
 }  // namespace
 
-SweepRuns read_sweep(const std::filesystem::path& folder) {
-  SweepRuns sweep{folder, sweep::read_plan(folder / sweep::plan_name), {}, {}, {}, {}};
+SweepRuns read_sweep(const std::filesystem::path& folder, bool any_build) {
+  SweepRuns sweep{folder, sweep::read_plan(folder / sweep::plan_name), {}, {}, {}, {}, {}};
+  std::set<std::string> builds;
   sweep.grid = grid_of(sweep.plan);
   for (const sweep::PlannedRun& planned : sweep.plan) {
     std::optional<RunManifest> manifest;
     const std::string why = why_missing(sweep.folder_of(planned.index), planned, manifest);
     sweep.is_there.push_back(why.empty());
+    if (why.empty()) builds.insert(manifest->builds.begin(), manifest->builds.end());
     if (!why.empty()) {
       sweep.missing.push_back("run " + std::to_string(planned.index) + " (" + planned.folder.string() + "): " + why);
     } else if (!std::ranges::any_of(sweep.webs, [&](const FoodWeb& web) { return is_same_web(web, manifest->web); })) {
       sweep.webs.push_back(std::move(manifest->web));
     }
+  }
+  sweep.builds.assign(builds.begin(), builds.end());
+  if (sweep.builds.size() > 1 && !any_build) {
+    throw std::invalid_argument{folder.string() + ": its runs were made by " + builds_text(sweep.builds) +
+                                "; builds of a program may have other rules under the same names: --accept-other-build pools "
+                                "them"};
   }
   if (sweep.webs.empty()) throw std::invalid_argument{folder.string() + ": has no complete run; " + sweep.missing.front()};
   check_shadows(sweep);

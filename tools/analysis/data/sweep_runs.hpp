@@ -20,6 +20,7 @@ struct SweepRuns {
   std::vector<bool> is_there;        ///< of each planned run: complete, as planned
   std::vector<std::string> missing;  ///< a sentence for each that is not
   std::vector<FoodWeb> webs;         ///< those of the runs, each once
+  std::vector<std::string> builds;   ///< the codes of the programs that made the runs, each once
 
   [[nodiscard]] std::filesystem::path folder_of(std::size_t run) const { return folder / plan[run].folder; }
 };
@@ -28,9 +29,9 @@ struct SweepRuns {
 [[nodiscard]] bool is_sweep(const std::filesystem::path& folder);
 
 /// Reads a sweep's plan and holds every run's manifest against it. Throws std::invalid_argument for a broken plan, for a
-/// fingerprint, seed or duration that is not the planned one, for a shadow that is none, and if no run is there. Runs that are
-/// missing or incomplete go to `missing`.
-[[nodiscard]] SweepRuns read_sweep(const std::filesystem::path& folder);
+/// fingerprint, seed or duration that is not the planned one, for a shadow that is none, for runs that several builds of a
+/// program made unless `any_build`, and if no run is there. Runs that are missing or incomplete go to `missing`.
+[[nodiscard]] SweepRuns read_sweep(const std::filesystem::path& folder, bool any_build = false);
 
 /// What is missing in one line; of many the first few.
 [[nodiscard]] std::string missing_line(const SweepRuns& sweep);

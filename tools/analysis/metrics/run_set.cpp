@@ -6,6 +6,7 @@
 #include <exception>
 #include <initializer_list>
 #include <mutex>
+#include <stdexcept>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
@@ -76,7 +77,13 @@ ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths, cons
   const auto folders = elsewhere ? std::vector{*elsewhere} : shadow_folders(paths);
   if (folders.empty()) return set;
   set.shadow = read_set(folders, how);
-  check_shadow(set.ours.manifests.front(), set.shadow->manifests.front());
+  const RunManifest& ours = set.ours.manifests.front();
+  const RunManifest& shadow = set.shadow->manifests.front();
+  check_shadow(ours, shadow);
+  if (ours.builds != shadow.builds && !how.any_build) {
+    throw std::invalid_argument{shadow.folder.string() + ": made by " + builds_text(shadow.builds) + ": must be made by " +
+                                builds_text(ours.builds) + ", as " + ours.folder.string() + " (--accept-other-build takes it)"};
+  }
   if (!how.columns.empty()) give_all_the_same_columns(pointers({&set.ours, &*set.shadow}));
   return set;
 }

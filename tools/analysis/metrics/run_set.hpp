@@ -26,12 +26,13 @@ struct RunSet {
 /// What is measured of runs, and how.
 struct Measuring {
   std::optional<double> until_s = {};    ///< only the first seconds
+  bool any_build = false;                ///< runs of several builds of a program may be pooled
   std::vector<OwnColumn> columns = {};   ///< metrics of one's own
   std::size_t jobs = 1;                  ///< runs measured at a time; results do not depend on it
   std::function<void()> on_run = {};     ///< called after each run, by any thread, one at a time
 };
 
-/// Reads and measures runs that may be pooled. Throws as pooled_runs does, std::invalid_argument for a run that is shorter than
+/// Reads and measures runs that may be pooled. Throws as pooled_runs and read_run do, std::invalid_argument for a run that is shorter than
 /// `until_s`, and as measure_column.
 [[nodiscard]] RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how = {});
 
@@ -43,7 +44,8 @@ struct ShadowedSet {
   [[nodiscard]] std::span<const RunMetrics> shadow_runs() const;
 };
 
-/// Reads a set and its shadow: `elsewhere`, or else what shadow_folders finds. Throws as read_set and check_shadow do.
+/// Reads a set and its shadow: `elsewhere`, or else what shadow_folders finds. Throws as read_set and check_shadow do, and
+/// std::invalid_argument if another build made the shadow, unless `any_build`.
 [[nodiscard]] ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths,
                                             const std::optional<std::filesystem::path>& elsewhere = {},
                                             const Measuring& how = {});

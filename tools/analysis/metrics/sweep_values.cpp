@@ -63,7 +63,7 @@ SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
   };
   const auto attempts = replicates::in_parallel(sweep.plan.size(), how.jobs, measure, [&] { return !has_failed; });
   for (std::size_t i = 0; i < attempts.size(); ++i) {
-    if (!attempts[i].error.empty()) throw std::runtime_error{"run " + std::to_string(i) + ": " + attempts[i].error};
+    if (!attempts[i].error.empty()) throw std::invalid_argument{"run " + std::to_string(i) + ": " + attempts[i].error};
   }
   for (const auto& of_run : own) {
     for (const Measurement& each : of_run) {

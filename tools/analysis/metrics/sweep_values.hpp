@@ -30,7 +30,7 @@ struct SweepValues {
 [[nodiscard]] std::vector<MetricName> metric_names(std::span<const FoodWeb> webs);
 
 /// Reads and measures the runs that are there; what was read of a run is gone when it is measured. The values do not depend on
-/// `how.jobs`. Throws std::runtime_error for the first run in the plan's order that cannot be read as a whole; the others are
+/// `how.jobs`. Throws std::invalid_argument for the first run in the plan's order that cannot be read as a whole; the others are
 /// given up.
 [[nodiscard]] SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how = {});
 

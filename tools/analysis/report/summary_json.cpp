@@ -57,6 +57,7 @@ Json runs_json(const RunSet& set) {
     runs.push_back({{"folder", std::filesystem::absolute(manifest.folder).lexically_normal().string()},
                     {"seed", manifest.seed},
                     {"status", manifest.status},
+                    {"builds", manifest.builds},
                     {"half_side_m", manifest.half_side_m},
                     {"until_s", manifest.until_s}});
   }

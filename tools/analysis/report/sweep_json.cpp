@@ -16,6 +16,7 @@ Json sweep_json(const SweepRuns& sweep, const CellDifferences& differences, std:
   json["cells"] = sweep.grid.cells.size();
   json["runs_planned"] = sweep.plan.size();
   json["missing"] = sweep.missing;
+  json["builds"] = sweep.builds;
   json["axes"] = Json::array();
   for (const Axis& axis : sweep.grid.axes) json["axes"].push_back({{"name", axis.name}, {"values", axis.values}});
   json["reference"] = reference;

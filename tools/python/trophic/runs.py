@@ -11,6 +11,7 @@ import io
 import json
 import os
 import pathlib
+import zlib
 
 import pandas
 
@@ -34,7 +35,7 @@ def _card(title: str, facts: dict) -> str:
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A folder of one run. Tables are read when they are first asked for."""
+    """A folder of one run. Tables are read when they are first asked for; RunError for one that is not what the run wrote."""
 
     path: pathlib.Path
     manifest: dict = dataclasses.field(repr=False)
@@ -49,6 +50,12 @@ class Run:
         return self.manifest["seed"]
 
     @property
+    def builds(self) -> list[str]:
+        """The codes of the programs that made it: several if another build resumed it with --accept-other-build."""
+        programs = [self.manifest, self.manifest.get("origin", {}), *self.manifest.get("continued", [])]
+        return sorted({program["code"] for program in programs if "code" in program})
+
+    @property
     def fingerprint(self) -> str:
         """Runs that share it have the same rules, numbers, models and backend."""
         return self.manifest["fingerprint"]
@@ -56,7 +63,8 @@ class Run:
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """events, agents, phylogeny, genomes, senses of a run with --senses, states of one with --states, or a table of one's own; only these
         columns, if given. With `categories`, species, events, causes and origins are categories, which take less memory."""
-        return _categorised(_table(self.path / f"{name}.csv", columns), categories)
+        file = f"{name}.csv"
+        return _categorised(_table(self.path / file, columns, self.manifest.get("tables", {}).get(file)), categories)
 
     def to_newick(self) -> str:
         """The phylogeny in Newick format, a line for each founder or random newcomer; branch lengths are times between births in seconds, and
@@ -214,10 +222,11 @@ def read_run(path: str | os.PathLike) -> Run:
     return Run(path, manifest)
 
 
-def read_runs(path: str | os.PathLike, *, incomplete: bool = False) -> Runs:
+def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> Runs:
     """The replicates in this folder, in order, and those of its shadow. Incomplete ones are left out unless they are asked for.
 
-    Raises RunError for a folder without replicates, and for runs of different fingerprints, which are not replicates.
+    Raises RunError for a folder without replicates, for runs of different fingerprints, which are not replicates, and for runs
+    that different builds of a program made unless that is accepted: their rules may be other code under the same names.
     """
     path = pathlib.Path(path)
     numbered = {folder.name.removeprefix("replicate-"): folder for folder in path.glob("replicate-*")}
@@ -228,17 +237,20 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False) -> Runs:
     fingerprints = {run.fingerprint for run in runs}
     if len(fingerprints) > 1:
         raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(fingerprints))}")
-    shadow = read_runs(path / "shadow", incomplete=incomplete) if (path / "shadow").is_dir() else None
+    builds = {tuple(run.builds) for run in runs}
+    if len(builds) > 1 and not accept_other_build:
+        raise RunError(f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them")
+    shadow = read_runs(path / "shadow", incomplete=incomplete, accept_other_build=accept_other_build) if (path / "shadow").is_dir() else None
     return Runs(path, runs, shadow)
 
 
-def read_study(path: str | os.PathLike, *, incomplete: bool = False) -> dict[str, Runs]:
+def read_study(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> dict[str, Runs]:
     """Every set of runs below this folder, by its path from there: a sweep, or the flips of an ablation study."""
     path = pathlib.Path(path)
     folders = sorted(file.parent for file in path.rglob("replicates.json") if file.parent.name != "shadow")
     if not folders:
         raise RunError(f"{path}: no set of runs (replicates.json) below it")
-    return {str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete) for folder in folders}
+    return {str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete, accept_other_build=accept_other_build) for folder in folders}
 
 
 def read_analysis(path: str | os.PathLike) -> Analysis:
@@ -246,26 +258,43 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
     path = pathlib.Path(path)
     try:
         return Analysis(path, _table(path / "metrics.csv"), json.loads((path / "summary.json").read_text()))
-    except (FileNotFoundError, json.JSONDecodeError, pandas.errors.ParserError, KeyError) as error:
+    except (FileNotFoundError, json.JSONDecodeError, pandas.errors.ParserError, KeyError, RunError) as error:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
 
-def _whole_lines(path: pathlib.Path) -> pathlib.Path | io.StringIO:
-    """The table; without the part of a line that a program left which was killed."""
-    with open(path, "rb") as file:
-        file.seek(max(0, file.seek(0, os.SEEK_END) - 1))
-        if file.read() == b"\n":
-            return path
-    text = path.read_text()
-    return io.StringIO(text[: text.rfind("\n") + 1])
+def _whole_lines(path: pathlib.Path, expected: dict | None) -> bytes:
+    """The table; without the part of a line that a killed program left. RunError if it is not what the run wrote, or not a table."""
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise RunError(f"{path}: cannot be read: {error.strerror}") from None
+    found = {"rows": max(0, content.count(b"\n") - 1), "crc32": zlib.crc32(content)}
+    if expected is not None and found != expected:
+        raise RunError(f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its manifest says; the table was cut or changed after the run")
+    content = content[: content.rfind(b"\n") + 1]
+    if content.startswith(b"\xef\xbb\xbf"):
+        raise RunError(f"{path}:1: begins with a byte order mark; another kind of file?")
+    if not content:
+        raise RunError(f"{path}: has no header")
+    lines = content[:-1].split(b"\n")
+    commas = lines[0].count(b",")
+    for number, line in enumerate(lines, 1):
+        cells = line if b'"' not in line else b"".join(line.split(b'"')[::2])  # commas in quotes separate nothing
+        if cells.count(b",") != commas:
+            raise RunError(f"{path}:{number}: {cells.count(b',') + 1} cells, the header has {commas + 1}")
+    return content
 
 
-def _table(path: pathlib.Path, columns: list[str] | None = None) -> pandas.DataFrame:
-    header = pandas.read_csv(_whole_lines(path), nrows=0).columns
+def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict | None = None) -> pandas.DataFrame:
+    content = _whole_lines(path, expected)
+    header = pandas.read_csv(io.BytesIO(content), nrows=0).columns
     texts = {name: str for name in header if name in _TEXT or name == "run"}
     numbers = {name: [""] for name in header if name not in texts}
-    return pandas.read_csv(_whole_lines(path), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
-                           float_precision="round_trip")  # else the last bit of a number may be another
+    table = pandas.read_csv(io.BytesIO(content), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
+                            float_precision="round_trip")  # else the last bit of a number may be another
+    if "tick" in table and not table["tick"].is_monotonic_increasing:
+        raise RunError(f"{path}: tick: must be >= that of the row before")
+    return table
 
 
 def to_parquet(runs: Runs | dict[str, Runs], folder: str | os.PathLike, names: tuple[str, ...] = ("events", "agents", "phylogeny", "genomes")) -> list[pathlib.Path]:

@@ -46,7 +46,7 @@ struct CatchClosest {
     std::vector<Capture> result;
     for (const std::size_t index : order) {
       const BodyIndex hunter = list[index];
-      if (caught[hunter] || view.age_s(view.robots[hunter]) < params.min_age_s) continue;
+      if (caught[hunter] || !view.passed(view.robots[hunter].age_from_s, params.min_age_s)) continue;
       const Species species = view.robots[hunter].species;
       const auto eats = [&](Species other) { return view.web.eats(species, other); };
       const auto victim = view.closest(

@@ -41,7 +41,7 @@ struct CatchWithinReach {
       if (!prey.active) continue;
       const auto eats = [&](Species other) { return view.web.eats(other, prey.species); };
       const auto hunter = view.closest(
-          victim, [&](const Individual& other) { return eats(other.species) && view.age_s(other) >= params.min_age_s; },
+          victim, [&](const Individual& other) { return eats(other.species) && view.passed(other.age_from_s, params.min_age_s); },
           {.within_m = params.reach_m, .among = view.marks(eats)});
       if (hunter) reached.push_back({view.distance_m(*hunter, victim), {*hunter, victim}});
     }

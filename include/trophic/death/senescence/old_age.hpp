@@ -22,7 +22,7 @@ struct OldAge {
   Params params;
 
   [[nodiscard]] bool dies(const Individual& individual, const View& view, Rng&) const {
-    return view.age_s(individual) >= params.max_age_s;
+    return view.passed(individual.age_from_s, params.max_age_s);
   }
 };
 static_assert(Senescence<OldAge>);

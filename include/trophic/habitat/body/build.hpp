@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <trophic/habitat/body/module.hpp>
+#include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/linkage.hpp>
@@ -28,7 +29,7 @@ struct Design {
 
   static constexpr auto fields() {
     return std::tuple{field("forward_deg", &Design::forward_deg, between(-180.0, 180.0)),
-                      field("friction", &Design::friction, at_least(0.0)),
+                      field("friction", &Design::friction, between(0.0, most_friction)),
                       field("hinge_range_rad", &Design::hinge_range_rad, above_to(0.0, std::numbers::pi)),
                       field("walk", &Design::walk), field("part_mass_kg", &Design::part_mass_kg)};
   }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
+#include <trophic/habitat/physics.hpp>
 #include <utility>
 
 namespace trophic {
@@ -24,23 +25,40 @@ TROPHIC_INLINE double flat_half_side_m(const HeightField& field) {
   return 0.0;
 }
 
+namespace detail {
+
+inline constexpr double largest_arena_m = 1e6;
+
+/// Whether a height field rises at every node of its edge.
+[[nodiscard]] inline bool has_rim(const HeightField& field) {
+  for (std::size_t i = 0; i < field.nodes; ++i) {
+    const std::size_t last = field.nodes - 1;
+    for (const std::size_t node : {i, last * field.nodes + i, i * field.nodes, i * field.nodes + last}) {
+      if (!(field.height_m[node] > 0.0)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace detail
+
 TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view installed, std::size_t robots) {
   const auto file = detail::TomlTable::read(find_model(ModelKind::arena, name_or_path, installed));
   Arena arena;
   arena.name = file.text("name");
-  arena.friction = file.has("friction") ? file.number("friction", at_least(0.0)) : 1.0;
+  arena.friction = file.has("friction") ? file.number("friction", between(0.0, most_friction)) : 1.0;
   if (!file.has("height_m")) {
     if (file.has("robots_per_m2")) {
       arena.extent_m = std::sqrt(static_cast<double>(robots) / file.number("robots_per_m2", above_to(0.0, 1e6)));
     } else {
-      arena.extent_m = file.number("side_m", above(0.0));
+      arena.extent_m = file.number("side_m", above_to(0.0, detail::largest_arena_m));
     }
     arena.half_side_m = arena.extent_m / 2.0;
     file.no_other_keys();
     return arena;
   }
   HeightField field;
-  field.half_extent_m = file.number("half_extent_m", above(0.0));
+  field.half_extent_m = file.number("half_extent_m", above_to(0.0, detail::largest_arena_m / 2.0));
   const auto rows = file.rows("height_m");
   field.nodes = rows.size();
   if (field.nodes < 2) file.fail("height_m", ": " + std::to_string(field.nodes) + " rows: must be >= 2");
@@ -61,7 +79,9 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
   file.no_other_keys();
   arena.extent_m = 2.0 * field.half_extent_m;
   arena.half_side_m = flat_half_side_m(field);
-  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the centre, where robots start");
+  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the middle, where robots start");
+  if (!detail::has_rim(field))
+    file.fail("height_m", ": is 0 somewhere at its edge: must be > 0 all around, or robots walk off it");
   arena.height_field = std::move(field);
   return arena;
 }

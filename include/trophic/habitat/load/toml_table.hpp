@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/params/toml_text.hpp>
@@ -30,6 +31,7 @@ class TomlTable {
     try {
       return {file, "", parse_toml(text)};
     } catch (const TomlError& error) {
+      if (const std::string foreign = about_foreign_format(text); !foreign.empty()) throw std::invalid_argument{file + foreign};
       throw std::invalid_argument{file + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
                                   error.what()};
     }

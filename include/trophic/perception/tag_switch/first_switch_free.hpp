@@ -43,7 +43,7 @@ struct FirstSwitchFree {
   }
 
   [[nodiscard]] MaySwitch may_switch(const Individual& self, const View& view, const State& own) const {
-    return !own.has_switched || view.time_s - self.tag_since_s >= params.cool_down_s ? MaySwitch::yes : MaySwitch::no;
+    return !own.has_switched || view.passed(self.tag_since_s, params.cool_down_s) ? MaySwitch::yes : MaySwitch::no;
   }
 };
 static_assert(TagSwitch<FirstSwitchFree>);

@@ -25,7 +25,7 @@ struct TagCoolDown {
   Params params;
 
   [[nodiscard]] MaySwitch may_switch(const Individual& self, const View& view) const {
-    return view.time_s - self.tag_since_s >= params.cool_down_s ? MaySwitch::yes : MaySwitch::no;
+    return view.passed(self.tag_since_s, params.cool_down_s) ? MaySwitch::yes : MaySwitch::no;
   }
 };
 static_assert(TagSwitch<TagCoolDown>);

@@ -26,7 +26,7 @@ struct TagSampling {
   Params params;
 
   [[nodiscard]] MaySwitch may_switch(const Individual& self, const View& view) const {
-    return view.time_s - self.tag_since_s >= params.period_s ? MaySwitch::yes_and_clock_restarts : MaySwitch::no;
+    return view.passed(self.tag_since_s, params.period_s) ? MaySwitch::yes_and_clock_restarts : MaySwitch::no;
   }
 };
 static_assert(TagSwitch<TagSampling>);

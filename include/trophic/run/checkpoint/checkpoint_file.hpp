@@ -14,8 +14,8 @@
 
 namespace trophic::checkpoint {
 
-/// Version of the file's contents and layout. Another number: another format.
-inline constexpr std::uint32_t format_version = 3;
+/// Of what a checkpoint file holds and how. Another number: another format.
+inline constexpr std::uint32_t format_version = 4;
 
 inline constexpr std::string_view file_name = "checkpoint.bin";
 /// The previous checkpoint, in case that the last one cannot be read.
@@ -31,14 +31,15 @@ struct Section {
 /// A moment of a run.
 struct Checkpoint {
   std::string fingerprint;      ///< observe::fingerprint of the run: rules, numbers, models, backend
-  std::string program_version;  ///< trophic's; only the same version resumes to the same bytes
+  std::string program_version;  ///< trophic's; only the same version continues to the same bytes
+  std::string code = {};        ///< of the program that wrote it, as program_code()
   std::uint64_t seed = 0;
   std::int64_t tick = 0;
   double time_s = 0.0;  ///< the ecology's clock
   std::vector<Section> sections;
 
   static constexpr auto saved() {
-    return std::tuple{&Checkpoint::fingerprint, &Checkpoint::program_version, &Checkpoint::seed,
+    return std::tuple{&Checkpoint::fingerprint, &Checkpoint::program_version, &Checkpoint::code,    &Checkpoint::seed,
                       &Checkpoint::tick,        &Checkpoint::time_s,          &Checkpoint::sections};
   }
 

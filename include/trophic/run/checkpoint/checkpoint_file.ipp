@@ -28,6 +28,13 @@ inline constexpr std::uint64_t largest_file = std::uint64_t{64} << 30U;
 
 inline constexpr std::string_view first_line = "trophic checkpoint\n";
 
+/// The bytes of a checkpoint file. Its beginning is looked at first: the file may be anything, of any size.
+[[nodiscard]] inline std::string read_bytes(const std::filesystem::path& path) {
+  const std::string beginning = read_beginning(path, first_line.size());
+  if (!beginning.starts_with(first_line)) throw std::invalid_argument{path.string() + ": is not a checkpoint of trophic"};
+  return read_whole_file(path, largest_file);
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE const std::string& Checkpoint::section(std::string_view name) const {
@@ -63,8 +70,9 @@ TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& 
   require(bytes.size() >= sizeof(version) + sizeof(crc), "is cut short");
   Archive{bytes.substr(0, sizeof(version))}(version);
   bytes.remove_prefix(sizeof(version));
-  require(version == format_version,
-          "has format " + std::to_string(version) + ": must be " + std::to_string(format_version) + ", as this program writes");
+  require(version == format_version, "has format " + std::to_string(version) +
+                                         (version > format_version ? ", of a newer version of trophic" : "") + ": must be " +
+                                         std::to_string(format_version) + ", as this program writes");
   Archive{bytes.substr(bytes.size() - sizeof(crc))}(crc);
   require(crc == checksum(all.substr(0, all.size() - sizeof(crc))), "is cut short or damaged: its checksum is another");
   bytes.remove_suffix(sizeof(crc));
@@ -92,7 +100,7 @@ TROPHIC_INLINE bool exists(const std::filesystem::path& folder) {
 TROPHIC_INLINE Checkpoint read_last(const std::filesystem::path& folder) {
   const auto read = [&](std::string_view name) {
     const std::filesystem::path path = folder / name;
-    return from_bytes(read_whole_file(path, detail::largest_file), path.string());
+    return from_bytes(detail::read_bytes(path), path.string());
   };
   try {
     return read(file_name);
@@ -110,7 +118,7 @@ TROPHIC_INLINE std::vector<Checkpoint> read_all(const std::filesystem::path& fol
   std::vector<Checkpoint> found;
   for (const std::string_view name : {file_name, predecessor_name}) {
     try {
-      found.push_back(from_bytes(read_whole_file(folder / name, detail::largest_file), std::string{name}));
+      found.push_back(from_bytes(detail::read_bytes(folder / name), std::string{name}));
     } catch (const std::invalid_argument&) {  // the other one may be whole
       continue;
     }

@@ -55,7 +55,7 @@ inline constexpr std::string_view ecology_section = "ecology";
 /// Throws std::invalid_argument naming the difference if a checkpoint is not of this run, apart from the seed.
 void check_same_rules(const Checkpoint& checkpoint, const observe::RunDescription& run);
 
-/// Also throws if the seed differs.
+/// Throws also if the seed differs, or the code of the program that wrote it.
 void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run);
 
 /// Starts an ecology of other rules or another seed from a checkpoint. Throws std::invalid_argument for one of other robots

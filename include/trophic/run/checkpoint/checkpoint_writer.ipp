@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
+#include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 #include <utility>
 
@@ -45,6 +46,7 @@ inline void read_section(const Checkpoint& from, const Part& part) {
 TROPHIC_INLINE Checkpoint take(Simulation& ecology, const observe::RunDescription& run, const Parts& parts) {
   Checkpoint moment{.fingerprint = run.fingerprint,
                     .program_version = std::string{version},
+                    .code = program_code(),
                     .seed = run.seed,
                     .tick = ecology.tick(),
                     .time_s = ecology.time_s(),
@@ -62,6 +64,11 @@ TROPHIC_INLINE void check_same_rules(const Checkpoint& checkpoint, const observe
 
 TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run) {
   check_same_rules(checkpoint, run);
+  if (checkpoint.code != program_code()) {
+    throw std::invalid_argument{"the checkpoint's code = " + checkpoint.code + ": must be " + program_code() +
+                                ", as of this program; another build wrote it, whose rules may be others (--accept-other-build "
+                                "resumes it, and the manifest says so)"};
+  }
   detail::same("seed", std::to_string(checkpoint.seed), std::to_string(run.seed));
 }
 

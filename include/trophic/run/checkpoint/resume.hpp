@@ -2,6 +2,7 @@
 // A run in a folder, from its beginning or from where it was interrupted.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/support/linkage.hpp>
+#include <vector>
 
 namespace trophic::checkpoint {
 
@@ -25,16 +27,31 @@ struct RunState {
   [[nodiscard]] Opening opening() const { return from ? Opening::resumed : Opening::created; }
 };
 
+/// More than any manifest, bytes: what is read of one takes many times as much memory.
+inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;
+
 /// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no manifest that can be read.
 [[nodiscard]] std::string status_of(const std::filesystem::path& folder);
+
+/// Whether a folder holds all of a run to `until_s`: its manifest says so, and its tables are there.
+[[nodiscard]] bool holds_complete(const std::filesystem::path& folder, const std::string& fingerprint, std::uint64_t seed,
+                                  double until_s);
+
+/// The codes (trophic/support/program_code.hpp) of the programs that made a run, as its manifest lists them; empty if unknown.
+[[nodiscard]] std::vector<std::string> builds_of(const std::filesystem::path& folder);
+
+/// Throws std::invalid_argument naming the folder if another program than this one took part in the run there.
+void check_build(const std::filesystem::path& folder);
 
 /// Moves a folder to "FOLDER.incomplete-K" and returns the new path.
 [[nodiscard]] std::filesystem::path rename_incomplete(const std::filesystem::path& folder);
 
-/// Examines the folder of a run that is to be resumed. A folder without a readable checkpoint, or with one of another
-/// version of trophic, is renamed, as no run can be resumed there. Throws std::invalid_argument if the folder is of a run with
-/// other rules, numbers or another seed, std::runtime_error if another program works in it.
-[[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run);
+/// Looks at the folder of a run that is to be resumed. A folder without a readable checkpoint, or with one of another version of
+/// trophic, is set aside, as nothing can be resumed there. Throws std::invalid_argument if the folder is of a run with other
+/// rules, numbers or another seed, if another build of the program wrote its checkpoint and `other_build` does not accept that,
+/// if it lacks a table of a complete run, or has links in it; std::runtime_error if another program works in it.
+[[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                                    OtherBuild other_build = OtherBuild::refused);
 
 /// Runs an ecology to `until_s` with observers, from its present state or from a checkpoint, and keeps checkpoints in the folder.
 /// Observers that take part in checkpoints (see Kept) are read from it; with one, those that own files must have been made with

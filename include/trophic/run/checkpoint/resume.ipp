@@ -2,6 +2,7 @@
 // Definitions of resume.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -10,12 +11,17 @@
 #include <system_error>
 #include <trophic/params/params.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
+#include <trophic/support/clock.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/no_links.hpp>
+#include <trophic/support/plain_text.hpp>
+#include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <trophic/support/without_slash.hpp>
 #include <utility>
+#include <vector>
 
 namespace trophic::checkpoint {
 
@@ -24,7 +30,7 @@ namespace detail {
 /// manifest.json; null if it cannot be read.
 [[nodiscard]] inline Json manifest_in(const std::filesystem::path& folder) {
   try {
-    auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json"));
+    auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json", largest_manifest));
     return manifest.is_object() ? manifest : Json{};
   } catch (const std::invalid_argument&) {  // an unreadable manifest counts as none
     return {};
@@ -33,7 +39,8 @@ namespace detail {
 
 [[nodiscard]] inline std::string status_in(const Json& manifest) {
   const auto status = manifest.find("status");
-  return status != manifest.end() && status->is_string() ? status->get<std::string>() : "unreadable";
+  const bool is_text = status != manifest.end() && status->is_string() && is_plain(status->get_ref<const std::string&>());
+  return is_text ? status->get<std::string>() : "unreadable";
 }
 
 /// Planned end of the run of a complete manifest; 0 if it has none.
@@ -48,7 +55,18 @@ namespace detail {
   return status_in(manifest) == "complete" && until_in(manifest) >= until_s;
 }
 
-/// Throws std::invalid_argument unless a manifest is of this run.
+/// What a folder lacks of the files that its manifest lists; empty if it has all of them.
+[[nodiscard]] inline std::string missing_in(const std::filesystem::path& folder, const Json& manifest) {
+  const auto tables = manifest.find("tables");
+  if (tables == manifest.end() || !tables->is_object() || tables->empty()) return "a list of its tables";
+  for (const auto& [name, sum] : tables->items()) {
+    const auto status = std::filesystem::symlink_status(folder / name);
+    if (std::filesystem::path{name}.has_parent_path() || !std::filesystem::is_regular_file(status)) return name;
+  }
+  return "";
+}
+
+/// Throws std::invalid_argument unless a manifest is of this run and its folder has the tables that it lists.
 inline void check_manifest(const std::filesystem::path& folder, const Json& manifest, const observe::RunDescription& run) {
   const auto check = [&](const char* key, const Json& ours) {
     const auto there = manifest.find(key);
@@ -59,6 +77,9 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
   };
   check("fingerprint", run.fingerprint);
   check("seed", run.seed);
+  if (const std::string missing = missing_in(folder, manifest); !missing.empty()) {
+    throw std::invalid_argument{folder.string() + ": its manifest says that it is complete, but it lacks " + missing};
+  }
 }
 
 /// The last checkpoint of this version that can be read, or why there is none.
@@ -81,6 +102,18 @@ TROPHIC_INLINE std::string status_of(const std::filesystem::path& folder) {
   return detail::status_in(detail::manifest_in(folder));
 }
 
+TROPHIC_INLINE bool holds_complete(const std::filesystem::path& folder, const std::string& fingerprint, std::uint64_t seed,
+                                   double until_s) {
+  if (!std::filesystem::is_directory(std::filesystem::symlink_status(folder))) return false;
+  const Json manifest = detail::manifest_in(folder);
+  const auto is = [&](const char* key, const Json& ours) {
+    const auto there = manifest.find(key);
+    return there != manifest.end() && *there == ours;
+  };
+  return detail::status_in(manifest) == "complete" && is("fingerprint", fingerprint) && is("seed", seed) &&
+         detail::until_in(manifest) == until_s && detail::missing_in(folder, manifest).empty();
+}
+
 TROPHIC_INLINE std::filesystem::path rename_incomplete(const std::filesystem::path& folder) {
   const std::filesystem::path from = without_slash(folder);
   std::filesystem::path aside;
@@ -92,9 +125,35 @@ TROPHIC_INLINE std::filesystem::path rename_incomplete(const std::filesystem::pa
   return aside;
 }
 
-TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run) {
+TROPHIC_INLINE std::vector<std::string> builds_of(const std::filesystem::path& folder) {
+  const Json manifest = detail::manifest_in(folder);
+  std::vector<std::string> builds;
+  const auto add = [&](const Json& of) {
+    if (of.is_object() && of.contains("code") && of["code"].is_string()) builds.push_back(of["code"].get<std::string>());
+  };
+  add(manifest);
+  if (!manifest.is_null()) {
+    for (const Json& one : manifest.value("continued", Json::array())) add(one);
+  }
+  std::ranges::sort(builds);
+  builds.erase(std::unique(builds.begin(), builds.end()), builds.end());
+  return builds;
+}
+
+TROPHIC_INLINE void check_build(const std::filesystem::path& folder) {
+  const std::vector<std::string> builds = builds_of(folder);
+  if (builds.size() == 1 && builds.front() == program_code()) return;
+  const std::string theirs = builds.empty() ? "unknown" : builds.front() == program_code() ? builds.back() : builds.front();
+  throw std::invalid_argument{(folder / "manifest.json").string() + ": code = " + theirs + ": must be " + program_code() +
+                              ", as of this program; another build made it, whose rules may be others (--accept-other-build "
+                              "takes it)"};
+}
+
+TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                                     OtherBuild other_build) {
   if (!std::filesystem::exists(folder)) return {};
   const FolderLock alone{folder};
+  check_no_links_in(folder);
   const Json manifest = detail::manifest_in(folder);
   const std::string status = detail::status_in(manifest);
   const double until_s = detail::until_in(manifest);
@@ -104,18 +163,21 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
   }
   auto [last, why] = detail::last_in(folder);
   if (last) {
+    const bool is_other = last->code != program_code() && other_build == OtherBuild::accepted;
+    if (is_other) last->code = program_code();
     try {
       check_same_run(*last, run);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{folder.string() + ": " + error.what()};
     }
     // A run ends with the first tick at or after its end, by the same arithmetic.
-    const double before_s = static_cast<double>(last->tick - 1) * run.tick_s;
+    const double before_s = clock_s(last->tick - 1, run.tick_s);
     if (last->tick > 0 && before_s >= run.until_s) {
       throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be > " + number_text(before_s) +
                                   ", which the run in " + folder.string() + " has passed"};
     }
-    std::string remark = "resumes from its checkpoint at " + number_text(last->time_s) + " s";
+    std::string remark = "continues from its checkpoint at " + number_text(last->time_s) + " s" +
+                         (is_other ? ", which another build of this program wrote" : "");
     return {.complete = false, .from = std::move(last), .remark = std::move(remark)};
   }
   if (status == "complete") {

@@ -22,6 +22,7 @@
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/no_links.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/without_slash.hpp>
 #include <utility>
@@ -33,7 +34,7 @@ namespace detail {
 
 /// Waits until a copy is on the disk, before the checkpoint with its length is written.
 inline void sync_copy(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
   const bool is_synced = file >= 0 && ::fsync(file) == 0;
   const int reason = errno;
   if (file >= 0) ::close(file);
@@ -100,6 +101,7 @@ namespace detail {
 
 [[nodiscard]] inline FolderLock make_and_lock(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
+  check_no_link(folder);
   return FolderLock{folder};
 }
 
@@ -127,7 +129,9 @@ TROPHIC_INLINE bool needs_snapshot(const std::filesystem::path& folder, double u
 }
 
 TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {
-  if (std::filesystem::exists(folder)) throw std::invalid_argument{folder.string() + ": exists already"};
+  if (std::filesystem::exists(std::filesystem::symlink_status(folder))) {
+    throw std::invalid_argument{folder.string() + ": exists already"};
+  }
   const std::vector<Checkpoint> all = read_all(run);
   const auto early =
       std::ranges::find_if(all, [&](const Checkpoint& one) { return one.time_s <= at_s && one.program_version == version; });
@@ -140,7 +144,8 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
   require(folder);
   for (const auto& entry : std::filesystem::directory_iterator{run}) {
     const std::string name = entry.path().filename().string();
-    if (!entry.is_regular_file() || name.starts_with("checkpoint.") || name.starts_with("manifest.")) continue;
+    if (entry.is_symlink() || !entry.is_regular_file() || name.starts_with("checkpoint.") || name.starts_with("manifest."))
+      continue;
     std::filesystem::copy_file(entry.path(), folder / name, error);
     require(entry.path());
     detail::sync_copy(folder / name);
@@ -150,19 +155,21 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
 }
 
 TROPHIC_INLINE io::Provenance provenance_of(const Moment& moment) {
-  return {{"run", moment.run.string()},
-          {"at_s", number_text(moment.at_s)},
-          {"seed", std::to_string(moment.seed)},
-          {"fingerprint", moment.fingerprint}};
+  io::Provenance provenance{{"run", moment.run.string()},
+                            {"at_s", number_text(moment.at_s)},
+                            {"seed", std::to_string(moment.seed)},
+                            {"fingerprint", moment.fingerprint}};
+  if (!moment.code.empty()) provenance.emplace_back("code", moment.code);
+  return provenance;
 }
 
 TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                                     const std::optional<Snapshot>& snapshot) {
-  if (!snapshot) return run_state_in(folder, run);
+                                     const std::optional<Snapshot>& snapshot, OtherBuild other_build) {
+  if (!snapshot) return run_state_in(folder, run, other_build);
   std::string remark;
   if (std::filesystem::exists(folder) && !detail::stands_at(snapshot->moment, folder, run.tick_s)) {
     detail::check_began_at(snapshot->moment, folder, run.tick_s);
-    RunState run_state = run_state_in(folder, run);
+    RunState run_state = run_state_in(folder, run, other_build);
     if (run_state.complete || run_state.from) return run_state;
     remark = run_state.remark + "; ";
   }

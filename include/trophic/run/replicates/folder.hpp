@@ -15,6 +15,7 @@
 #include <trophic/run/replicates/plan.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/no_links.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -57,8 +58,9 @@ class Folder {
  public:
   /// Makes the folder or, with `plan.resume`, resumes in it. Complete replicates stay; interrupted ones resume from their
   /// checkpoint or, without one, are moved to "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan,
-  /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, or if its runs have other
-  /// rules, numbers, seeds or duration; std::runtime_error if another program works in it or the system refuses.
+  /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, if what is there has other
+  /// rules, numbers, seeds or duration, if there are links in it, or if another build of the program made a part of the set and
+  /// the plan does not accept that; std::runtime_error if another program works in it or the system refuses.
   Folder(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance) {
     plan.check();
     if (!plan.resume || !std::filesystem::exists(plan.out)) {
@@ -66,18 +68,24 @@ class Folder {
       lock_.emplace(plan.out);
     } else {
       lock_.emplace(plan.out);
+      check_no_links_in(plan.out);
       if (!is_bare(plan.out)) check_same(plan, run);
     }
     std::vector<Replicate> incomplete;
+    std::vector<std::filesystem::path> complete;
     for (Replicate& replicate : plan.all()) {
       const std::string status = status_of(replicate.folder);
       if (status == "complete") {
         check_complete(replicate, run);
+        complete.push_back(replicate.folder);
         ++kept_;
         continue;
       }
       if (status != "missing") incomplete.push_back(replicate);
       pending_.push_back(std::move(replicate));
+    }
+    if (!pending_.empty() && plan.checkpoints.other_build == checkpoint::OtherBuild::refused) {
+      for (const std::filesystem::path& folder : complete) checkpoint::check_build(folder);
     }
     for (const Replicate& replicate : incomplete) look_at(plan, replicate, run);
     replace_file(plan.out / list_name, list_text(plan, run, provenance));
@@ -142,6 +150,8 @@ class Folder {
       same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
       same(path, "seed", there.at("seed"), replicate.seed);
       same(path, "until_s", there.at("clock").at("until_s"), run.until_s);
+      if (checkpoint::holds_complete(replicate.folder, run.fingerprint, replicate.seed, run.until_s)) return;
+      throw std::invalid_argument{replicate.folder.string() + ": its manifest says that it is complete, but a table is missing"};
     } catch (const Json::exception& error) {
       throw std::invalid_argument{path.string() + ": " + error.what()};
     }
@@ -149,7 +159,8 @@ class Folder {
 
   void look_at(const Plan& plan, const Replicate& replicate, observe::RunDescription run) {
     run.seed = replicate.seed;
-    remarks_.push_back(name_of(replicate.index) + " " + checkpoint::run_state_in(replicate.folder, run, plan.snapshot).remark);
+    remarks_.push_back(name_of(replicate.index) + " " +
+                       checkpoint::run_state_in(replicate.folder, run, plan.snapshot, plan.checkpoints.other_build).remark);
   }
 
   std::optional<FolderLock> lock_;

@@ -20,7 +20,8 @@ namespace trophic::replicates {
 template <class... Observers>
 void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,
                    observe::JointProgress::Part progress, const observe::StopOnSignal& stop, Observers&... extra) {
-  checkpoint::RunState run_state = checkpoint::run_state_in(folder, ecology.describe(until_s), common.snapshot);
+  checkpoint::RunState run_state =
+      checkpoint::run_state_in(folder, ecology.describe(until_s), common.snapshot, common.checkpoints.other_build);
   io::RunFolder files{folder, common.provenance, common.output, run_state.opening(), ecology.state_columns(), common.own_tables};
   if (run_state.begins) {
     checkpoint::begin_at(run_state, common.snapshot->moment, ecology, files.manifest(),

@@ -8,11 +8,14 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <system_error>
+#include <trophic/io/growing_file.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/sweep/attempt.hpp>
 #include <trophic/run/sweep/claim.hpp>
+#include <trophic/support/no_links.hpp>
 #include <utility>
 #include <vector>
 
@@ -33,13 +36,22 @@ using Numbered = std::pair<std::size_t, std::filesystem::path>;
     if (!name.starts_with(beginning)) continue;
     std::size_t number = 0;
     const char* end = name.data() + name.size();
-    if (std::from_chars(name.data() + beginning.size(), end, number).ptr == end) attempts.emplace_back(number, entry.path());
+    const auto read = std::from_chars(name.data() + beginning.size(), end, number);
+    if (read.ptr != end || read.ec != std::errc{} || number == std::numeric_limits<std::size_t>::max()) continue;
+    check_no_link(entry.path());
+    attempts.emplace_back(number, entry.path());
   }
   return attempts;
 }
 
-/// The folder of the next attempt. If an older one has a checkpoint, it is a copy of the one that came furthest.
-[[nodiscard]] inline std::filesystem::path next_attempt(const std::filesystem::path& run, const std::vector<Numbered>& older) {
+/// The folder of an attempt, and that of the older one of which it is a copy; empty if it begins anew.
+struct Next {
+  std::filesystem::path folder;
+  std::filesystem::path from;
+};
+
+/// The next attempt. If older ones have a checkpoint, it is a copy of the one that came furthest.
+[[nodiscard]] inline Next next_attempt(const std::filesystem::path& run, const std::vector<Numbered>& older) {
   std::size_t number = 0;
   double furthest_s = -1.0;
   std::filesystem::path from;
@@ -52,7 +64,31 @@ using Numbered = std::pair<std::size_t, std::filesystem::path>;
   }
   const std::filesystem::path next = run.string() + ".attempt-" + std::to_string(number);
   if (!from.empty()) checkpoint::copy_until(from, std::numeric_limits<double>::infinity(), next);
-  return next;
+  return {next, from};
+}
+
+/// Throws std::invalid_argument if a folder on the way from a sweep to its run is a link.
+inline void check_way(const std::filesystem::path& sweep, const std::filesystem::path& run) {
+  std::filesystem::path at = sweep;
+  for (const auto& part : run) check_no_link(at /= part);
+}
+
+/// Throws std::invalid_argument if a run's folder holds anything: it is made whole.
+inline void check_free(const std::filesystem::path& run) {
+  if (!std::filesystem::exists(std::filesystem::symlink_status(run)) || std::filesystem::is_empty(run)) return;
+  throw std::invalid_argument{run.string() + ": holds something else than the complete run that was planned: move it away"};
+}
+
+/// Does the work in the folder of an attempt. If what an older attempt left there is damaged, it is set aside.
+inline void do_work(const Next& next, const std::function<void(const std::filesystem::path& folder)>& work) {
+  try {
+    work(next.folder);
+  } catch (const DamagedFile& error) {
+    if (next.from.empty()) throw;
+    std::filesystem::remove_all(next.folder);
+    throw DamagedFile{std::string{error.what()} + "; kept as " + checkpoint::rename_incomplete(next.from).string() +
+                      ", the next attempt begins without it"};
+  }
 }
 
 /// Gives a complete attempt the run's name; if another one was faster, its bytes are the same.
@@ -73,7 +109,7 @@ inline void remove_attempts(const std::filesystem::path& run) {
 }  // namespace detail
 
 TROPHIC_INLINE bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run) {
-  return checkpoint::status_of(sweep / run.folder) == "complete";
+  return checkpoint::holds_complete(sweep / run.folder, run.fingerprint, run.seed, run.until_s);
 }
 
 TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedRun& run, double lease_s,
@@ -85,16 +121,18 @@ TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedR
     return is;
   };
   try {
+    detail::check_way(sweep, run.folder);
     if (was_complete()) return {Ended::was_complete};
+    detail::check_free(folder);
     const auto claim = Claim::take(sweep / claims_name, run.index, lease_s);
     if (!claim) return {Ended::elsewhere, claimant_of(sweep / claims_name, run.index, lease_s)};
-    // Between the first look and the claim another program may have completed the run.
+    // Between the first look and the claim another program may have completed it.
     if (was_complete()) return {Ended::was_complete};
-    const std::filesystem::path own = detail::next_attempt(folder, detail::attempts_at(folder));
-    work(own);
-    const std::string status = checkpoint::status_of(own);
+    const detail::Next next = detail::next_attempt(folder, detail::attempts_at(folder));
+    detail::do_work(next, work);
+    const std::string status = checkpoint::status_of(next.folder);
     if (status != "complete") return {status == "stopped" ? Ended::stopped : Ended::failed, "status \"" + status + "\""};
-    detail::publish(own, folder);
+    detail::publish(next.folder, folder);
     detail::remove_attempts(folder);
     return {Ended::complete};
   } catch (const std::exception& error) {
@@ -102,6 +140,15 @@ TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedR
     if (is_complete(sweep, run)) return {Ended::complete};
     return {Ended::failed, error.what()};
   }
+}
+
+TROPHIC_INLINE void check_builds(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan) {
+  std::vector<std::filesystem::path> complete;
+  for (const PlannedRun& run : plan) {
+    if (is_complete(sweep, run)) complete.push_back(sweep / run.folder);
+  }
+  if (complete.size() == plan.size()) return;
+  for (const std::filesystem::path& folder : complete) checkpoint::check_build(folder);
 }
 
 TROPHIC_INLINE void remove_claims(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan) {

@@ -11,7 +11,7 @@
 
 namespace trophic::sweep {
 
-/// A claim that has not been renewed for this long is stale.
+/// A claim that has not been renewed for this long has no owner.
 inline constexpr double default_lease_s = 120.0;
 
 /// A run that this program works on. As long as the claim lives a thread renews it, four times in its lease, so that others leave
@@ -23,8 +23,9 @@ inline constexpr double default_lease_s = 120.0;
 /// owner may only have been slow: a claim saves duplicate work, and correctness does not depend on it.
 class Claim {
  public:
-  /// Claims a run in the folder `claims`, or reports that another program has it. A claim of a program that ran on this machine
-  /// and is dead is stale at once. Throws std::runtime_error if the system refuses.
+  /// Claims a run in the folder `claims`; none if another program has it. A claim of a program that ran on this machine and is
+  /// dead is stale at once, and one whose time is more than a lease in the future is stale, too. Throws std::runtime_error if the
+  /// system refuses, std::invalid_argument if `claims` is a link.
   [[nodiscard]] static std::optional<Claim> take(const std::filesystem::path& claims, std::size_t run, double lease_s);
 
   Claim(Claim&&) noexcept;

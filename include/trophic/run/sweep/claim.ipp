@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -19,6 +20,8 @@
 #include <trophic/run/sweep/claim.hpp>
 #include <trophic/support/host_name.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/no_links.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -40,6 +43,7 @@ inline constexpr const char* owner_file = "owner.json";
   for (std::size_t number = 0;;) {
     std::error_code error;
     std::filesystem::create_directories(claims, error);
+    check_no_link(claims);
     std::filesystem::path folder = claims / (beginning + std::to_string(number));
     if (::mkdir(folder.c_str(), 0777) == 0) return folder;
     if (errno == EEXIST) ++number;
@@ -61,9 +65,9 @@ inline constexpr const char* owner_file = "owner.json";
   return boot + " " + std::filesystem::read_symlink("/proc/self/ns/pid", error).string();
 }
 
-/// Makes a file or sets its time to now, as the file system's own clock has it. False if it cannot.
+/// Makes a file or sets its time to now, by the clock of the file system. False if it cannot, or if there is a link.
 [[nodiscard]] inline bool touch(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0666);
   if (file < 0) return false;
   const bool is_touched = ::futimens(file, nullptr) == 0;
   ::close(file);
@@ -72,7 +76,7 @@ inline constexpr const char* owner_file = "owner.json";
 
 [[nodiscard]] inline std::optional<double> touched_s(const std::filesystem::path& path) {
   struct stat state {};
-  if (::stat(path.c_str(), &state) != 0) return std::nullopt;
+  if (::lstat(path.c_str(), &state) != 0) return std::nullopt;
   return static_cast<double>(state.st_mtim.tv_sec) + 1e-9 * static_cast<double>(state.st_mtim.tv_nsec);
 }
 
@@ -98,8 +102,9 @@ struct Owner {
 /// Identity of a claim's owner; `nullopt` if it cannot be read.
 [[nodiscard]] inline std::optional<Owner> owner_of(const std::filesystem::path& claim) {
   try {
-    const Json json = parse_json(read_whole_file(claim / owner_file));
-    return Owner{.host = json.at("host").get<std::string>(),
+    constexpr std::uint64_t largest_owner = 64 * 1024;
+    const Json json = parse_json(read_whole_file(claim / owner_file, largest_owner));
+    return Owner{.host = plain_text(json, "host"),
                  .process = whole_number<pid_t>(json, "process", 1),
                  .space = json.at("space").get<std::string>()};
   } catch (const std::invalid_argument&) {  // not yet written, given back, or a process that cannot be
@@ -117,8 +122,9 @@ struct Owner {
 [[nodiscard]] inline bool is_stale(const std::filesystem::path& claim, double lease_s) {
   const auto owner = owner_of(claim);
   if (owner && is_dead(*owner)) return true;
+  // A time in the future is that of a clock that was wrong: a claim that is alive is given the time of now again.
   const auto age = age_s(claim);
-  return age && *age > lease_s;
+  return age && std::abs(*age) > lease_s;
 }
 
 /// The last claim on a run, if there is one.

@@ -19,6 +19,16 @@ namespace trophic::sweep {
 
 namespace detail {
 
+/// Makes a folder that no other program has, to be renamed.
+[[nodiscard]] inline std::filesystem::path new_folder_beside(const std::filesystem::path& name) {
+  const std::string beginning = name.string() + ".making-" + host_name() + "-" + std::to_string(::getpid()) + "-";
+  for (std::size_t number = 0;; ++number) {
+    std::filesystem::path folder = beginning + std::to_string(number);
+    if (std::filesystem::exists(std::filesystem::symlink_status(folder))) continue;
+    if (std::filesystem::create_directory(folder)) return folder;
+  }
+}
+
 /// Throws std::invalid_argument unless a folder holds this plan.
 inline void check_same_plan(const std::filesystem::path& folder, const std::string& plan) {
   const std::filesystem::path path = folder / plan_name;
@@ -41,8 +51,8 @@ TROPHIC_INLINE void make_or_join(const std::filesystem::path& folder, const std:
   const std::string text = plan_text(plan);
   if (std::filesystem::exists(folder)) return detail::check_same_plan(folder, text);
   const std::filesystem::path name = without_slash(folder);
-  const std::filesystem::path making = name.string() + ".making-" + host_name() + "-" + std::to_string(::getpid());
-  std::filesystem::create_directories(making);
+  if (name.has_parent_path()) std::filesystem::create_directories(name.parent_path());
+  const std::filesystem::path making = detail::new_folder_beside(name);
   for (const auto& [file, content] : files) {
     std::filesystem::create_directories((making / file).parent_path());
     replace_file(making / file, content);

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <trophic/run/sweep/plan_file.hpp>
 #include <trophic/support/json.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <tuple>
 #include <utility>
@@ -58,6 +59,7 @@ class PlanLine {
   }
   [[nodiscard]] std::string text(std::string_view field) const {
     if (!at(field).is_string() || at(field).get_ref<const std::string&>().empty()) reject(field, "be a text that is not empty");
+    if (!is_plain(at(field).get_ref<const std::string&>())) reject(field, "have no control characters");
     return at(field).get<std::string>();
   }
   [[nodiscard]] bool yes_or_no(std::string_view field) const {
@@ -96,9 +98,9 @@ class PlanLine {
   run.settings = line.settings("settings");
   run.seed = line.whole("seed");
   run.until_s = line.number("until_s");
-  if (!(run.until_s > 0.0)) line.reject("until_s", "be > 0");
+  if (!(run.until_s > 0.0 && run.until_s <= 1e12)) line.reject("until_s", "be > 0 and <= 1e12");
   run.output.replay_hz = line.number("replay_hz");
-  if (!(run.output.replay_hz >= 0.0)) line.reject("replay_hz", "be >= 0");
+  if (!(run.output.replay_hz >= 0.0 && run.output.replay_hz <= 1000.0)) line.reject("replay_hz", "be >= 0 and <= 1000");
   run.output.agents_every_ticks = line.ticks("agents_every");
   run.output.senses = line.yes_or_no("senses");
   run.output.states = line.yes_or_no("states");

@@ -1,0 +1,325 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""hostile_test.py PREDATOR_PREY TROPHIC OWN_RULE_1 OWN_RULE_3 [SUITE]: damaged, linked, mixed and foreign input is noticed, never continued."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
+from in_folder import InFolder  # noqa: E402
+
+PREDATOR_PREY, TROPHIC, OWN_RULE_1, OWN_RULE_3 = (sys.argv.pop(1) for _ in range(4))
+FILES = ("events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp")
+KINEMATIC = ("--backend", "kinematic", "--robots", "16")
+
+
+def zero_a_page(content):
+    start = content.index(b"\n") + 1
+    return content[:start] + bytes(64) + content[start + 64 :]
+
+
+def change_a_digit(content):
+    at = next(i for i in range(content.index(b"\n"), len(content)) if chr(content[i]).isdigit())
+    return content[:at] + (b"7" if content[at : at + 1] != b"7" else b"3") + content[at + 1 :]
+
+
+DAMAGES = (zero_a_page, change_a_digit, lambda content: content.replace(b"\n", b"\r\n"))
+
+
+class Hostile(InFolder):
+    def call(self, *words):
+        return subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True, timeout=120)
+
+    def done(self, *words):
+        done = self.call(*words)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def refused(self, code, *words):
+        """What is said in one line on standard error."""
+        done = self.call(*words)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        said = [line for line in done.stderr.splitlines() if not line.startswith("what was written before is in")]
+        self.assertEqual(len(said), 1, done.stderr)
+        return said[0]
+
+    def contents(self, folder):
+        return {str(path): path.read_bytes() for path in sorted((self.folder / folder).rglob("*")) if path.is_file()}
+
+    def change(self, path, change):
+        path = self.folder / path
+        path.write_bytes(change(path.read_bytes()))
+
+
+class Damage(Hostile):
+    def test_a_damaged_run_is_not_resumed(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        for name in FILES:
+            for damage in DAMAGES:
+                with self.subTest(name=name, damage=damage):
+                    shutil.rmtree(self.folder / "damaged", ignore_errors=True)
+                    shutil.copytree(self.folder / "run", self.folder / "damaged")
+                    self.change(f"damaged/{name}", damage)
+                    damaged = self.contents("damaged")[str(self.folder / "damaged" / name)]
+                    said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "damaged", "--resume")
+                    self.assertIn(f"damaged/{name}: its first", said)
+                    self.assertEqual((self.folder / "damaged" / name).read_bytes(), damaged)
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "run", "--resume")
+
+    def test_a_damaged_run_does_not_begin_another(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.change("run/events.csv", change_a_digit)
+        said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
+        self.assertIn("events.csv: its first", said)
+
+    def test_a_damaged_attempt_of_a_sweep_is_not_copied(self):
+        (self.folder / "sweep.toml").write_text(
+            'engine = "kinematic"\nreplicates = 1\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 40.0\n'
+            "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
+        sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
+        self.done(*sweep)
+        whole = self.contents("out")
+        run = next((self.folder / "out").glob("cell-*0/replicate-00"))
+        attempt = run.with_name("replicate-00.attempt-0")
+        run.rename(attempt)
+        manifest = json.loads((attempt / "manifest.json").read_text())
+        (attempt / "manifest.json").write_text(json.dumps(manifest | {"status": "running"}))
+        self.change(attempt / "agents.csv", zero_a_page)
+        failed = self.call(*sweep)
+        self.assertEqual(failed.returncode, 1, failed.stderr)
+        self.assertIn("agents.csv: its first", failed.stderr)
+        self.assertIn("replicate-00.attempt-0.incomplete-1, the next attempt begins without it", failed.stderr)
+        self.done(*sweep)
+        tables = {path: content for path, content in whole.items() if path.endswith((".csv", ".trp"))}
+        again = self.contents("out")
+        self.assertEqual({path: again[path] for path in tables}, tables)
+
+    def test_a_damaged_table_is_not_pooled(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
+        self.done(TROPHIC, "analyze", "set", "--out", "before")
+        for name in FILES:
+            for damage in (*DAMAGES, lambda content: b"\xef\xbb\xbf" + content):
+                for more in ((), ("--published",)):
+                    with self.subTest(name=name, damage=damage, more=more):
+                        path = self.folder / "set/replicate-01" / name
+                        whole = path.read_bytes()
+                        path.write_bytes(damage(whole))
+                        said = self.refused(2, TROPHIC, "analyze", "set", *more, "--out", "after")
+                        path.write_bytes(whole)
+                        self.assertIn(f"set/replicate-01/{name}: has ", said)
+                        self.assertFalse((self.folder / "after").exists())
+        (self.folder / "set/replicate-01/genomes.csv").unlink()
+        self.assertIn("genomes.csv: cannot be read", self.refused(2, TROPHIC, "analyze", "set", "--out", "after"))
+
+    def test_a_table_that_no_checksum_covers_is_not_pooled_when_it_cannot_be_read(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
+        path = self.folder / "set/replicate-01/manifest.json"
+        manifest = json.loads(path.read_text())
+        del manifest["tables"], manifest["recording"]
+        path.write_text(json.dumps(manifest))
+        self.change("set/replicate-01/events.csv", lambda content: b"\xef\xbb\xbf" + content)
+        for more in ((), ("--published",)):
+            said = self.refused(2, TROPHIC, "analyze", "set", *more, "--out", "after")
+            self.assertIn('replicate-01/events.csv:1: no column "time_s"', said)
+
+
+class Links(Hostile):
+    def setUp(self):
+        super().setUp()
+        self.precious = self.folder / "precious"
+        self.precious.write_text("a PhD's worth of data")
+        self.elsewhere = self.folder / "elsewhere"
+        self.elsewhere.mkdir()
+        (self.elsewhere / "kept").write_text("kept")
+
+    def tearDown(self):
+        self.assertEqual(self.precious.read_text(), "a PhD's worth of data")
+        self.assertEqual([path.name for path in self.elsewhere.rglob("*")], ["kept"])
+        super().tearDown()
+
+    def test_a_run_with_links_is_not_resumed(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        for name in ("manifest.json.part", "checkpoint.bin.part", "checkpoint.old.bin", "manifest.json", *FILES):
+            for link in (lambda path: path.symlink_to(self.precious), lambda path: path.hardlink_to(self.precious)):
+                with self.subTest(name=name):
+                    shutil.rmtree(self.folder / "linked", ignore_errors=True)
+                    shutil.copytree(self.folder / "run", self.folder / "linked")
+                    path = self.folder / "linked" / name
+                    path.unlink(missing_ok=True)
+                    link(path)
+                    said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "linked", "--resume")
+                    self.assertIn(f"linked/{name}: ", said)
+                    self.assertIn("link", said)
+
+    def test_replicates_in_links_are_not_resumed(self):
+        command = (PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
+        self.done(*command)
+        shutil.rmtree(self.folder / "set/replicate-01")
+        (self.folder / "set/replicate-01").symlink_to(self.elsewhere)
+        self.assertIn("set/replicate-01: is a symbolic link", self.refused(2, *command, "--resume"))
+        (self.folder / "set/replicate-01").unlink()
+        (self.folder / "set/replicates.json.part").symlink_to(self.precious)
+        self.assertIn("set/replicates.json.part: is a symbolic link", self.refused(2, *command, "--resume"))
+
+    def test_a_sweep_writes_into_no_link(self):
+        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
+                                                "[grid]\nrules.mutation.sd = [0.05]\n")
+        sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
+        self.done(*sweep)
+        run = next((self.folder / "out").glob("cell-*/replicate-00"))
+        shutil.rmtree(run)
+        for name in ("claims", f"{run.parent.name}/replicate-00", f"{run.parent.name}/replicate-00.attempt-0"):
+            with self.subTest(name=name):
+                link = self.folder / "out" / name
+                link.symlink_to(self.elsewhere)
+                done = self.call(*sweep)
+                link.unlink(missing_ok=True)
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertIn(f"out/{name}: is a symbolic link", done.stderr)
+        self.done(*sweep)
+
+    def test_the_past_of_a_run_is_made_in_no_link(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        name = f"new.past-{manifest['fingerprint']}-seed-{manifest['seed']}-40-s"
+        (self.folder / name).symlink_to(self.elsewhere)
+        said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
+        self.assertIn(f"{name}: is a symbolic link", said)
+
+    def test_what_trophic_writes_goes_into_no_link(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        (self.folder / "page.html").symlink_to(self.precious)
+        (self.folder / "new.html.part").symlink_to(self.precious)
+        self.assertIn("page.html: exists already", self.refused(2, TROPHIC, "analyze", "run", "--html", "page.html"))
+        self.done(TROPHIC, "analyze", "run", "--html", "new.html", "--replays", 0)
+        self.assertFalse((self.folder / "new.html").is_symlink())
+
+
+class Builds(Hostile):
+    """Two programs whose rule has the same name and numbers, and another constant in its code."""
+
+    def manifest(self, folder):
+        return json.loads((self.folder / folder / "manifest.json").read_text())
+
+    def test_another_build_does_not_resume_a_run_unless_that_is_accepted(self):
+        self.done(OWN_RULE_1, *KINEMATIC, "--duration", 40, "--out", "run")
+        first = self.manifest("run")
+        resume = (OWN_RULE_3, *KINEMATIC, "--duration", 80, "--out", "run", "--resume")
+        said = self.refused(2, *resume)
+        self.assertIn(f"the checkpoint's code = {first['code']}: must be ", said)
+        self.assertEqual(self.manifest("run"), first)
+        self.assertIn("which another build of this program wrote", self.done(*resume, "--accept-other-build").stdout)
+        mixed = self.manifest("run")
+        self.assertEqual(mixed["fingerprint"], first["fingerprint"])
+        self.assertEqual(mixed["code"], first["code"])
+        self.assertNotEqual(mixed["continued"][0]["code"], first["code"])
+        self.assertEqual(mixed["continued"][0]["other_build"], "accepted")
+        self.assertIn("2 builds of a program made these runs", self.done(TROPHIC, "analyze", "run", "--out", "mixed").stderr)
+        self.done(OWN_RULE_3, *KINEMATIC, "--duration", 120, "--out", "run", "--resume")
+        self.assertEqual(len({program["code"] for program in self.manifest("run")["continued"]}), 1)
+        self.assertNotIn("other_build", self.manifest("run")["continued"][1])
+
+    def test_runs_of_two_builds_are_not_pooled_unless_that_is_accepted(self):
+        for name, program, seed in (("one", OWN_RULE_1, 1), ("three", OWN_RULE_3, 2)):
+            self.done(program, *KINEMATIC, "--duration", 40, "--seed", seed, "--out", name)
+        said = self.refused(2, TROPHIC, "analyze", "one", "three", "--out", "pooled")
+        self.assertIn("three: made by ", said)
+        done = self.done(TROPHIC, "analyze", "one", "three", "--accept-other-build", "--out", "pooled")
+        self.assertIn("2 builds of a program made these runs", done.stderr)
+        runs = json.loads((self.folder / "pooled/summary.json").read_text())["sets"][0]["runs"]
+        self.assertEqual([run["builds"] for run in runs], [[self.manifest(name)["code"]] for name in ("one", "three")])
+
+    def test_a_set_is_not_made_by_two_builds_unless_that_is_accepted(self):
+        command = (*KINEMATIC, "--duration", 40, "--out", "set", "--replicates")
+        self.done(OWN_RULE_1, *command, 1)
+        self.assertIn("set/replicate-00/manifest.json: code = ", self.refused(2, OWN_RULE_3, *command, 2, "--resume"))
+        self.done(OWN_RULE_3, *command, 2, "--resume", "--accept-other-build")
+        self.assertIn("made by", self.refused(2, TROPHIC, "analyze", "set", "--out", "pooled"))
+
+    def test_a_run_does_not_begin_at_a_moment_of_another_build_unless_that_is_accepted(self):
+        self.done(OWN_RULE_1, *KINEMATIC, "--duration", 40, "--out", "run")
+        begin = (OWN_RULE_3, "--from", "run", "--at", 20, "--seed", 9, "--duration", 60, "--out", "new")
+        self.done(*begin, "--accept-other-build")
+        self.assertEqual(self.manifest("new")["origin"]["code"], self.manifest("run")["code"])
+
+    def test_a_sweep_is_not_made_by_two_builds_unless_that_is_accepted(self):
+        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\n[set]\necology.duration_s = 40.0\n'
+                                                "[grid]\nrules.mutation.sd = [0.05]\n")
+        command = ("--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
+        self.done(OWN_RULE_1, *command)
+        self.done(OWN_RULE_3, *command)  # there is nothing to do
+        shutil.rmtree(next((self.folder / "out").glob("cell-*/replicate-01")))
+        self.assertIn("replicate-00/manifest.json: code = ", self.refused(2, OWN_RULE_3, *command))
+        self.done(OWN_RULE_3, *command, "--accept-other-build")
+        self.assertIn("--accept-other-build", self.refused(2, TROPHIC, "analyze", "out", "--out", "new"))
+        self.assertIn("2 builds of a program", self.done(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr)
+
+
+BODIES = {
+    "mod.xml": ('<mujoco model="two"><worldbody><body name="core"><freejoint/></body></worldbody></mujoco>', "MJCF, MuJoCo's XML"),
+    "mod.urdf": ('<?xml version="1.0"?><robot name="two"><link name="core"/></robot>', "URDF"),
+    "body.json": ('{"id": 1, "type": "core", "children": {"front": {"type": "hinge"}}}', "a body of revolve2 as JSON"),
+    "robogen.txt": ("0 CoreComponent Core 0\n\t0 ActiveHinge HingeA 1\n\t\t0 FixedBrick BrickA 0\n\nHingeA HingeA 0.5\n", "RoboGen's text"),
+    "robot.yaml": ("---\nid: bot\nbody:\n  id: Core\n  type: Core\n", "a body of revolve2 as YAML"),
+}
+
+
+class Foreign(Hostile):
+    def test_robots_of_other_programs_get_a_sentence_that_names_their_format(self):
+        for name, (text, format_) in BODIES.items():
+            with self.subTest(name):
+                (self.folder / name).write_text(text)
+                said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--robot", f"./{name}", "--duration", 4, "--out", "run")
+                self.assertIn(f"{name}: is {format_}: must be TOML, a robot a tree of cores, hinges and bricks", said)
+
+    def test_a_number_beyond_its_bound_is_refused(self):
+        for number in ("ecology.tick_s=1e18", "ecology.tick_s=3601", "ecology.clock_scale=1000"):
+            more = () if "tick" in number else ("--set", "ecology.tick_s=10")
+            said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--set", number, *more, "--duration", 1e9, "--out", "run")
+            self.assertIn("must", said)
+        spider = (pathlib.Path(__file__).resolve().parents[2] / "models/robots/spider.toml").read_text()
+        (self.folder / "slippery.toml").write_text("friction = 100\n" + spider)
+        said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--robot", "./slippery.toml", "--duration", 4, "--out", "run")
+        self.assertIn("friction = 100", said)
+
+    def test_a_height_field_without_a_rim_is_refused(self):
+        for rim, refused in (("0", True), ("5", False)):
+            edge = f"[{rim}, {rim}, {rim}, {rim}]"
+            (self.folder / "field.toml").write_text(
+                f'name = "field"\nhalf_extent_m = 30\nheight_m = [{edge}, [5, 0, 0, 5], [5, 0, 0, 5], {edge}]\n')
+            words = (PREDATOR_PREY, *KINEMATIC, "--set", "ecology.arena=./field.toml", "--duration", 4, "--out", "run")
+            if refused:
+                self.assertIn("height_m: is 0 somewhere at its edge", self.refused(2, *words))
+            else:
+                self.done(*words)
+
+    def test_a_time_has_no_exponent_and_a_tick_of_0_7_s_comes_on_time(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=2500", "--set", "ecology.control_hz=1", "--duration", 105000, "--out", "long")
+        for name in ("agents.csv", "events.csv"):
+            times = {line.split(",")[0] for line in (self.folder / "long" / name).read_text().splitlines()[1:]}
+            self.assertFalse([time for time in times if "e" in time], name)
+        self.assertIn("\n100000,40,", (self.folder / "long/agents.csv").read_text())
+        self.done(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=0.7", "--duration", 2.1, "--out", "short")
+        times = [line.split(",")[0] for line in (self.folder / "short/agents.csv").read_text().splitlines()[1:]]
+        self.assertEqual(sorted(set(times)), ["0", "0.7", "1.4", "2.1"])
+
+    def test_nothing_of_a_manifest_moves_the_cursor(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        whole = (self.folder / "run/manifest.json").read_text()
+        for key in ("rule_table", "backend", "status", "fingerprint"):
+            for escape in ("\x1b[2J", "\u009b2J", "\x07", "\x7f", "a\nb"):
+                with self.subTest(key=key, escape=escape):
+                    manifest = json.loads(whole)
+                    manifest[key] = f"{manifest[key]}{escape}"
+                    (self.folder / "run/manifest.json").write_text(json.dumps(manifest))
+                    said = self.refused(2, TROPHIC, "analyze", "run", "--out", "new")
+                    self.assertIn(key, said)
+                    self.assertNotRegex(said, "[\x00-\x1f\x7f-\x9f]")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A rule table with a rule whose constant is in its code, where no manifest lists it.
+#include <trophic/death/senescence/contract.hpp>
+#include <trophic/experiment.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/rules/paper.hpp>
+
+namespace {
+
+/// Dies at ten times FACTOR seconds.
+struct HiddenFactor {
+  static constexpr std::string_view name = "hidden_factor";
+  struct Params {
+    static constexpr auto fields() { return std::tuple{}; }
+  };
+  Params params;
+
+  bool dies(const trophic::Individual& individual, const trophic::View& view, trophic::Rng&) const {
+    return view.age_s(individual) > 10.0 * FACTOR;
+  }
+};
+static_assert(trophic::death::Senescence<HiddenFactor>);
+
+using Own = trophic::named<trophic::with_senescence<trophic::rules::Paper, HiddenFactor>, "own">;
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return trophic::experiment<Own>(argc, argv);
+}
