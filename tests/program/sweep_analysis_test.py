@@ -252,7 +252,7 @@ class SweepAnalysis(InFolderWithSets):
             wrong = call(figures_python.PYTHON, SWEEP, "analysis", *arguments, cwd=self.folder)
             self.assertEqual(wrong.returncode, 1)
             self.assertIn(part, wrong.stderr)
-        self.assertIn("not what trophic analyze writes of a sweep", call(figures_python.PYTHON, SWEEP, "sweep", cwd=self.folder).stderr)
+        self.assertIn("not an output of trophic analyze for a sweep", call(figures_python.PYTHON, SWEEP, "sweep", cwd=self.folder).stderr)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_tables_read_in_pandas(self):
