@@ -16,6 +16,5 @@
 #include <trophic/params/policy.ipp>
 #include <trophic/population/search_tree.ipp>
 #include <trophic/population/spatial_grid.ipp>
-#include <trophic/support/program_code.ipp>
 #include <trophic/support/rng.ipp>
 #include <trophic/support/rule_error.ipp>

@@ -2,6 +2,7 @@
 // trophic::compiled: what runs leave behind.
 #include <trophic/io/growing_file.ipp>
 #include <trophic/io/manifest.ipp>
+#include <trophic/io/program_code.ipp>
 #include <trophic/io/read_recording.ipp>
 #include <trophic/io/recording.ipp>
 #include <trophic/io/recording_planes.ipp>

@@ -112,6 +112,7 @@
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/phylogeny.hpp>
+#include <trophic/io/program_code.hpp>
 #include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/recording_format.hpp>
@@ -250,7 +251,6 @@
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/plain_text.hpp>
-#include <trophic/support/program_code.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>

@@ -5,8 +5,8 @@
 #include <string>
 #include <trophic/command/run_command.hpp>
 #include <trophic/io/manifest.hpp>
+#include <trophic/io/program_code.hpp>
 #include <trophic/support/host_name.hpp>
-#include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 
 /// `git describe` of the program's sources at the last build, and its build type and flags. The CMake function

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 #include <trophic/io/manifest.hpp>
+#include <trophic/io/program_code.hpp>
 #include <trophic/support/json.hpp>
-#include <trophic/support/program_code.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/version.hpp>
 #include <utility>

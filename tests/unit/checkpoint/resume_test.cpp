@@ -10,10 +10,10 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/io/program_code.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
-#include <trophic/support/program_code.hpp>
 #include <trophic/support/rng.hpp>
 #include <type_traits>
 #include <unit/checkpoint/resumed.hpp>

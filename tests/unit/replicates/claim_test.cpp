@@ -16,12 +16,12 @@
 #include <string>
 #include <thread>
 #include <trophic/io/growing_file.hpp>
+#include <trophic/io/program_code.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/sweep/attempt.hpp>
 #include <trophic/run/sweep/claim.hpp>
 #include <trophic/run/sweep/folder.hpp>
 #include <trophic/run/sweep/work_through.hpp>
-#include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 #include <vector>
 

@@ -34,7 +34,7 @@ struct RunManifest {
   FoodWeb web{{}, {}};
   std::map<std::string, io::TableSum> tables;    ///< by file name; empty for a run that was killed
   std::optional<std::uint32_t> recording_crc32;  ///< of replay.trp; none for a run that was killed or was not recorded
-  std::vector<std::string> builds;  ///< the codes of the programs that made it, sorted; see trophic/support/program_code.hpp
+  std::vector<std::string> builds;  ///< the codes of the programs that made it, sorted; see trophic/io/program_code.hpp
 };
 
 /// "0123456789abcdef and fedcba9876543210": the builds of a run, "an unknown build" if its manifest lists none.

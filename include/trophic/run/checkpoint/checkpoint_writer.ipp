@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <trophic/io/program_code.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
-#include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 #include <utility>
 

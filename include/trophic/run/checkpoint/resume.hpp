@@ -37,7 +37,7 @@ inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;
 [[nodiscard]] bool holds_complete(const std::filesystem::path& folder, const std::string& fingerprint, std::uint64_t seed,
                                   double until_s);
 
-/// The codes (trophic/support/program_code.hpp) of the programs that made a run, as its manifest lists them; empty if unknown.
+/// The codes (trophic/io/program_code.hpp) of the programs that made a run, as its manifest lists them; empty if unknown.
 [[nodiscard]] std::vector<std::string> builds_of(const std::filesystem::path& folder);
 
 /// Throws std::invalid_argument naming the folder if another program than this one took part in the run there.

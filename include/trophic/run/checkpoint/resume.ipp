@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <trophic/io/program_code.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/clock.hpp>
@@ -16,7 +17,6 @@
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/plain_text.hpp>
-#include <trophic/support/program_code.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <trophic/support/without_slash.hpp>

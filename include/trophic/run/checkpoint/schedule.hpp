@@ -4,7 +4,7 @@
 
 namespace trophic::checkpoint {
 
-/// Whether a run may be resumed by a program other than the one that made it (trophic/support/program_code.hpp). Its rules may be
+/// Whether a run may be resumed by a program other than the one that made it (trophic/io/program_code.hpp). Its rules may be
 /// other rules under the same names; the manifest lists the programs under "continued".
 enum class OtherBuild { refused, accepted };
 

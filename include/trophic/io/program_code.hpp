@@ -16,5 +16,5 @@ namespace trophic {
 }  // namespace trophic
 
 #if TROPHIC_HEADER_ONLY
-#include <trophic/support/program_code.ipp>
+#include <trophic/io/program_code.ipp>
 #endif

@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <trophic/io/program_code.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/support/program_code.hpp>
 
 namespace trophic {
 
