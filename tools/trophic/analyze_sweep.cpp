@@ -55,8 +55,10 @@ analysis::Measuring with_progress(const analysis::Measuring& how, std::size_t ru
   const auto done = std::make_shared<std::size_t>(0);
   shown.on_run = [done, runs] {
     const bool is_last = ++*done == runs;
-    std::fputs(("\rmeasured " + std::to_string(*done) + " of " + std::to_string(runs) + " runs" + (is_last ? "\r\033[K" : "\033[K")).c_str(),
-               stderr);
+    std::fputs(
+        ("\rmeasured " + std::to_string(*done) + " of " + std::to_string(runs) + " runs" + (is_last ? "\r\033[K" : "\033[K"))
+            .c_str(),
+        stderr);
     std::fflush(stderr);
   };
   return shown;
@@ -100,7 +102,8 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
   if (options.difference && !(std::isfinite(*options.difference) && *options.difference > 0.0)) {
     throw std::invalid_argument{"--difference " + number_text(*options.difference) + ": must be > 0"};
   }
-  if (options.difference && metrics.empty()) throw std::invalid_argument{"--difference: needs --metric, which names what is to differ"};
+  if (options.difference && metrics.empty())
+    throw std::invalid_argument{"--difference: needs --metric, which names what is to differ"};
   const analysis::SweepRuns sweep = analysis::read_sweep(folder);
   const auto reference = static_cast<std::size_t>(options.reference.value_or(sweep.grid.cells.front().number));
   check_sweep(sweep, reference, options, how);

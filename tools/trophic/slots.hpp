@@ -25,8 +25,9 @@ inline constexpr std::array slot_texts{
              "tag_ratio_of_active tag_ratio_of_all"},
     SlotText{"newborn_tag", "Which tag does a newborn show?", "keeps_body_tag random_tag"},
     SlotText{"tag_switch", "When may an individual change its tag?", "first_switch_free free_tags tag_cool_down tag_sampling"},
-    SlotText{"brain", "How do inputs become a direction and a tag; is there learning in a lifetime?",
-             "cognitive_brain cognitive_brain_with_biases cognitive_brain_zero_right cognitive_network hebbian_brain tanh_network"},
+    SlotText{
+        "brain", "How do inputs become a direction and a tag; is there learning in a lifetime?",
+        "cognitive_brain cognitive_brain_with_biases cognitive_brain_zero_right cognitive_network hebbian_brain tanh_network"},
     SlotText{"steering", "How does a body turn towards a direction?", "no_steering targeted_steering"},
     SlotText{"initial_genome", "Which genome does a founder or a random newcomer have?", "normal_weights uniform_weights"},
     SlotText{"genome_source", "Does a vacancy go to an offspring or to a random newcomer (immigration)?",
@@ -40,7 +41,8 @@ inline constexpr std::array slot_texts{
     SlotText{"capture", "Who is caught by whom?", "catch_closest catch_within_reach no_capture"},
     SlotText{"floor", "Below which number may no more of a species die?", "active_victim_floor no_floor victim_floor"},
     SlotText{"starvation", "Who starves, and when?", "choice exemption interval nobody_starves procedure"},
-    SlotText{"rescue", "What happens when there are too few predators (minimum-predators rule)?", "no_rescue sacrifice_random_victim"},
+    SlotText{"rescue", "What happens when there are too few predators (minimum-predators rule)?",
+             "no_rescue sacrifice_random_victim"},
     SlotText{"senescence", "Who dies of age or of an empty store of energy?", "energy_store no_senescence old_age"},
 };
 

@@ -49,12 +49,12 @@ struct ExperimentOptions {
   std::string shard;  ///< "I/N"; empty: all of it
   bool dry_run = false;
   std::optional<double> lease_s;
-  std::string print_table;  ///< markdown or latex; empty: no table is printed
-  std::optional<std::string> unlike;              ///< rule table from which the printed one is to differ
-  std::vector<rules::PrintedRule> unlike_rules;   ///< of that table
-  bool status = false;                            ///< of a sweep
-  std::optional<std::uint64_t> sbatch;            ///< tasks of the Slurm script to print
-  std::string program;      ///< as it was called
+  std::string print_table;                       ///< markdown or latex; empty: no table is printed
+  std::optional<std::string> unlike;             ///< rule table from which the printed one is to differ
+  std::vector<rules::PrintedRule> unlike_rules;  ///< of that table
+  bool status = false;                           ///< of a sweep
+  std::optional<std::uint64_t> sbatch;           ///< tasks of the Slurm script to print
+  std::string program;                           ///< as it was called
   io::Provenance provenance;
   io::OwnTables own_tables;  ///< that the program has each run write
 };

@@ -92,7 +92,8 @@ TROPHIC_INLINE void check_whole_number(const std::string& option, const std::str
   }
 }
 
-/// Throws std::invalid_argument for texts that are not plain decimal numbers, some of which CLI11 accepts: 0x10, 1e, an empty text.
+/// Throws std::invalid_argument for texts that are not plain decimal numbers, some of which CLI11 accepts: 0x10, 1e, an empty
+/// text.
 TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::string& text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -139,7 +140,8 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
       if (option.use == Words::demanded) check_word(option, text);
       return std::string{};
     });
-    if (is_named(option)) added->option_text(type == "UINT" ? "N" : type == "FLOAT" ? "X" : type.empty() || type == "BOOLEAN" ? "" : "TEXT");
+    if (is_named(option))
+      added->option_text(type == "UINT" ? "N" : type == "FLOAT" ? "X" : type.empty() || type == "BOOLEAN" ? "" : "TEXT");
   }
 }
 
@@ -170,9 +172,7 @@ class HelpText : public CLI::Formatter {
     label("Positionals", "Arguments");
     label("SUBCOMMAND", "COMMAND");
   }
-  std::string make_description(const CLI::App* app) const override {
-    return wrapped(app->get_description(), 0, width_) + "\n";
-  }
+  std::string make_description(const CLI::App* app) const override { return wrapped(app->get_description(), 0, width_) + "\n"; }
   std::string make_group(std::string group, bool is_positional, std::vector<const CLI::Option*> options) const override {
     std::string text = CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
     if (text.ends_with("\n\n")) text.pop_back();
@@ -184,7 +184,8 @@ class HelpText : public CLI::Formatter {
     return wrapped(footer.substr(0, end), 0, width_) + (end == std::string::npos ? "" : footer.substr(end)) + "\n";
   }
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
-    return entry(make_option_name(option, is_positional) + (is_positional ? "" : make_option_opts(option)), option->get_description());
+    return entry(make_option_name(option, is_positional) + (is_positional ? "" : make_option_opts(option)),
+                 option->get_description());
   }
   std::string make_subcommand(const CLI::App* app) const override { return entry(app->get_name(), app->get_description()); }
 
@@ -201,7 +202,8 @@ class HelpText : public CLI::Formatter {
 
 /// The end of --help: exit codes, then examples.
 [[nodiscard]] TROPHIC_INLINE std::string footer_of(const Command& command) {
-  std::string text = "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal";
+  std::string text =
+      "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal";
   for (const std::string& example : command.examples) {
     text += (&example == command.examples.data() ? "\n\nExamples:\n  " : "\n  ") + example;
   }
@@ -293,8 +295,10 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
            "--completion",
            [&, program = name](const std::string& shell) {
              detail::check_text("--completion", shell);
-             if (shell != "bash" && shell != "zsh") throw std::invalid_argument{"--completion " + shell + ": must be bash or zsh"};
-             static_cast<void>(print_text(shell == "bash" ? bash_completion(command, program) : zsh_completion(command, program)));
+             if (shell != "bash" && shell != "zsh")
+               throw std::invalid_argument{"--completion " + shell + ": must be bash or zsh"};
+             static_cast<void>(
+                 print_text(shell == "bash" ? bash_completion(command, program) : zsh_completion(command, program)));
              throw CLI::Success{};
            },
            "print the completion for bash or zsh and stop: source <(" + name + " --completion bash)")

@@ -228,7 +228,8 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     const int code = report_failure(options.program.c_str(), error);
     std::error_code unknown;
     const bool is_there = std::filesystem::exists(folder.path(), unknown);
-    std::cerr << (is_there ? "everything written so far is in " : "no longer there, removed or moved: ") << folder.path().string() << "\n";
+    std::cerr << (is_there ? "everything written so far is in " : "no longer there, removed or moved: ") << folder.path().string()
+              << "\n";
     return code;
   }
   return report_run(folder, progress, ecology.view(), until_s);

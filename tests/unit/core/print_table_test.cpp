@@ -61,7 +61,8 @@ TEST_CASE("print table: a line for each slot in order, then ecology and physics"
         "robots = 30, duration_s = 6000, tick_s = 2, first_tick_s = 0, control_hz = 60, clock_scale = 1, robot = spider, arena = "
         "walled_square, cpg_integration = exact, idle_control_steps = 0, phase_at_birth = kept, decision_order = together, "
         "without_target = decides");
-  CHECK(rules::numbers_text(lines.back().numbers) == "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
+  CHECK(rules::numbers_text(lines.back().numbers) ==
+        "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
 }
 
 TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
@@ -75,8 +76,9 @@ TEST_CASE("print table: Markdown and LaTeX escape what is special to them") {
   CHECK(line_of(markdown, "| death | floor |") == "| death | floor | plain |  |  |");
 
   const std::string latex = rules::latex_table<Swapped>();
-  CHECK(has(latex, "\nslot & policy & numbers & source \\\\\n\\midrule\n\\multicolumn{4}{@{}l}{\\itshape initialization} \\\\\n"
-                   "community & predator\\_\\allowbreak{}prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
+  CHECK(has(latex,
+            "\nslot & policy & numbers & source \\\\\n\\midrule\n\\multicolumn{4}{@{}l}{\\itshape initialization} \\\\\n"
+            "community & predator\\_\\allowbreak{}prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
   CHECK(line_of(latex, "senescence & odd") ==
         R"(senescence & odd\_\allowbreak{}rule & share = 0.333333, strict\_\allowbreak{}one = true & )"
         R"(50 \% of ``A \& B'' \{\$5\} \#1 a\_\allowbreak{}b \textasciicircum{} \textasciitilde{} \textbackslash{} )"

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tools/analysis/statistics/interval.hpp>
 
 namespace trophic::analysis {
 
 namespace {
+
+/// Two metrics of fewer values may agree by chance.
+constexpr std::size_t fewest_values = 6;
 
 using Values = std::vector<std::optional<double>>;  ///< one a run
 
@@ -50,7 +52,7 @@ bool can_repeat(const Values& values) {
     lowest = std::min(lowest, *value);
     highest = std::max(highest, *value);
   }
-  return count >= runs_for_verdict && lowest < highest;
+  return count >= fewest_values && lowest < highest;
 }
 
 /// The metric of which this one is another reading of the paper's text.
@@ -73,7 +75,8 @@ std::vector<std::optional<MetricName>> repeated_metrics(std::span<const std::spa
     if (!can_repeat(all[later])) continue;
     for (std::size_t earlier = 0; earlier < later && !repeats[later]; ++earlier) {
       if (repeats[earlier] || names[earlier].unit != names[later].unit) continue;
-      if (is_constant(all[earlier], all[later], -1.0) || is_constant(all[earlier], all[later], 1.0)) repeats[later] = names[earlier];
+      if (is_constant(all[earlier], all[later], -1.0) || is_constant(all[earlier], all[later], 1.0))
+        repeats[later] = names[earlier];
     }
   }
   return repeats;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>
-#include <tools/analysis/report/columns.hpp>
 #include <vector>
 
 namespace trophic::analysis {

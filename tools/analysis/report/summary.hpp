@@ -30,7 +30,7 @@ struct SummaryRow {
   MetricName name;
   Estimate ours;
   std::optional<double> published;
-  std::vector<Comparison> comparisons;        ///< the shadow first, if there is one
+  std::vector<Comparison> comparisons;     ///< the shadow first, if there is one
   std::optional<MetricName> same_as = {};  ///< see repeated_metrics; not compared again
 };
 
@@ -51,7 +51,8 @@ namespace detail {
 
 /// Pools runs that measured the same things in the same order (those of one food web) and compares them with the runs of their
 /// shadow. Runs that lack a value are left out of that value's mean. `choices`: see `chosen`. p values are corrected for all rows
-/// that repeat no earlier one. Throws std::invalid_argument if the runs measured different things, or if a choice names no metric.
+/// that repeat no earlier one. Throws std::invalid_argument if the runs measured different things, or if a choice names no
+/// metric.
 [[nodiscard]] std::vector<SummaryRow> summarize(std::span<const RunMetrics> runs, std::span<const RunMetrics> shadow = {},
                                                 std::span<const std::string> choices = {});
 

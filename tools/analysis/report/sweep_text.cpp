@@ -138,8 +138,7 @@ void print_cell_differences(std::ostream& out, const SweepGrid& grid, const Cell
   }
   const std::size_t undecided = differences.comparisons - decided;
   if (undecided > 0) {
-    out << "inconclusive: " << undecided << " of " << differences.comparisons
-        << " comparisons; this does not show equality\n";
+    out << "inconclusive: " << undecided << " of " << differences.comparisons << " comparisons; this does not show equality\n";
   }
   if (!open.empty()) {
     constexpr std::size_t shown = 6;
@@ -163,14 +162,18 @@ void print_named_metrics(std::ostream& out, const SweepGrid& grid, const CellDif
   for (const CellDifference& d : differences.all) {
     const Reading reading{d.name};
     const bool is_open = detail::is_comparison(d) && !d.difference.differs();
-    columns.add({detail::compared_title(d), std::to_string(d.cell) + " (" + detail::cell_title(grid, d.cell) + ")", reading(d.mean),
-                 reading(d.mean_reference), reading.with_interval(d.difference.value, d.difference.interval, true),
-                 p_text(d.difference.adjusted), d.hedges_g ? detail::decimals(*d.hedges_g, 1, true) : "-",
+    columns.add({detail::compared_title(d), std::to_string(d.cell) + " (" + detail::cell_title(grid, d.cell) + ")",
+                 reading(d.mean), reading(d.mean_reference),
+                 reading.with_interval(d.difference.value, d.difference.interval, true), p_text(d.difference.adjusted),
+                 d.hedges_g ? detail::decimals(*d.hedges_g, 1, true) : "-",
                  std::to_string(d.runs) + "+" + std::to_string(d.runs_reference),
-                 !is_open ? "" : d.runs_needed ? std::to_string(*d.runs_needed) : "more than " + std::to_string(most_runs)});
+                 !is_open        ? ""
+                 : d.runs_needed ? std::to_string(*d.runs_needed)
+                                 : "more than " + std::to_string(most_runs)});
   }
   columns.print(out);
-  out << "p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in 80 % of studies\n";
+  out << "p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in 80 % of "
+         "studies\n";
 }
 
 void print_runs_for_difference(std::ostream& out, std::span<const RunsForDifference> answers, const CellDifferences& of) {

@@ -234,7 +234,8 @@ void print_differences(std::ostream& out, const ShadowedSet& a, const ShadowedSe
     columns.add(line);
   }
   columns.print(out);
-  out << "p: corrected for " << tests << " comparisons (Holm); * significant, p <= 0.05, else the runs in each set that would find "
+  out << "p: corrected for " << tests
+      << " comparisons (Holm); * significant, p <= 0.05, else the runs in each set that would find "
       << "a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
       << "raw differences also show how the populations are composed; ";
   if (have_shadows) {
