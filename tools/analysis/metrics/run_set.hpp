@@ -25,10 +25,10 @@ struct RunSet {
 
 /// What is measured of runs, and how.
 struct Measuring {
-  std::optional<double> until_s = {};    ///< only the first seconds
-  std::vector<OwnColumn> columns = {};   ///< metrics of one's own
-  std::size_t jobs = 1;                  ///< runs measured at a time; results do not depend on it
-  std::function<void()> on_run = {};     ///< called after each run, by any thread, one at a time
+  std::optional<double> until_s = {};   ///< only the first seconds
+  std::vector<OwnColumn> columns = {};  ///< metrics of one's own
+  std::size_t jobs = 1;                 ///< runs measured at a time; results do not depend on it
+  std::function<void()> on_run = {};    ///< called after each run, by any thread, one at a time
 };
 
 /// Reads and measures runs that may be pooled. Throws as pooled_runs does, std::invalid_argument for a run that is shorter than
