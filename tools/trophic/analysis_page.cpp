@@ -204,7 +204,10 @@ void append_figures(std::string& page, const std::vector<AnalysisPage::Figure>& 
   for (const AnalysisPage::Figure& figure : figures) {
     page.append(figure.name.ends_with("film_strip") ? "<figure class=\"wide\">" : "<figure>");
     page.append("<img alt=\"").append(escaped(figure.name + ": " + figure.caption)).append("\" src=\"data:image/png;base64,");
-    page.append(replay::base64(figure.png)).append("\"><figcaption>").append(escaped(figure.caption)).append("</figcaption></figure>\n");
+    page.append(replay::base64(figure.png))
+        .append("\"><figcaption>")
+        .append(escaped(figure.caption))
+        .append("</figcaption></figure>\n");
   }
   page.append("</div>\n");
 }

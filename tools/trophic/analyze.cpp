@@ -221,10 +221,13 @@ void measure(const Options& options) {
   const auto out = make_out(options);
   const std::array sets{analysis::read_shadowed_set(paths, options.shadow, with_progress(how, runs))};
   print_remarks(sets[0]);
-  Results results{.sets = {{&sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs(), options.metrics)}}, .shown = {}, .whole = {}};
+  Results results{.sets = {{&sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs(), options.metrics)}},
+                  .shown = {},
+                  .whole = {}};
   const auto& rows = results.sets[0].rows;
   if (options.published) {
-    results.whole = printed([&](auto& text) { analysis::print_claims(text, sets[0].ours, analysis::judge_claims(sets[0].ours.runs)); });
+    results.whole =
+        printed([&](auto& text) { analysis::print_claims(text, sets[0].ours, analysis::judge_claims(sets[0].ours.runs)); });
     results.shown = results.whole;
   } else {
     results.whole = printed([&](auto& text) { analysis::print_table(text, sets[0], rows); });
@@ -291,8 +294,7 @@ void run(const Options& options) {
     throw std::invalid_argument{"--until " + number_text(*options.until_s) + ": must be > 0"};
   }
   for (const std::string& folder : options.compare) {
-    if (analysis::is_sweep(folder))
-      throw std::invalid_argument{"--compare " + folder + ": is a sweep; name two of its cells"};
+    if (analysis::is_sweep(folder)) throw std::invalid_argument{"--compare " + folder + ": is a sweep; name two of its cells"};
   }
   check_page(options);
   const auto sweep = std::ranges::find_if(options.runs, [](const std::string& folder) { return analysis::is_sweep(folder); });
@@ -317,7 +319,8 @@ Command analyze() {
       .name = "analyze",
       .about =
           "Measures runs: the paper's metrics with 95 % intervals over runs, next to its published values and their nulls. The "
-          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. Each cell "
+          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. Each "
+          "cell "
           "of a sweep is compared with one of them, corrected for the number of comparisons.",
       .options =
           {{"runs", &options->runs,
@@ -331,10 +334,12 @@ Command analyze() {
            {"--shadow", &options->shadow, "the runs' neutral shadow, if it is not in RUNS/shadow"},
            {"--until", &options->until_s, "measure only the first seconds of every run"},
            {"--metric", &options->metrics,
-            "test only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer tests need fewer runs. `trophic help metrics` "
+            "test only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer tests need fewer runs. `trophic help "
+            "metrics` "
             "lists them"},
            {"--column", &options->columns,
-            "a metric of your own: FILE:COLUMN or FILE:COLUMN:UNIT, a CSV table in each run's folder, of which the mean over rows "
+            "a metric of your own: FILE:COLUMN or FILE:COLUMN:UNIT, a CSV table in each run's folder, of which the mean over "
+            "rows "
             "is tested like any metric; may be repeated"},
            {"--accept-other-build", &options->accept_other_build,
             "pool runs that several builds of a program made, whose rules may be other code under the same names"},
@@ -348,10 +353,12 @@ Command analyze() {
            {"--allow-missing", &options->sweep.allow_missing, "of a sweep: leave out runs that are missing or incomplete"},
            {"--jobs", &options->jobs, "runs measured at a time (1); results do not depend on it"},
            {"--out", &options->out,
-            "new folder for the tables and summary.json (analysis, or the next free analysis-1, -2, ...; with --html alone there are "
+            "new folder for the tables and summary.json (analysis, or the next free analysis-1, -2, ...; with --html alone there "
+            "are "
             "none)"},
            {"--html", &options->html, "new page with the table, figures and replays, which opens from disk"},
-           {"--figures", &options->figures, "of the page: the folder of figures that `trophic plot` made, with its captions.json"},
+           {"--figures", &options->figures,
+            "of the page: the folder of figures that `trophic plot` made, with its captions.json"},
            {"--replays", &options->replays,
             "of the page: how many runs of a set it replays, at most 20 (2, if they were recorded)"}},
       .work =
@@ -361,7 +368,8 @@ Command analyze() {
           },
       .subcommands = {},
       .version = {},
-      .examples = {"trophic analyze runs/paper --out analysis", "trophic analyze --compare runs/paper runs/released --metric velocity:predator",
+      .examples = {"trophic analyze runs/paper --out analysis",
+                   "trophic analyze --compare runs/paper runs/released --metric velocity:predator",
                    "trophic analyze runs/sweep --reference 3 --jobs 4"}};
 }
 

@@ -57,7 +57,8 @@ namespace detail::cite {
       }
     };
     if (std::visit(is_same, param.value)) continue;
-    texts.push_back(param.path + " = " + (value.is_string() ? value.get<std::string>() : json_text(value)) + " (" + value_text(param) + ")");
+    texts.push_back(param.path + " = " + (value.is_string() ? value.get<std::string>() : json_text(value)) + " (" +
+                    value_text(param) + ")");
   }
   return texts;
 }
@@ -75,8 +76,9 @@ namespace detail::cite {
   const std::string version = text(json, "trophic");
   const std::string revision = text(json, "source_revision");
   std::string sentence = (runs.size() > 1 ? std::to_string(runs.size()) + " runs" : std::string{"A run"}) + " of " +
-                         number_text(manifest.until_s) + " s with the rule table `" + manifest.rules + "` on " + manifest.backend +
-                         " in trophic " + version + " (revision " + revision + ", fingerprint " + manifest.fingerprint + ", ";
+                         number_text(manifest.until_s) + " s with the rule table `" + manifest.rules + "` on " +
+                         manifest.backend + " in trophic " + version + " (revision " + revision + ", fingerprint " +
+                         manifest.fingerprint + ", ";
   sentence += json.contains("master_seed") ? "master seed " + text(json, "master_seed") : "seed " + std::to_string(manifest.seed);
   sentence += ")";
   const auto defaults = defaults_of(manifest.rules);
@@ -94,8 +96,10 @@ namespace detail::cite {
 @software{trophic,
   title = {trophic: ecologies of simulated robots with rules at compile time and physics behind an adapter},
   author = {{The trophic authors}},
-  version = {)" + version + R"(},
-  note = {Revision )" + revision + R"(}
+  version = {)" + version +
+                    R"(},
+  note = {Revision )" +
+                    revision + R"(}
 }
 @misc{kachler2023,
   title = {Open-endedness induced through a predator-prey scenario using modular robots},
@@ -112,8 +116,10 @@ namespace detail::cite {
 Command cite() {
   const auto folder = std::make_shared<std::string>();
   return {.name = "cite",
-          .about = "Prints how to cite a run or a set of replicates: a sentence with rule table, changed numbers, engine, version and seed "
-                   "from its manifest, and BibTeX entries.",
+          .about =
+              "Prints how to cite a run or a set of replicates: a sentence with rule table, changed numbers, engine, version and "
+              "seed "
+              "from its manifest, and BibTeX entries.",
           .options = {{.name = "run", .target = folder.get(), .help = "folder of a run or of replicates", .required = true}},
           .work = [folder] { return detail::cite::run(*folder); },
           .subcommands = {},

@@ -36,8 +36,9 @@ struct Options {
     names.emplace_back(text.slot);
     if (word && text.slot != *word) continue;
     any = true;
-    out << text.slot << " (" << rules::slot_kinds[i] << ")\n  " << text.question << "\n  policies: " << text.policies << "\n  swap: with_" << text.slot
-        << "<Table, Policy>; contract and policies: include/trophic/" << rules::slot_kinds[i] << "/" << text.slot << "/\n";
+    out << text.slot << " (" << rules::slot_kinds[i] << ")\n  " << text.question << "\n  policies: " << text.policies
+        << "\n  swap: with_" << text.slot << "<Table, Policy>; contract and policies: include/trophic/" << rules::slot_kinds[i]
+        << "/" << text.slot << "/\n";
   }
   if (!any) {
     throw std::invalid_argument{must_be_one_of("slot " + *word, names) + did_you_mean(nearest_word(*word, names))};
@@ -87,7 +88,8 @@ Command help(const std::function<Command()>& program) {
             if (options->topic == "slots") return detail::help::print_slots(options->word);
             if (options->topic == "metrics") return detail::help::print_metrics();
             if (options->topic && std::ranges::find(topics, *options->topic) == topics.end()) {
-              throw std::invalid_argument{must_be_one_of(*options->topic, topics) + did_you_mean(nearest_word(*options->topic, topics))};
+              throw std::invalid_argument{must_be_one_of(*options->topic, topics) +
+                                          did_you_mean(nearest_word(*options->topic, topics))};
             }
             std::vector<const char*> words{"trophic"};
             if (options->topic) words.push_back(options->topic->c_str());

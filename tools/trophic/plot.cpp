@@ -52,8 +52,8 @@ struct Options {
   ::setenv("PYTHONPATH", (folder.string() + (path == nullptr || *path == '\0' ? "" : ":" + std::string{path})).c_str(), 1);
   const char* named = std::getenv("TROPHIC_PYTHON");
   const std::string python = named == nullptr ? "python3" : named;
-  std::vector<std::string> words{python, "-m", "trophic.plot", options.analysis, "--trophic", program.string(), "--style",
-                                 options.style, "--columns", options.columns};
+  std::vector<std::string> words{python,           "-m",      "trophic.plot", options.analysis, "--trophic",
+                                 program.string(), "--style", options.style,  "--columns",      options.columns};
   if (options.out) words.insert(words.end(), {"--out", *options.out});
   if (options.with_captions) words.emplace_back("--with-captions");
   if (options.run) words.insert(words.end(), {"--run", std::to_string(*options.run)});
@@ -77,37 +77,39 @@ struct Options {
 /// Draws the figures of an analysis.
 Command plot() {
   const auto options = std::make_shared<detail::plot::Options>();
-  return {
-      .name = "plot",
-      .about =
-          "Draws the figures of what `trophic analyze` or `trophic cross-check` wrote, as PNG and PDF with captions.json and captions.tex: "
-          "the paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. Needs Python with matplotlib, "
-          "pandas and scipy.",
-      .options = {{.name = "analysis", .target = &options->analysis, .help = "folder of the analysis", .required = true},
-                  {.name = "--out", .target = &options->out, .help = "new folder for the figures (ANALYSIS/figures)"},
-                  {.name = "--style",
-                   .target = &options->style,
-                   .help = "fonts and widths: plain, serif or ieee (plain)",
-                   .words = {"plain", "serif", "ieee"},
-                   .use = Words::demanded},
-                  {.name = "--columns",
-                   .target = &options->columns,
-                   .help = "width of a figure in columns of the page, 1 or 2 (1)",
-                   .words = {"1", "2"},
-                   .use = Words::demanded},
-                  {.name = "--with-captions", .target = &options->with_captions, .help = "draw the captions into the figures, too"},
-                  {.name = "--run",
-                   .target = &options->run,
-                   .help = "whose phylogeny, paths and catch are drawn: the N-th run of a set, from 0 (0)"},
-                  {.name = "--metric",
-                   .target = &options->metrics,
-                   .help = "of a sweep: draw only these; METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP"},
-                  {.name = "--axes", .target = &options->axes, .help = "of a sweep: what is drawn along x, as lines and as panels"}},
-      .work = [options] { return detail::plot::run(*options); },
-      .subcommands = {},
-      .version = {},
-      .examples = {"trophic plot analysis", "trophic plot analysis --style ieee --out figures",
-                   "trophic plot analysis/sweep --metric velocity:predator:inherited"}};
+  return {.name = "plot",
+          .about =
+              "Draws the figures of what `trophic analyze` or `trophic cross-check` wrote, as PNG and PDF with captions.json and "
+              "captions.tex: "
+              "the paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. Needs Python with "
+              "matplotlib, "
+              "pandas and scipy.",
+          .options =
+              {{.name = "analysis", .target = &options->analysis, .help = "folder of the analysis", .required = true},
+               {.name = "--out", .target = &options->out, .help = "new folder for the figures (ANALYSIS/figures)"},
+               {.name = "--style",
+                .target = &options->style,
+                .help = "fonts and widths: plain, serif or ieee (plain)",
+                .words = {"plain", "serif", "ieee"},
+                .use = Words::demanded},
+               {.name = "--columns",
+                .target = &options->columns,
+                .help = "width of a figure in columns of the page, 1 or 2 (1)",
+                .words = {"1", "2"},
+                .use = Words::demanded},
+               {.name = "--with-captions", .target = &options->with_captions, .help = "draw the captions into the figures, too"},
+               {.name = "--run",
+                .target = &options->run,
+                .help = "whose phylogeny, paths and catch are drawn: the N-th run of a set, from 0 (0)"},
+               {.name = "--metric",
+                .target = &options->metrics,
+                .help = "of a sweep: draw only these; METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP"},
+               {.name = "--axes", .target = &options->axes, .help = "of a sweep: what is drawn along x, as lines and as panels"}},
+          .work = [options] { return detail::plot::run(*options); },
+          .subcommands = {},
+          .version = {},
+          .examples = {"trophic plot analysis", "trophic plot analysis --style ieee --out figures",
+                       "trophic plot analysis/sweep --metric velocity:predator:inherited"}};
 }
 
 }  // namespace trophic::command

@@ -68,9 +68,10 @@ struct Options {
 
 [[nodiscard]] int run(const Options& options) {
   check_new_file("--out", options.out);
+  const auto folders = folders_of(options);
   static_cast<void>(replay::viewer_page());
   std::vector<replay::RecordedRun> runs;
-  for (const auto& folder : folders_of(options)) {
+  for (const auto& folder : folders) {
     runs.push_back(replay::open_run(folder));
     options.window.check(runs.back().recording);
     for (const std::string& remark : runs.back().remarks) std::cerr << "trophic show: " << remark << "\n";

@@ -150,7 +150,8 @@ namespace detail {
 [[nodiscard]] inline std::string zsh_completion(const Command& command, const std::string& program) {
   const std::string help = " \\\n    '(-h --help)'{-h,--help}'[print the help]'";
   std::string text = "#compdef " + program + "\n# Completion of " + program + " in zsh. Load it with: source <(" + program +
-                     " --completion zsh)\n(( $+functions[compdef] )) || { autoload -Uz compinit && compinit; }\n_" + program + "() {\n";
+                     " --completion zsh)\n(( $+functions[compdef] )) || { autoload -Uz compinit && compinit; }\n_" + program +
+                     "() {\n";
   if (!command.subcommands.empty()) {
     text += "  local -a commands=(";
     for (const Command& subcommand : command.subcommands) {
@@ -158,11 +159,13 @@ namespace detail {
     }
     text += ")\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n  case $words[2] in\n";
     for (const Command& subcommand : command.subcommands) {
-      text += "  " + subcommand.name + ") shift words; (( CURRENT-- )); _arguments -S" + help + detail::zsh_arguments(subcommand) + " ;;\n";
+      text += "  " + subcommand.name + ") shift words; (( CURRENT-- )); _arguments -S" + help +
+              detail::zsh_arguments(subcommand) + " ;;\n";
     }
     text += "  esac\n";
   } else {
-    text += "  _arguments -S" + help + " \\\n    '--version[print the version]' \\\n    '--completion[print the completion]:shell:(bash zsh)'" +
+    text += "  _arguments -S" + help +
+            " \\\n    '--version[print the version]' \\\n    '--completion[print the completion]:shell:(bash zsh)'" +
             detail::zsh_arguments(command) + "\n";
   }
   return text + "}\ncompdef _" + program + " " + program + "\n";

@@ -66,7 +66,8 @@ namespace detail {
       {{"--sweep", &options.sweep,
         "run the grid of settings that this TOML file lists, into OUT; programs on several machines may work on one OUT at once"},
        {"--dry-run", &options.dry_run, "print the sweep's cells and how long they will take, and stop"},
-       {"--status", &options.status, "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left"},
+       {"--status", &options.status,
+        "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left"},
        {"--shard", &options.shard, "I/N: of the sweep's runs only every N-th, beginning with the I-th (all)"},
        {"--sbatch", &options.sbatch,
         "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it"},
@@ -76,14 +77,16 @@ namespace detail {
       {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
        {"--replay-hz", &options.replay_hz,
         "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},
-       {"--agents-every", &options.agents_every, "agents.csv has the ticks whose number is a multiple of this (1); for large ecologies"},
+       {"--agents-every", &options.agents_every,
+        "agents.csv has the ticks whose number is a multiple of this (1); for large ecologies"},
        {"--senses", &options.senses, "write senses.csv too: contacts, inputs and outputs of every robot"},
        {"--states", &options.states, "write states.csv too: what rules with a State keep for every robot"},
        {"--checkpoint-s", &options.checkpoint_s,
         "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
        {"--save-mjcf", &options.save_mjcf,
         "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"}});
-  add("Look", {{"--watch", &options.watch, "show the run in a window; its files are the same. H in the window lists keys and mouse"}});
+  add("Look",
+      {{"--watch", &options.watch, "show the run in a window; its files are the same. H in the window lists keys and mouse"}});
   add("Resume and branch",
       {{"--resume", &options.resume,
         "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It keeps "
@@ -94,13 +97,14 @@ namespace detail {
         "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
         "with --replicates of its future"},
        {"--at", &options.at_s, "seconds of that run's clock (its last checkpoint)"}});
-  add("Print", {{"--print-config", &options.print_config, "print every number as TOML and stop"},
-                {"--print-table",
-                 &options.print_table,
-                 "print the rules with their numbers and sources, as markdown or latex, and stop",
-                 {"markdown", "latex"},
-                 Words::demanded},
-                {"--unlike", &options.unlike, "with --print-table: only rules and numbers that differ from this rule table", tables}});
+  add("Print",
+      {{"--print-config", &options.print_config, "print every number as TOML and stop"},
+       {"--print-table",
+        &options.print_table,
+        "print the rules with their numbers and sources, as markdown or latex, and stop",
+        {"markdown", "latex"},
+        Words::demanded},
+       {"--unlike", &options.unlike, "with --print-table: only rules and numbers that differ from this rule table", tables}});
   return all;
 }
 
@@ -158,7 +162,8 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   if (options.unlike) {
     const Selection other{offer.table(*options.unlike), selection.backend};
     if (other.table == nullptr) {
-      throw std::invalid_argument{must_be_one_of("--unlike " + *options.unlike, tables) + did_you_mean(nearest_word(*options.unlike, tables))};
+      throw std::invalid_argument{must_be_one_of("--unlike " + *options.unlike, tables) +
+                                  did_you_mean(nearest_word(*options.unlike, tables))};
     }
     options.unlike_rules = other.experiment()->printed_rules();
   }

@@ -135,13 +135,17 @@ struct Estimates {
                 static_cast<unsigned long long>(minutes % 60));
   const auto quoted = [](const std::string& text) { return command::detail::shell_text(text); };
   const std::string tasks = std::to_string(*options.sbatch);
-  return print_text("#!/bin/bash\n# " + estimate_text(file, plan, *estimates) + ". Time is 1.5 times the longest task's and ten minutes.\n"
-                    "# Submit it again to finish what was cut off; `" + options.program + " --status --out " + options.out + "` says what that is.\n"
-                    "#SBATCH --job-name=" + options.program + "\n#SBATCH --array=1-" + tasks +
-                    "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() + "\n#SBATCH --mem=" + std::to_string(megabytes) +
-                    "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\nexec " +
-                    quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " --sweep " +
-                    quoted(options.sweep) + " --out " + quoted(options.out) + " --shard \"$SLURM_ARRAY_TASK_ID/" + tasks + "\" --jobs 1\n");
+  return print_text(
+      "#!/bin/bash\n# " + estimate_text(file, plan, *estimates) +
+      ". Time is 1.5 times the longest task's and ten minutes.\n"
+      "# Submit it again to finish what was cut off; `" +
+      options.program + " --status --out " + options.out +
+      "` says what that is.\n"
+      "#SBATCH --job-name=" +
+      options.program + "\n#SBATCH --array=1-" + tasks + "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() +
+      "\n#SBATCH --mem=" + std::to_string(megabytes) + "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\nexec " +
+      quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " --sweep " + quoted(options.sweep) + " --out " +
+      quoted(options.out) + " --shard \"$SLURM_ARRAY_TASK_ID/" + tasks + "\" --jobs 1\n");
 }
 
 }  // namespace trophic::command::detail::sweeps

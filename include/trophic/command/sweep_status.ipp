@@ -71,7 +71,8 @@ TROPHIC_INLINE int sweep_status(const ExperimentOptions& options) {
   if (options.out.empty()) throw std::invalid_argument{"--status: needs --out, the folder of a sweep"};
   const std::filesystem::path out = options.out;
   if (!std::filesystem::exists(out / sweep::plan_name)) {
-    throw std::invalid_argument{"--status: " + options.out + " is not a sweep's folder: it has no " + std::string{sweep::plan_name}};
+    throw std::invalid_argument{"--status: " + options.out + " is not a sweep's folder: it has no " +
+                                std::string{sweep::plan_name}};
   }
   const std::vector<sweep::PlannedRun> plan = sweep::read_plan(out / sweep::plan_name);
   using Kind = std::pair<std::string, std::string>;
@@ -97,7 +98,8 @@ TROPHIC_INLINE int sweep_status(const ExperimentOptions& options) {
       continue;
     }
     work_left[kind] += run.work;
-    const std::string who = sweep::claimant_of(out / sweep::claims_name, run.index, options.lease_s.value_or(sweep::default_lease_s));
+    const std::string who =
+        sweep::claimant_of(out / sweep::claims_name, run.index, options.lease_s.value_or(sweep::default_lease_s));
     if (!who.empty()) {
       ++busy;
       running[who].push_back(run.folder.string());
@@ -110,8 +112,8 @@ TROPHIC_INLINE int sweep_status(const ExperimentOptions& options) {
       (status == "failed" ? failed : interrupted).push_back(run.folder.string());
     }
   }
-  std::cout << options.out << ": " << plan.size() << " runs: " << done << " done, " << busy << " running, " << failed.size() << " failed, "
-            << interrupted.size() << " interrupted, " << missing << " missing\n";
+  std::cout << options.out << ": " << plan.size() << " runs: " << done << " done, " << busy << " running, " << failed.size()
+            << " failed, " << interrupted.size() << " interrupted, " << missing << " missing\n";
   for (const auto& [who, runs] : running) std::cout << detail::sweeps::names_line("running on " + who, runs);
   if (!failed.empty()) std::cout << detail::sweeps::names_line("failed", failed);
   if (!interrupted.empty()) std::cout << detail::sweeps::names_line("interrupted", interrupted);

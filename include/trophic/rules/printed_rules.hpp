@@ -44,7 +44,8 @@ struct PrintedRule {
       continue;
     }
     PrintedRule line = rule;
-    std::erase_if(line.numbers, [&](const auto& number) { return std::ranges::find(found->numbers, number) != found->numbers.end(); });
+    std::erase_if(line.numbers,
+                  [&](const auto& number) { return std::ranges::find(found->numbers, number) != found->numbers.end(); });
     if (!line.numbers.empty()) lines.push_back(std::move(line));
   }
   for (const PrintedRule& rule : other) {
@@ -124,7 +125,8 @@ using detail::latex_text;
 [[nodiscard]] inline std::string latex_table(std::span<const PrintedRule> rules) {
   std::string text =
       "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
-      "{\\scriptsize\\setlength{\\tabcolsep}{3pt}\\newcolumntype{L}[1]{>{\\hsize=#1\\hsize\\raggedright\\arraybackslash\\hspace{0pt}}X}%\n"
+      "{\\scriptsize\\setlength{\\tabcolsep}{3pt}\\newcolumntype{L}[1]{>{\\hsize=#1\\hsize\\raggedright\\arraybackslash\\hspace{"
+      "0pt}}X}%\n"
       "\\begin{tabularx}{\\linewidth}{@{}L{0.75}L{0.95}L{1.2}L{1.1}@{}}\n\\toprule\nslot & policy & numbers & source \\\\\n";
   std::string kind;
   for (const PrintedRule& rule : rules) {

@@ -28,8 +28,9 @@ TEST_CASE("print_claims: runs -> a summary for each claim, and for each reading 
   const auto has = [](const std::string& whole, const std::string& part) { return whole.find(part) != std::string::npos; };
   CHECK(has(text, "these are points without bodies, so velocities and walls compare the rules only\n"));
   CHECK(has(text, "\nattribution of prey: not reproduced under any reading\n"));
-  CHECK(has(text,
-            "\n attribution_caught prey 0.650 text 0.037 authors' logs 1.000 [1.000, 1.000] +0.350 [+0.324, +0.376] not reproduced\n"));
+  CHECK(has(
+      text,
+      "\n attribution_caught prey 0.650 text 0.037 authors' logs 1.000 [1.000, 1.000] +0.350 [+0.324, +0.376] not reproduced\n"));
   CHECK(has(text, "\n attribution_died prey 0.620 logs 0.028 authors' logs "));
   CHECK(has(text, "\nvelocity of predators: no conclusion under any reading\n"));
   CHECK(has(text, "\n velocity_points predator (inherited), cm/s 1.95 text 0.21 our runs, another reading missing "));

@@ -40,7 +40,9 @@ TEST_CASE("own_column_of: FILE:COLUMN with or without a unit; anything else -> o
   CHECK(own_column_of("crowd.csv:close:robots").unit == "robots");
   for (const char* text : {"crowd.csv", "crowd.csv:", "crowd.csv:a:", "crowd.csv:a:b:c", ":close", "../crowd.csv:close"}) {
     CAPTURE(text);
-    CHECK(test::message_of<std::invalid_argument>([&] { static_cast<void>(own_column_of(text)); }).starts_with("--column " + std::string{text} + ": must "));
+    CHECK(test::message_of<std::invalid_argument>([&] {
+            static_cast<void>(own_column_of(text));
+          }).starts_with("--column " + std::string{text} + ": must "));
   }
 }
 

@@ -19,8 +19,10 @@ const MetricName second = named("second");
 
 std::optional<MetricName> repeats(const std::vector<std::optional<double>>& a, const std::vector<std::optional<double>>& b) {
   std::vector<RunMetrics> runs;
-  for (std::size_t i = 0; i < a.size(); ++i) runs.push_back({.measurements = {{first, a[i], {}}, {second, b[i], {}}}, .curves = {}});
-  const std::array<std::span<const RunMetrics>, 2> sets{std::span{runs}.first(a.size() / 2), std::span{runs}.subspan(a.size() / 2)};
+  for (std::size_t i = 0; i < a.size(); ++i)
+    runs.push_back({.measurements = {{first, a[i], {}}, {second, b[i], {}}}, .curves = {}});
+  const std::array<std::span<const RunMetrics>, 2> sets{std::span{runs}.first(a.size() / 2),
+                                                        std::span{runs}.subspan(a.size() / 2)};
   return repeated_metrics(sets, std::array{first, second})[1];
 }
 

@@ -54,7 +54,9 @@ TEST_CASE("runs of different status or duration are not pooled, unless all are c
   CHECK(read_set(Paths{d}).runs.size() == 1);
   CHECK(read_set(Paths{a, b, c}, {.until_s = 100.0}).runs.size() == 3);
   CHECK(read_set(Paths{a, b, c}, {.until_s = 100.0}).manifests[1].until_s == 100.0);
-  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{a, b, c}, {.until_s = 150.0})); }).starts_with(b.string()));
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(read_set(Paths{a, b, c}, {.until_s = 150.0}));
+        }).starts_with(b.string()));
 }
 
 TEST_CASE("read_set: a run without manifest or table among others -> error, no numbers of the others") {

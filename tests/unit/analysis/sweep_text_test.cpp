@@ -54,8 +54,7 @@ TEST_CASE("print_sweep: no significant comparison -> inconclusive, not absent") 
   const Printed printed{{.cells = 3, .replicates = 6, .paired = false}, 0.1};
   CAPTURE(printed.text());
   CHECK(printed.says("as independent sets (other seeds in each cell)"));
-  CHECK(printed.says(
-      "no comparison is significant\ninconclusive: 2 of 2 comparisons; this does not show equality"));
+  CHECK(printed.says("no comparison is significant\ninconclusive: 2 of 2 comparisons; this does not show equality"));
   CHECK(printed.says("inconclusive in every cell: 1 metric: hunger predator\n"));
   CHECK_FALSE(printed.says("no effect"));
 }

@@ -70,7 +70,8 @@ TEST_CASE("print_findings: sets with a shadow -> what is significant, with effec
   CHECK_FALSE(has(text, "attribution_caught prey"));
   const ShadowedSet alone{set.ours, {}};
   const auto rows = summarize(alone.ours.runs);
-  CHECK(printed([&](auto& out) { print_findings(out, alone, rows); }) == printed([&](auto& out) { print_table(out, alone, rows); }));
+  CHECK(printed([&](auto& out) { print_findings(out, alone, rows); }) ==
+        printed([&](auto& out) { print_table(out, alone, rows); }));
 }
 
 TEST_CASE("print_table: one run, two or five -> numbers, no test, and a sentence that says so") {

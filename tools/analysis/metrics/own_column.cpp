@@ -24,7 +24,9 @@ bool is_nan(std::string_view cell) {
 }  // namespace
 
 OwnColumn own_column_of(std::string_view text) {
-  const auto refuse = [&] { throw std::invalid_argument{"--column " + std::string{text} + ": must be FILE:COLUMN or FILE:COLUMN:UNIT"}; };
+  const auto refuse = [&] {
+    throw std::invalid_argument{"--column " + std::string{text} + ": must be FILE:COLUMN or FILE:COLUMN:UNIT"};
+  };
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) refuse();
   OwnColumn column{.file = std::string{text.substr(0, colon)}, .column = std::string{text.substr(colon + 1)}};
@@ -66,7 +68,8 @@ void measure_column(const OwnColumn& column, const RunData& run, RunMetrics& res
   detail::remark_truncated(table, path, remarks);
   for (const auto& [name, mean] : found) {
     if (std::ranges::find(result.measurements, name, &Measurement::name) != result.measurements.end()) {
-      throw std::invalid_argument{"--column " + column.file + ":" + column.column + ": trophic has a metric of this name; rename the column"};
+      throw std::invalid_argument{"--column " + column.file + ":" + column.column +
+                                  ": trophic has a metric of this name; rename the column"};
     }
     if (!mean.mean()) remarks.push_back(path.string() + ": " + column.column + " has no value; the run is left out of its mean");
     result.measurements.push_back({name, mean.mean(), {}});

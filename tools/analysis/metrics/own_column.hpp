@@ -22,8 +22,8 @@ struct OwnColumn {
 /// Reads "FILE:COLUMN" or "FILE:COLUMN:UNIT". Throws std::invalid_argument, naming the option, for anything else.
 [[nodiscard]] OwnColumn own_column_of(std::string_view text);
 
-/// Adds the column's means over the run, in the order in which they come in the table, and its curves in windows of 200 s. A run in
-/// which there is no value gets a remark. Throws std::invalid_argument for a run without the file, and std::runtime_error
+/// Adds the column's means over the run, in the order in which they come in the table, and its curves in windows of 200 s. A run
+/// in which there is no value gets a remark. Throws std::invalid_argument for a run without the file, and std::runtime_error
 /// "FILE:LINE: ..." for a cell that is not a number and for a file without the column.
 void measure_column(const OwnColumn& column, const RunData& run, RunMetrics& result, std::vector<std::string>& remarks);
 

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tools/analysis/statistics/interval.hpp>
 
 namespace trophic::analysis {
 
 namespace {
+
+/// Two metrics of fewer values may agree by chance.
+constexpr std::size_t fewest_values = 6;
 
 using Values = std::vector<std::optional<double>>;  ///< one a run
 
@@ -50,7 +52,7 @@ bool can_repeat(const Values& values) {
     lowest = std::min(lowest, *value);
     highest = std::max(highest, *value);
   }
-  return count >= min_runs_for_test && lowest < highest;
+  return count >= fewest_values && lowest < highest;
 }
 
 /// The metric of which this one is another reading of the paper's text.

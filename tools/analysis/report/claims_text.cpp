@@ -37,7 +37,8 @@ std::vector<std::string> line_of(const ReadingConclusion& each) {
 /// What the published system was, and how this set differs from it.
 std::string what_was_published(const RunSet& set) {
   const RunManifest& manifest = set.manifests.front();
-  const std::string published = "published: ten runs of `released` with bodies in MuJoCo, " + number_text(published_duration_s) + " s";
+  const std::string published =
+      "published: ten runs of `released` with bodies in MuJoCo, " + number_text(published_duration_s) + " s";
   const bool points = manifest.backend.starts_with("kinematic");
   if (points) return published + "; these are points without bodies, so velocities and walls compare the rules only";
   if (manifest.rules == "released" && manifest.backend.starts_with("mujoco")) return published + ", as here";

@@ -19,8 +19,8 @@ struct SetDifference {
   MetricName name;
   Estimate a;
   Estimate b;
-  Difference raw;          ///< b - a: moves with the population's composition, too
-  Difference over_shadow;  ///< (b - shadow of b) - (a - shadow of a); empty unless both have a shadow
+  Difference raw;                          ///< b - a: moves with the population's composition, too
+  Difference over_shadow;                  ///< (b - shadow of b) - (a - shadow of a); empty unless both have a shadow
   std::optional<MetricName> same_as = {};  ///< see repeated_metrics; not compared again
 };
 

@@ -126,20 +126,24 @@ std::string means_tex(const SummarizedSet& set) {
     for (const Comparison& other : row.comparisons) {
       if (other.role != Role::null || !other.difference.value) continue;
       const std::string null = other.baseline == shadow_name ? "" : " (null: " + other.baseline + ")";
-      table.add(std::vector<std::string>{rules::latex_text(metric_title(row.name) + null), math(reading.of(row.ours)),
-                                         math(reading(other.value)),
-                                         math(reading.with_interval(other.difference.value, other.difference.interval, true)),
-                                         p_math(other.difference.adjusted),
-                                         math(std::to_string(row.ours.runs) + "{+}" + std::to_string(other.runs))});
+      table.add(std::vector<std::string>{
+          rules::latex_text(metric_title(row.name) + null), math(reading.of(row.ours)), math(reading(other.value)),
+          math(reading.with_interval(other.difference.value, other.difference.interval, true)), p_math(other.difference.adjusted),
+          math(std::to_string(row.ours.runs) + "{+}" + std::to_string(other.runs))});
     }
   }
-  return packages() + "% " + described(set.set->ours) + ". Null: the neutral shadow, unless another is named. p: Holm.\n" + table.finished();
+  return packages() + "% " + described(set.set->ours) + ". Null: the neutral shadow, unless another is named. p: Holm.\n" +
+         table.finished();
 }
 
 std::string differences_tex(const ShadowedSet& a, const ShadowedSet& b, std::span<const SetDifference> differences) {
   const bool over = a.shadow && b.shadow;
-  const std::vector<std::string> head{"metric", rules::latex_text(a.ours.label), rules::latex_text(b.ours.label),
-                                      over ? "over shadows [95\\,\\%]" : "difference [95\\,\\%]", "$p$", "$n$"};
+  const std::vector<std::string> head{"metric",
+                                      rules::latex_text(a.ours.label),
+                                      rules::latex_text(b.ours.label),
+                                      over ? "over shadows [95\\,\\%]" : "difference [95\\,\\%]",
+                                      "$p$",
+                                      "$n$"};
   LatexTable table{head};
   for (const SetDifference& d : differences) {
     const Difference& difference = over ? d.over_shadow : d.raw;
@@ -150,8 +154,8 @@ std::string differences_tex(const ShadowedSet& a, const ShadowedSet& b, std::spa
                                        p_math(difference.adjusted),
                                        math(std::to_string(d.a.runs) + "{+}" + std::to_string(d.b.runs))});
   }
-  return packages() + "% a: " + described(a.ours) + "; b: " + described(b.ours) + (over ? "; over shadows: (b - its shadow) - (a - its shadow)" : "; b - a") +
-         ". p: Holm.\n" + table.finished();
+  return packages() + "% a: " + described(a.ours) + "; b: " + described(b.ours) +
+         (over ? "; over shadows: (b - its shadow) - (a - its shadow)" : "; b - a") + ". p: Holm.\n" + table.finished();
 }
 
 }  // namespace trophic::analysis

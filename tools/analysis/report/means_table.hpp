@@ -64,7 +64,8 @@ struct MeanRow {
         column("p_holm", &MeanRow::p_holm, "", "corrected for all comparisons of the set"),
         column("runs_needed", &MeanRow::runs_needed, "",
                "if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies"),
-        column("same_as", &MeanRow::same_as, "", "an earlier metric that says the same (other reading, or the same in every run); then not compared again")};
+        column("same_as", &MeanRow::same_as, "",
+               "an earlier metric that says the same (other reading, or the same in every run); then not compared again")};
   }
 };
 
@@ -107,7 +108,8 @@ struct SetDifferenceRow {
         column("p_holm", &Row::p_holm, "", "corrected for all metrics"),
         column("runs_needed", &Row::runs_needed, "",
                "if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies"),
-        column("same_as", &Row::same_as, "", "an earlier metric that says the same (other reading, or the same in every run); then not compared again")};
+        column("same_as", &Row::same_as, "",
+               "an earlier metric that says the same (other reading, or the same in every run); then not compared again")};
   }
 };
 

@@ -39,8 +39,11 @@ std::string runs_needed_text(const Difference& difference) {
 }
 
 std::string metric_title(const MetricName& name) {
-  return name.metric + (name.species.empty() ? "" : " " + name.species) + (name.group == "all" || name.group.empty() ? "" : " (" + name.group + ")") +
-         (name.unit == "m/s" ? ", cm/s" : is_plain_unit(name) ? "" : ", " + name.unit);
+  return name.metric + (name.species.empty() ? "" : " " + name.species) +
+         (name.group == "all" || name.group.empty() ? "" : " (" + name.group + ")") +
+         (name.unit == "m/s"    ? ", cm/s"
+          : is_plain_unit(name) ? ""
+                                : ", " + name.unit);
 }
 
 }  // namespace trophic::analysis

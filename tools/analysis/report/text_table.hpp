@@ -21,13 +21,13 @@ void print_too_few(std::ostream& out, const RunSet& set);
 /// fewest runs. Prints the whole table if no null was given or nothing can be tested.
 void print_findings(std::ostream& out, const ShadowedSet& set, std::span<const SummaryRow> rows);
 
-/// The whole table. One line per metric: ours with its 95 % interval over runs (or its spread, if runs are too few) and the paper's
-/// value. Below it one line per null with the difference and its test, and one per reference without; causes from which no
-/// individual died are left out.
+/// The whole table. One line per metric: ours with its 95 % interval over runs (or its spread, if runs are too few) and the
+/// paper's value. Below it one line per null with the difference and its test, and one per reference without; causes from which
+/// no individual died are left out.
 void print_table(std::ostream& out, const ShadowedSet& set, std::span<const SummaryRow> rows);
 
-/// The findings of a comparison: the column that answers, its five clearest differences and the three inconclusive ones that would
-/// need the fewest runs.
+/// The findings of a comparison: the column that answers, its five clearest differences and the three inconclusive ones that
+/// would need the fewest runs.
 void print_difference_findings(std::ostream& out, const ShadowedSet& a, const ShadowedSet& b,
                                std::span<const SetDifference> differences);
 
