@@ -77,7 +77,7 @@ class Completion(InFolder):
         self.assertEqual(self.offered(TROPHIC, "analyze", "num"), ["numbers.toml"])
 
     def test_subcommands(self):
-        self.assertEqual(self.offered(TROPHIC, "a"), ["analyze"])
+        self.assertEqual(self.offered(TROPHIC, "a"), ["analyze", "ablation-table"])
         self.assertEqual(self.offered(TROPHIC, "evolve-gait", "--fit"), ["--fitness"])
         self.assertEqual(self.offered(TROPHIC, "evolve-gait", "--table", "r"), ["released"])
         self.assertEqual(self.offered(TROPHIC, "analyze", "--fit"), [""])
