@@ -54,10 +54,10 @@ std::optional<Finding> finding_of(const analysis::ShadowedSet& set, const analys
   const std::string unit = comma == std::string::npos ? "" : " " + title.substr(comma + 2);
   title.resize(std::min(comma, title.size()));
   finding.sentence = (says_set ? set.ours.label + ": " : "") + title + ": " + reading(*row.ours.mean) + unit + ", " +
-                     reading(std::abs(*null->difference.value)) + unit + (*null->difference.value >= 0.0 ? " above " : " below ") +
-                     baseline_words(null->baseline) + " (95 % interval of the difference " +
-                     reading(null->difference.interval->lower, true) + " to " + reading(null->difference.interval->upper, true) + unit + "; " +
-                     std::to_string(row.ours.runs) + " runs).";
+                     reading(std::abs(*null->difference.value)) + unit +
+                     (*null->difference.value >= 0.0 ? " above " : " below ") + baseline_words(null->baseline) +
+                     " (95 % interval of the difference " + reading(null->difference.interval->lower, true) + " to " +
+                     reading(null->difference.interval->upper, true) + unit + "; " + std::to_string(row.ours.runs) + " runs).";
   return finding;
 }
 

@@ -175,7 +175,11 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
 }
 
 [[nodiscard]] analysis::Measuring measuring_of(const Options& options) {
-  analysis::Measuring how{.until_s = options.until_s, .any_build = options.accept_other_build, .columns = {}, .jobs = options.jobs.value_or(1), .on_run = {}};
+  analysis::Measuring how{.until_s = options.until_s,
+                          .any_build = options.accept_other_build,
+                          .columns = {},
+                          .jobs = options.jobs.value_or(1),
+                          .on_run = {}};
   for (const std::string& column : options.columns) how.columns.push_back(analysis::own_column_of(column));
   return how;
 }

@@ -92,7 +92,8 @@ namespace detail {
         "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It keeps "
         "what OUT has of --replay-hz, --agents-every, --senses and --states"},
        {"--accept-other-build", &options.accept_other_build,
-        "resume runs that another build of this program made, whose rules may be other code under the same names; manifests record it"},
+        "resume runs that another build of this program made, whose rules may be other code under the same names; manifests "
+        "record it"},
        {"--from", &options.from,
         "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
         "with --replicates of its future"},

@@ -25,15 +25,15 @@ struct RunSet {
 
 /// What is measured of runs, and how.
 struct Measuring {
-  std::optional<double> until_s = {};    ///< only the first seconds
-  bool any_build = false;                ///< runs of several builds of a program may be pooled
-  std::vector<OwnColumn> columns = {};   ///< metrics of one's own
-  std::size_t jobs = 1;                  ///< runs measured at a time; results do not depend on it
-  std::function<void()> on_run = {};     ///< called after each run, by any thread, one at a time
+  std::optional<double> until_s = {};   ///< only the first seconds
+  bool any_build = false;               ///< runs of several builds of a program may be pooled
+  std::vector<OwnColumn> columns = {};  ///< metrics of one's own
+  std::size_t jobs = 1;                 ///< runs measured at a time; results do not depend on it
+  std::function<void()> on_run = {};    ///< called after each run, by any thread, one at a time
 };
 
-/// Reads and measures runs that may be pooled. Throws as pooled_runs and read_run do, std::invalid_argument for a run that is shorter than
-/// `until_s`, and as measure_column.
+/// Reads and measures runs that may be pooled. Throws as pooled_runs and read_run do, std::invalid_argument for a run that is
+/// shorter than `until_s`, and as measure_column.
 [[nodiscard]] RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how = {});
 
 /// A set with its shadow, where there is one.
