@@ -104,7 +104,7 @@ class EvolveGait(InFolder):
         self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
         self.assertIn("--gait: must name a gait", refused.stderr)
 
-    def test_one_program_at_a_time_goes_on(self):
+    def test_one_program_at_a_time_continues(self):
         self.evolve(*SMALL, "--out", "whole")
         self.interrupt("run", signal.SIGKILL, "checkpoint.toml")
         pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}

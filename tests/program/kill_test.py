@@ -154,7 +154,7 @@ class Killed(InFolder):
         self.whole(7)
         run = self.started_and_kept("here")
         (self.folder / "here").rename(self.folder / "there")
-        self.assertEqual(self.failed(run), "no longer there, removed or moved: here")
+        self.assertEqual(self.failed(run), "its folder was removed or moved: here")
         self.assertNotEqual(self.manifest("there")["status"], "complete")
         again = self.finish(*self.command("there", 7, "--resume"))
         self.assertIn("continues from its checkpoint at", again.stdout, again.stderr)

@@ -127,7 +127,7 @@ class Help(InFolder):
             head, examples = text.split("\nExamples:\n")
             self.assertLessEqual(max(map(len, head.splitlines())), columns)
             self.assertEqual(len(examples.splitlines()), 3)
-            for group in ("What to run:", "How long and how many:", "A sweep:", "Where, and what is written:", "Look:", "Resume and branch:", "Print:"):
+            for group in ("The experiment:", "How long and how many:", "A sweep:", "Output:", "Look:", "Resume and branch:", "Print:"):
                 self.assertIn(f"\n\n{group}\n  --", head)
             self.assertIn("\n\nExit codes: 0 done; 1 ", head)
 

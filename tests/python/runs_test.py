@@ -177,7 +177,7 @@ class Runs(unittest.TestCase):
             with self.subTest(said), self.assertRaisesRegex(runs.RunError, said):
                 runs.read_run(folder).events
 
-    def test_runs_of_two_builds_are_no_set_unless_that_is_accepted(self):
+    def test_runs_of_two_builds_are_a_set_only_if_that_is_accepted(self):
         folder = self.folder / "builds"
         subprocess.run(["cp", "-r", self.folder / "set", folder], check=True)
         path = folder / "replicate-00/manifest.json"

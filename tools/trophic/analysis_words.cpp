@@ -47,7 +47,7 @@ std::optional<Finding> finding_of(const analysis::ShadowedSet& set, const analys
   if (!(half > 0.0)) return std::nullopt;
   Finding finding;
   finding.strength = std::abs(*null->difference.value) / half;
-  finding.differs = null->conclusion() == analysis::TestResult::above || null->conclusion() == analysis::TestResult::below;
+  finding.differs = null->test_result() == analysis::TestResult::above || null->test_result() == analysis::TestResult::below;
   std::string title = analysis::metric_title(row.name);
   std::ranges::replace(title, '_', ' ');
   const std::size_t comma = title.rfind(", ");  // "velocity prey, cm/s": the unit goes to the values
@@ -108,7 +108,7 @@ AnalysisPage::Row row_of(const analysis::ShadowedSet& set, const analysis::Summa
   if (null == nullptr) return made;
   made.baseline = null->baseline + " " + reading(null->value);
   made.difference = reading.with_interval(null->difference.value, null->difference.interval, true);
-  switch (null->conclusion()) {
+  switch (null->test_result()) {
     case analysis::TestResult::above:
       made.conclusion = "above";
       break;

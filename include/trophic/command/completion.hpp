@@ -118,7 +118,7 @@ namespace detail {
   return result;
 }
 
-/// What zsh offers for an option's value.
+/// Returns zsh's completions of an option's value.
 [[nodiscard]] inline std::string zsh_values(const Option& option) {
   if (std::holds_alternative<bool*>(option.target)) return "";
   std::string words;

@@ -45,7 +45,7 @@ namespace detail {
   const auto add = [&all](const std::string& group, std::vector<Option> some) {
     for (Option& option : in_group(group, std::move(some))) all.push_back(std::move(option));
   };
-  add("What to run",
+  add("The experiment",
       {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")", tables},
        {"--backend", &options.backend, backend_help(backends, offer.default_backend), backends},
        {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
@@ -72,8 +72,8 @@ namespace detail {
        {"--sbatch", &options.sbatch,
         "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it"},
        {"--lease-s", &options.lease_s,
-        "seconds after which a run of the sweep is taken over from a program on another machine that no longer answers (120)"}});
-  add("Where, and what is written",
+        "seconds after which a run of the sweep is taken over from a program on another machine that does not answer (120)"}});
+  add("Output",
       {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
        {"--replay-hz", &options.replay_hz,
         "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},

@@ -230,7 +230,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     const int code = report_failure(options.program.c_str(), error);
     std::error_code unknown;
     const bool is_there = std::filesystem::exists(folder.path(), unknown);
-    std::cerr << (is_there ? "everything written so far is in " : "no longer there, removed or moved: ") << folder.path().string()
+    std::cerr << (is_there ? "everything written so far is in " : "its folder was removed or moved: ") << folder.path().string()
               << "\n";
     return code;
   }

@@ -57,7 +57,7 @@ class Manifest {
   /// Sets the sums of the run's tables, for the next time that it is written.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
 
-  /// What it says of the run's recording, whole, when it is written next.
+  /// Sets the description of the run's recording, for the next time that it is written.
   void set_recording(std::uint64_t frames, std::uint32_t crc32);
 
   /// Adds provenance that is known only now, such as the wall time, and writes again.

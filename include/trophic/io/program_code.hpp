@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which program this is: a hash of its machine code.
+// The identity of this program: a hash of its machine code.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ namespace trophic::observe {
 /// From the first one made on, SIGINT, SIGTERM, the signals by which batch systems announce an end (SIGXCPU, SIGUSR1, SIGUSR2)
 /// and (unless it was ignored, as nohup does) SIGHUP do not kill the program: runs that this observer watches end with complete
 /// files, after the last whole tick. The one in hand is given up where it may take long. A second signal changes nothing; a third
-/// one kills as usual. A pipe whose reader is gone and a file above the system's limit no longer kill it either: writing to them
+/// one kills as usual. A pipe whose reader is gone and a file above the system's limit do not kill it either: writing to them
 /// fails.
 class StopOnSignal {
  public:

@@ -9,7 +9,7 @@
 
 namespace trophic {
 
-/// Throws std::invalid_argument if the path itself is a symbolic link. What leads to it may be links.
+/// Throws std::invalid_argument if the path itself is a symbolic link. The folders above it may be links.
 inline void check_no_link(const std::filesystem::path& path) {
   if (!std::filesystem::is_symlink(std::filesystem::symlink_status(without_slash(path)))) return;
   throw std::invalid_argument{

@@ -23,7 +23,7 @@ namespace detail {
 class ReadFile {
  public:
   explicit ReadFile(const std::filesystem::path& path) : path_{path} {
-    // O_NONBLOCK: opening a pipe that nobody writes to would wait.
+    // O_NONBLOCK: opening a pipe without a writer would wait.
     file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     struct stat status {};
     if (file_ < 0 || ::fstat(file_, &status) != 0) {

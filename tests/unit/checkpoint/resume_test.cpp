@@ -296,7 +296,7 @@ TEST_CASE("resume: a complete run that lacks a table -> refused") {
         run.string() + ": its manifest says that it is complete, but it lacks genomes.csv");
 }
 
-TEST_CASE("a folder in which nothing can go on is set aside, one that another program works in is left alone") {
+TEST_CASE("resume: nothing to resume -> folder renamed, folder of a working program -> left alone") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
   const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};

@@ -20,7 +20,7 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
     for (const auto& replicate : json.at("replicates")) {
       const std::filesystem::path name = replicate.at("folder").get<std::string>();
       if (name.has_parent_path() || name == "..") {
-        throw std::invalid_argument{list.string() + ": folder = " + name.string() + ": must be the name of a folder beside it"};
+        throw std::invalid_argument{list.string() + ": folder = " + name.string() + ": must be the name of a folder next to it"};
       }
       const std::filesystem::path folder = path / name;
       if (std::filesystem::is_directory(folder)) {

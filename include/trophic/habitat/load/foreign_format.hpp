@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which format of other programs a text is in, if it is not the one that was asked for.
+// The format of another program that a text is in, if it is not the expected one.
 #pragma once
 
 #include <string>

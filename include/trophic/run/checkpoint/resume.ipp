@@ -55,7 +55,7 @@ namespace detail {
   return status_in(manifest) == "complete" && until_in(manifest) >= until_s;
 }
 
-/// What a folder lacks of the files that its manifest lists; empty if it has all of them.
+/// Returns the files that a manifest lists and its folder lacks; empty if it has all of them.
 [[nodiscard]] inline std::string missing_in(const std::filesystem::path& folder, const Json& manifest) {
   const auto tables = manifest.find("tables");
   if (tables == manifest.end() || !tables->is_object() || tables->empty()) return "a list of its tables";

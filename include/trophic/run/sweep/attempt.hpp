@@ -44,8 +44,8 @@ inline constexpr const char* claims_name = "claims";
 /// a mixture of programs must be asked for.
 void check_builds(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan);
 
-/// Takes the claims away where all runs of a plan are complete, those too of programs that were killed; else their folder if it
-/// is empty, as nobody works there.
+/// Removes the claims, also those of killed programs, if all runs of a plan are complete; else their folder if it is empty,
+/// because then no program works there.
 void remove_claims(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan);
 
 }  // namespace trophic::sweep

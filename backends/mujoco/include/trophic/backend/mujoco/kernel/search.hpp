@@ -158,8 +158,8 @@ TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
   }
 }
 
-/// The acceleration that minimises the cost, as `trial` of links and hinges. A lane whose rows no longer change stays at its
-/// solution bitwise whatever happens in the others. Returns those of `lanes` that did not settle.
+/// The acceleration that minimises the cost, as `trial` of links and hinges. A lane whose rows stay the same keeps its
+/// solution bitwise, independent of the others. Returns those of `lanes` that did not settle.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned minimise(const KernelModel& model, const LaneState& state, Workspace& work,
                                                      unsigned lanes) {
   first_rows(model, state, work);
