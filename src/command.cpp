@@ -5,7 +5,3 @@
 #include <trophic/command/run_experiment.ipp>
 #include <trophic/command/sweep.ipp>
 #include <trophic/command/sweep_status.ipp>
-#include <trophic/command/table_experiment.hpp>
-
-template class trophic::command::TableExperiment<trophic::rules::Paper>;
-template class trophic::command::TableExperiment<trophic::rules::Released>;

@@ -43,7 +43,7 @@ class Hostile(InFolder):
         """What is said in one line on standard error."""
         done = self.call(*words)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        said = [line for line in done.stderr.splitlines() if not line.startswith("what was written before is in")]
+        said = [line for line in done.stderr.splitlines() if not line.startswith("everything written so far is in")]
         self.assertEqual(len(said), 1, done.stderr)
         return said[0]
 
@@ -185,7 +185,7 @@ class Links(Hostile):
     def test_the_past_of_a_run_is_made_in_no_link(self):
         self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         manifest = json.loads((self.folder / "run/manifest.json").read_text())
-        name = f"new.past-{manifest['fingerprint']}-seed-{manifest['seed']}-40-s"
+        name = f"new.snapshot-{manifest['fingerprint']}-seed-{manifest['seed']}-40-s"
         (self.folder / name).symlink_to(self.elsewhere)
         said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
         self.assertIn(f"{name}: is a symbolic link", said)

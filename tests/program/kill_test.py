@@ -128,7 +128,7 @@ class Killed(InFolder):
                 printed, errors = run.communicate(timeout=60)
                 self.assertLess(time.monotonic() - began, 5.0)
                 self.assertEqual(run.returncode, STOPPED, errors)
-                self.assertIn("stopping: what has been done is kept", errors)
+                self.assertIn("stopping: finished work is kept", errors)
                 self.assertIn(f"--resume --out {out} resumes it", printed)
                 self.assertEqual(self.manifest(out)["status"], "stopped")
                 again = self.finish(*self.command(out, 7, "--resume"))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """whole_numbers_test.py PROGRAM..., each with its subcommand after a comma: no program takes a negative number, or one that it reads otherwise than it is written, as an
-unsigned one. The options are those that its --help marks UINT."""
+unsigned one. The options are those that its --help marks N."""
 
 import pathlib
 import re
@@ -32,7 +32,7 @@ class WholeNumbers(InFolder):
         self.assertGreaterEqual(len(PROGRAMS), 2)
         for program in PROGRAMS:
             name = " ".join([pathlib.Path(program[0]).name, *program[1:]])
-            options = re.findall(r"^ *(--[\w-]+) UINT", call(program, "--help", folder=self.folder).stdout, re.MULTILINE)
+            options = re.findall(r"^ *(--[\w-]+) N\b", call(program, "--help", folder=self.folder).stdout, re.MULTILINE)
             self.assertGreaterEqual(len(options), 1, name)
             for option in options:
                 for text, must in BAD.items():

@@ -19,7 +19,7 @@ inline constexpr std::array slot_texts{
     SlotText{"community", "Which species are there, how many of each, and who eats whom?", "food_chain predator_prey"},
     SlotText{"placement", "Where do robots stand at the start?", "scattered uniform_square"},
     SlotText{"heading", "Which way does a body face?", "forward_axis_heading root_yaw_heading"},
-    SlotText{"visibility", "Who perceives whom?", "everybody same_tag same_tag_if_active within_range"},
+    SlotText{"visibility", "Who perceives whom?", "all_active same_tag same_tag_if_active within_range"},
     SlotText{"sensors", "What does a brain get as inputs?",
              "list of: distance_over_diagonal distance_over_scale distance_over_terrain side_away_from_hunter side_of_adversary "
              "tag_ratio_of_active tag_ratio_of_all"},

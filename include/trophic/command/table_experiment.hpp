@@ -76,9 +76,4 @@ class TableExperiment final : public AnyExperiment {
   BackendChoice choice_;
 };
 
-#if !TROPHIC_HEADER_ONLY
-extern template class TableExperiment<rules::Paper>;
-extern template class TableExperiment<rules::Released>;
-#endif
-
 }  // namespace trophic::command

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/experiment.hpp>
@@ -36,11 +37,11 @@ template <class Rules>
 /// Loads the models that `params.ecology` names, using trophic/habitat/load/habitat.hpp. Throws as `checked`, and
 /// std::runtime_error for a missing or invalid file.
 template <class Rules>
-[[nodiscard]] CheckedExperiment<Rules> load_checked(Experiment<Rules> params, BackendChoice backend) {
+[[nodiscard]] CheckedExperiment<Rules> load_checked(Experiment<Rules> params, BackendChoice backend, std::string_view installed) {
   validate(params, "");
   backend.validate("backend");
-  if constexpr (requires { load_habitat(params.ecology); }) {
-    Habitat habitat = load_habitat(params.ecology);
+  if constexpr (requires { load_habitat(params.ecology, installed); }) {
+    Habitat habitat = load_habitat(params.ecology, installed);
     if (params.ecology.gait.empty()) params.ecology.gait = habitat.robot.gait;
     return checked(std::move(params), std::move(backend), std::move(habitat));
   } else {

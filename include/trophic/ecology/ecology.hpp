@@ -24,6 +24,7 @@
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/load/installed_models.hpp>
 #include <trophic/io/state_columns.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/params/archive.hpp>
@@ -55,7 +56,8 @@ class Ecology final : public Simulation {
 
   /// Loads the models that `params.ecology` names, using trophic/habitat/load/habitat.hpp. Throws std::invalid_argument naming
   /// field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or invalid file.
-  Ecology(Params params, BackendChoice backend) : Ecology{load_checked(std::move(params), std::move(backend))} {}
+  explicit Ecology(Params params, BackendChoice backend, std::string_view installed = TROPHIC_MODEL_DIR)
+      : Ecology{load_checked(std::move(params), std::move(backend), installed)} {}
 
   /// Uses a habitat made by the program; the names in `params.ecology` are then only labels.
   Ecology(Params params, BackendChoice backend, Habitat habitat)

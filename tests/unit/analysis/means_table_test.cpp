@@ -44,7 +44,7 @@ TEST_CASE("means.csv: each metric with its null, difference, p and runs") {
   CHECK_FALSE(has(tex, "velocity"));
 }
 
-TEST_CASE("differences.csv: raw and over the shadows; the LaTeX table has the answer only") {
+TEST_CASE("differences.csv: two sets -> raw and over the shadows, the LaTeX table with the answer alone") {
   const test::TemporaryFolder folder;
   const ShadowedSet a{runs_of(folder, "aa", "inherited"), runs_of(folder, "bb", "random")};
   const ShadowedSet b{runs_of(folder, "cc", "random"), runs_of(folder, "dd", "random")};

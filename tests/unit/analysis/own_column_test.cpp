@@ -35,7 +35,7 @@ Measured measured(const std::string& table, const std::string& column = "own.csv
 
 }  // namespace
 
-TEST_CASE("own_column_of: FILE:COLUMN with or without a unit; anything else -> one sentence") {
+TEST_CASE("own column: FILE:COLUMN with or without a unit -> read, anything else -> one sentence") {
   CHECK(own_column_of("crowd.csv:close").unit == "1");
   CHECK(own_column_of("crowd.csv:close:robots").unit == "robots");
   for (const char* text : {"crowd.csv", "crowd.csv:", "crowd.csv:a:", "crowd.csv:a:b:c", ":close", "../crowd.csv:close"}) {
@@ -46,7 +46,7 @@ TEST_CASE("own_column_of: FILE:COLUMN with or without a unit; anything else -> o
   }
 }
 
-TEST_CASE("measure_column: a table with times -> the mean over rows and a curve of windows; empty and nan are left out") {
+TEST_CASE("measure_column: a table with times -> the mean over rows and a curve of windows, without empty cells and nan") {
   const Measured found = measured("time_s,x\n0,1\n100,3\n200,nan\n300,\n400,8\n");
   REQUIRE(found.metrics.measurements.size() == 1);
   CHECK(found.metrics.measurements[0].name == MetricName{"x", "", "all", "1"});

@@ -218,7 +218,7 @@ TEST_CASE("history: a pre-experiment -> its tables") {
         "generation,evaluations,best,median,worst,diverged\n0,2,2,1.25,0.5,0\n1,4,2,1.625,1.25,1\n");
   CHECK(gait_evolution::phylogeny_csv(lineage) ==
         "id,ancestor_list,origin_time,destruction_time,fitness,hidden_nodes,enabled_links\n"
-        "0,[none],0,0,1,0.5,0,0\n1,[none],1,0,inf,2,0,0\n2,\"[0,1]\",0,1,inf,1.25,0,0\n3,[1],1,1,1,-inf,0,0\n");
+        "0,[none],0,1,0.5,0,0\n1,[none],0,inf,2,0,0\n2,\"[0,1]\",1,inf,1.25,0,0\n3,[1],1,1,-inf,0,0\n");
 }
 
 TEST_CASE("gait file: written -> reads back as the champion's gait and CPPN, with its provenance") {

@@ -28,7 +28,7 @@ std::vector<RunMetrics*> pointers(std::initializer_list<RunSet*> sets) {
 }  // namespace
 
 RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how) {
-  PooledRuns pooled = pooled_runs(paths, how.until_s.has_value());
+  PooledRuns pooled = pooled_runs(paths, how.until_s.has_value(), how.any_build);
   RunSet set{pooled.manifests.front().rules, std::move(pooled.manifests), {}, std::move(pooled.remarks)};
   std::vector<std::vector<std::string>> remarks(set.manifests.size());
   std::vector<std::exception_ptr> errors(set.manifests.size());

@@ -79,7 +79,7 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
   file.no_other_keys();
   arena.extent_m = 2.0 * field.half_extent_m;
   arena.half_side_m = flat_half_side_m(field);
-  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the middle, where robots start");
+  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the centre, where robots start");
   if (!detail::has_rim(field))
     file.fail("height_m", ": is 0 somewhere at its edge: must be > 0 all around, or robots walk off it");
   arena.height_field = std::move(field);

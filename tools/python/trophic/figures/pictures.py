@@ -130,7 +130,7 @@ def trajectories(data):
     half_m = data.summary["runs"][0]["half_side_m"]
     count = len(data.species)
     fig, axes = plt.subplots(1, count, figsize=(max(width_in(), 1.75 * count), 2.5), sharex=True, sharey=True, squeeze=False)
-    ways = {species: [] for species in data.species}
+    paths = {species: [] for species in data.species}
     for _, body in rows.groupby("body", sort=False):
         # A body's path is cut where it passes from one species to another.
         of = (body.species != body.species.shift()).cumsum()
