@@ -41,7 +41,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cm
 install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/trophic-config-version.cmake
               ${PROJECT_SOURCE_DIR}/cmake/trophic-experiment.cmake ${PROJECT_SOURCE_DIR}/cmake/source-revision.cmake
               ${PROJECT_SOURCE_DIR}/cmake/FindODE.cmake ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
-              ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-mujoco.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-versions.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-find-mujoco.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-versions.cmake
         DESTINATION ${trophic_cmake_dir})
 
 # For builds without CMake: pkg-config --cflags --libs trophic (or trophic-compiled). The files find their prefix from where they lie.

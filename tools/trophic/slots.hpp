@@ -33,7 +33,8 @@ inline constexpr std::array slot_texts{
     SlotText{"genome_source", "Does a vacancy go to an offspring or to a random newcomer (immigration)?",
              "always_inherited random_or_inherited random_or_inherited_in_name"},
     SlotText{"parent", "Who becomes a parent?",
-             "by_cause killer last_killer last_seen_victim nearest_active_victim nearest_conspecific nearest_victim no_parent"},
+             "by_cause fastest_escape killer last_escapee last_killer last_seen_victim most_escapes nearest_active_victim "
+             "nearest_conspecific nearest_victim no_parent"},
     SlotText{"heredity", "What does an offspring inherit?", "nothing_inherited own_copy shared_copy"},
     SlotText{"mutation", "How do genomes change between generations?", "no_mutation normal_mutation uniform_mutation"},
     SlotText{"activation", "From when on is a newborn part of the ecology, to be seen and caught?",
