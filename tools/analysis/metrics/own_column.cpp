@@ -15,7 +15,7 @@ namespace trophic::analysis {
 
 namespace {
 
-constexpr double window_s = 200.0;
+constexpr double curve_window_s = 200.0;
 
 bool is_nan(std::string_view cell) {
   return cell.empty() || cell == "nan" || cell == "-nan" || cell == "NaN" || cell == "NA";
@@ -55,14 +55,14 @@ void measure_column(const OwnColumn& column, const RunData& run, RunMetrics& res
     places.push_back(table.has(name) ? std::optional{table.place_of(name)} : std::nullopt);
   }
   std::vector<std::pair<MetricName, WindowMean>> found;
-  if (!places[1] && !places[2]) found.emplace_back(MetricName{column.column, "", "all", column.unit}, WindowMean{window_s});
+  if (!places[1] && !places[2]) found.emplace_back(MetricName{column.column, "", "all", column.unit}, WindowMean{curve_window_s});
   while (table.next()) {
     const double time_s = places[0] ? table.get<double>(*places[0]) : 0.0;
     if (time_s > run.manifest.until_s) continue;
     const MetricName name{column.column, places[1] ? table.get<std::string>(*places[1]) : "",
                           places[2] ? table.get<std::string>(*places[2]) : "all", column.unit};
     auto place = std::ranges::find(found, name, &std::pair<MetricName, WindowMean>::first);
-    if (place == found.end()) place = found.insert(found.end(), {name, WindowMean{window_s}});
+    if (place == found.end()) place = found.insert(found.end(), {name, WindowMean{curve_window_s}});
     place->second.add(time_s, is_nan(table.text(0)) ? std::nullopt : std::optional{table.get<double>(0)});
   }
   detail::remark_truncated(table, path, remarks);
