@@ -24,14 +24,7 @@ struct LastEscapee {
   static constexpr std::string_view name = "last_escapee";
   static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
 
-  struct Params {
-    double near_m = 3.0;
-    double far_m = 5.0;
-    static constexpr auto fields() {
-      return std::tuple{field("near_m", &Params::near_m, above(0.0), "a predator this close pursues"),
-                        field("far_m", &Params::far_m, above(0.0), "a prey farther than this from its pursuer has escaped")};
-    }
-  };
+  using Params = detail::EscapeDistances;
   Params params;
 
   /// Of each individual. `hunters` and `ticks` are of the same length.
@@ -45,8 +38,7 @@ struct LastEscapee {
   };
   [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
   void on_walk(State& own, BodyIndex self, double, const View& view) const {
-    detail::update_pursuers(own.pursuers, self, params.near_m, params.far_m, view,
-                            [&](IndividualId hunter) { record(own, hunter, view); });
+    detail::update_pursuers(own.pursuers, self, params, view, [&](IndividualId hunter) { record(own, hunter, view); });
   }
 
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng&,

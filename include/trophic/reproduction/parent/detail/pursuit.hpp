@@ -4,21 +4,34 @@
 
 #include <algorithm>
 #include <optional>
+#include <trophic/params/params.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <tuple>
 #include <vector>
 
 namespace trophic::reproduction::parent::detail {
 
+/// The distances between which a pursued prey escapes.
+struct EscapeDistances {
+  double near_m = 3.0;
+  double far_m = 5.0;
+  static constexpr auto fields() {
+    using Own = EscapeDistances;
+    return std::tuple{field("near_m", &Own::near_m, above(0.0), "a predator this close pursues"),
+                      field("far_m", &Own::far_m, above(0.0), "a prey farther than this from its pursuer has escaped")};
+  }
+};
+
 /// Updates the living hunters that pursue `self`, by id: a hunter that eats its species pursues it once within `near_m`, and
 /// until it is farther than `far_m`. Calls `escaped(id)` for each that is then farther. Inactive individuals are not pursued.
 template <class Escaped>
-void update_pursuers(std::vector<IndividualId>& pursuers, BodyIndex self, double near_m, double far_m, const View& view,
+void update_pursuers(std::vector<IndividualId>& pursuers, BodyIndex self, const EscapeDistances& distances, const View& view,
                      Escaped&& escaped) {
   const Individual& own = view.robots[self];
   if (!own.active) return pursuers.clear();
-  const std::vector<BodyIndex> around = view.within(view.poses[self], far_m);
+  const std::vector<BodyIndex> around = view.within(view.poses[self], distances.far_m);
   std::erase_if(pursuers, [&](IndividualId hunter) {
     const auto is_hunter = [&](BodyIndex body) { return view.robots[body].id == hunter; };
     if (std::ranges::any_of(around, is_hunter)) return false;
@@ -27,7 +40,7 @@ void update_pursuers(std::vector<IndividualId>& pursuers, BodyIndex self, double
   });
   for (const BodyIndex body : around) {
     const Individual& other = view.robots[body];
-    if (!view.web.eats(other.species, own.species) || view.distance_m(self, body) > near_m) continue;
+    if (!view.web.eats(other.species, own.species) || view.distance_m(self, body) > distances.near_m) continue;
     if (std::ranges::find(pursuers, other.id) == pursuers.end()) pursuers.push_back(other.id);
   }
 }
