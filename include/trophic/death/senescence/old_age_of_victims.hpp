@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Death at a fixed age, of species that are hunted.
+#pragma once
+
+#include <string_view>
+#include <trophic/death/senescence/contract.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+
+namespace trophic::death::senescence {
+
+/// Rule: an individual of a species that another one eats dies iff its age >= max_age; the others never die of age. The paper
+/// names the lack of ageing prey as a possible reason for their poor adaptation (Sec. "Conclusion"). Its number is free.
+/// Reads: own age, the food web.   Random draws: 0.
+struct OldAgeOfVictims {
+  static constexpr std::string_view name = "old_age_of_victims";
+  static constexpr std::string_view source = "paper, Sec. \"Conclusion\": future work";
+
+  struct Params {
+    double max_age_s = 600.0;
+    static constexpr auto fields() { return std::tuple{field("max_age_s", &Params::max_age_s, above(0.0), "age at death")}; }
+  };
+  Params params;
+
+  [[nodiscard]] bool dies(const Individual& individual, const View& view, Rng&) const {
+    return view.web.is_hunted(individual.species) && view.passed(individual.age_from_s, params.max_age_s);
+  }
+};
+static_assert(Senescence<OldAgeOfVictims>);
+
+}  // namespace trophic::death::senescence
