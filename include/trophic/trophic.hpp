@@ -40,6 +40,7 @@
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/senescence/old_age.hpp>
+#include <trophic/death/senescence/old_age_of_victims.hpp>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
@@ -177,6 +178,7 @@
 #include <trophic/population/spatial_grid.hpp>
 #include <trophic/population/species_colour.hpp>
 #include <trophic/population/state.hpp>
+#include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
@@ -205,6 +207,9 @@
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
+#include <trophic/reproduction/recruitment/after_escapes.hpp>
+#include <trophic/reproduction/recruitment/contract.hpp>
+#include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/paper.hpp>
@@ -216,6 +221,7 @@
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/rules/with.hpp>
+#include <trophic/rules/with_ageing_victims.hpp>
 #include <trophic/rules/with_part.hpp>
 #include <trophic/rules/with_rules_of.hpp>
 #include <trophic/rules/with_sensor.hpp>

@@ -238,6 +238,9 @@ void add_states(Answers& answers, const Policy& policy, const test::HandPopulati
       answers.add(own);
       if constexpr (requires { policy.on_catch(own, body, body, view); }) policy.on_catch(own, body, body, view);
       if constexpr (requires { policy.on_caught(own, body, body, view); }) policy.on_caught(own, body, body, view);
+      if constexpr (requires { policy.on_offspring(own, body, body, view); }) policy.on_offspring(own, body, body, view);
+      const Vacancy death{.body = 0, .cause = Cause::starved};
+      if constexpr (requires { policy.on_other_death(own, body, death, view); }) policy.on_other_death(own, body, death, view);
       const std::optional<Sighting> seen = Sighting{.self = body, .adversary = 0, .distance_m = 2.0, .bearing_rad = 0.5};
       if constexpr (requires { policy.on_sighting(own, body, seen, view); }) policy.on_sighting(own, body, seen, view);
       answers.add(own);

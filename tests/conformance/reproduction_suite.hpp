@@ -6,12 +6,14 @@
 #include <conformance/policy_suite.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/reproduction/recruitment/contract.hpp>
 #include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite) {
@@ -19,10 +21,11 @@ TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite
   static_assert(reproduction::InitialGenome<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
+  const Individual newborn;
   for (const std::uint64_t seed : conformance::seeds) {
     const auto weights = conformance::asked_twice(seed, [&, fill = 0.0](Rng& rng) mutable {
       std::vector<double> drawn(20, fill += 7.0);  // what was there before must not matter
-      policy.draw(drawn, rng);
+      reproduction::ask::draw(policy, drawn, newborn, rng);
       return drawn;
     });
     for (const double weight : weights) CHECK(std::isfinite(weight));
@@ -30,7 +33,7 @@ TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite
   conformance::check_params_used<Policy>([&](const Policy& made) {
     std::vector<double> drawn(20);
     Rng rng{1, Stream::user};
-    made.draw(drawn, rng);
+    reproduction::ask::draw(made, drawn, newborn, rng);
     conformance::Answers answers;
     answers.add(drawn);
     return answers;
@@ -127,6 +130,64 @@ TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_parent_sp
       }
     }
   });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
+  using namespace trophic;
+  static_assert(reproduction::Recruitment<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  const auto births_of = [&](const test::HandPopulation& robots, const AllStates<Policy>& states, std::uint64_t seed) {
+    Rng rng{seed, Stream::user};
+    return reproduction::ask::recruits(policy, states, robots.view(), rng);
+  };
+  conformance::on_populations([&](test::HandPopulation robots, std::uint64_t seed) {
+    const std::size_t size = robots.individuals.size();
+    for (BodyIndex body = 0; body < size; body += 3) {
+      robots.individuals[body].species = no_species;
+      robots.individuals[body].active = false;
+    }
+    const conformance::AnyStates<Policy> states{policy, robots, seed};
+    const auto births = births_of(robots, states.all(), seed);
+    CHECK(births == births_of(robots, states.all(), seed));
+    CHECK(births == births_of(conformance::turned(robots), states.all(), seed));
+    CHECK(births == births_of(conformance::mirrored(robots), states.all(), seed));
+    std::set<BodyIndex> filled;
+    for (const auto& birth : births) {
+      REQUIRE(birth.body < size);
+      CHECK_FALSE(robots.individuals[birth.body].lives());
+      CHECK(filled.insert(birth.body).second);
+      CHECK(birth.species < robots.web.size());
+      if (birth.parent) CHECK(birth.parent->species == birth.species);
+      if (birth.parent) CHECK(birth.parent->genome != nullptr);
+    }
+    for (BodyIndex body = 0; body < size; ++body) {
+      if (!robots.individuals[body].lives()) continue;
+      for (const Cause cause : {Cause::caught, Cause::starved, Cause::sacrificed, Cause::senescence}) {
+        const Vacancy death{.body = body, .cause = cause};
+        CHECK(policy.leaves_spare(death, robots.view()) == policy.leaves_spare(death, conformance::turned(robots).view()));
+      }
+    }
+    // nor does it matter which bodies they all live in
+    const auto order = test::random_order(seed, size);
+    const test::HandPopulation moved = robots.reordered(order);
+    const conformance::AnyStates<Policy> moved_states{policy, moved, seed};
+    auto there = births_of(moved, moved_states.all(), seed);
+    for (auto& birth : there) birth.body = order[birth.body];
+    CHECK(births == there);
+  });
+  conformance::check_params_used_on_populations<Policy>(
+      [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& whole, std::uint64_t seed) {
+        test::HandPopulation robots = whole;
+        for (BodyIndex body = 0; body < robots.individuals.size(); body += 3) robots.individuals[body].species = no_species;
+        const conformance::AnyStates<Policy> states{made, robots, seed};
+        Rng rng{seed, Stream::user};
+        answers.add(made.spare_bodies());
+        for (const auto& birth : reproduction::ask::recruits(made, states.all(), robots.view(), rng)) answers.add(birth.body);
+        for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+          answers.add(made.leaves_spare({.body = body, .cause = Cause::starved}, robots.view()));
+        }
+      });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("heredity", Policy, trophic_heredity_suite) {

@@ -17,6 +17,7 @@
 #include <trophic/death/minimum_predators/no_minimum.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
+#include <trophic/death/senescence/old_age_of_victims.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
@@ -40,6 +41,8 @@
 #include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
+#include <trophic/reproduction/recruitment/after_escapes.hpp>
+#include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 
@@ -87,7 +90,11 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::FastestEsc
                           reproduction::parent::NoParent, rules::Paper::Parent, rules::Released::Parent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, rules::Released::Parent,
                           reproduction::parent::Killer, reproduction::parent::LastKiller,
-                          reproduction::parent::NearestConspecific, reproduction::parent::NoParent);
+                          reproduction::parent::NearestConspecific, reproduction::parent::NoParent,
+                          reproduction::parent::FastestEscape, reproduction::parent::LastEscapee,
+                          reproduction::parent::MostEscapes);
+TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
+                          reproduction::recruitment::AfterEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
                           reproduction::heredity::NothingInherited);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
@@ -111,4 +118,4 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, rules::Paper::Starvation, ru
 TEST_CASE_TEMPLATE_INVOKE(trophic_minimum_predators_suite, death::minimum_predators::SacrificeRandomVictim,
                           death::minimum_predators::NoMinimum);
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge,
-                          death::senescence::EnergyStore);
+                          death::senescence::OldAgeOfVictims, death::senescence::EnergyStore);

@@ -37,6 +37,7 @@ inline constexpr std::array slot_texts{
              "nearest_conspecific nearest_victim no_parent"},
     SlotText{"heredity", "What does an offspring inherit?", "nothing_inherited own_copy shared_copy"},
     SlotText{"mutation", "How do genomes change between generations?", "no_mutation normal_mutation uniform_mutation"},
+    SlotText{"recruitment", "Who is born without a death, and which bodies are spare?", "after_escapes no_recruitment"},
     SlotText{"activation", "From when on is a newborn part of the ecology, to be seen and caught?",
              "active_away_from_hunters ages_once_away_from_hunters always_active founders_start_active"},
     SlotText{"capture", "Who is caught by whom?", "catch_closest catch_within_reach no_capture"},
@@ -44,7 +45,8 @@ inline constexpr std::array slot_texts{
     SlotText{"starvation", "Who starves, and when?", "choice exemption interval no_starvation procedure"},
     SlotText{"minimum_predators", "What happens when there are too few predators (minimum-predators rule)?",
              "no_minimum sacrifice_random_victim"},
-    SlotText{"senescence", "Who dies of age or of an empty store of energy?", "energy_store no_senescence old_age"},
+    SlotText{"senescence", "Who dies of age or of an empty store of energy?",
+             "energy_store no_senescence old_age old_age_of_victims"},
 };
 
 static_assert(slot_texts.size() == rules::slot_names.size());

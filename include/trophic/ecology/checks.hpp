@@ -9,6 +9,7 @@
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/reproduction/recruitment/contract.hpp>
 #include <trophic/support/linkage.hpp>
 #include <trophic/support/units.hpp>
 
@@ -20,6 +21,17 @@ void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex v
 /// Throws RuleError if the rules fix a body's new species and the parent is of another one, or if the parent's genome does not
 /// have `weights` weights.
 void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent, std::size_t weights);
+
+/// Throws RuleError unless a body that a slot's rule named exists and has an individual.
+void check_lives(std::string_view slot, std::string_view what, BodyIndex body, std::span<const Individual> robots);
+
+/// Returns the number of bodies that start without an individual. Throws RuleError unless it is below the number of robots.
+[[nodiscard]] std::size_t checked_spare_bodies(std::size_t spare, std::size_t robots);
+
+/// Throws RuleError unless the body of a birth without a death is spare and the parent, if any, is of the newborn's species and
+/// has a genome of `weights` weights.
+void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
+                   std::size_t weights);
 
 /// Throws RuleError unless a slot's rule returned one value for each robot.
 void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots);

@@ -43,4 +43,32 @@ TROPHIC_INLINE void check_parent(const FoodWeb& web, const reproduction::Vacancy
                                 ", as the parent of a " + web.name(*vacancy.successor) + ": must be of its offspring's species"};
 }
 
+TROPHIC_INLINE void check_lives(std::string_view slot, std::string_view what, BodyIndex body,
+                                std::span<const Individual> robots) {
+  check_index(slot, what, body, robots.size());
+  if (robots[body].lives()) return;
+  throw RuleError{slot, std::string{what} + " " + std::to_string(body) + ": must be a body with an individual"};
+}
+
+TROPHIC_INLINE std::size_t checked_spare_bodies(std::size_t spare, std::size_t robots) {
+  if (spare < robots) return spare;
+  throw RuleError{"recruitment",
+                  "spare_bodies = " + std::to_string(spare) + ": must be < " + std::to_string(robots) + ", the number of robots"};
+}
+
+TROPHIC_INLINE void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
+                                  std::size_t weights) {
+  check_index("recruitment", "body", recruit.body, robots.size());
+  check_index("recruitment", "species", recruit.species, web.size());
+  if (robots[recruit.body].lives()) {
+    throw RuleError{"recruitment", "a birth in body " + std::to_string(recruit.body) + ": must be a body without an individual"};
+  }
+  if (!recruit.parent) return;
+  const Ancestor& parent = *recruit.parent;
+  const std::string who = "individual " + std::to_string(parent.id) + " as a parent: must ";
+  if (parent.species != recruit.species) throw RuleError{"recruitment", who + "be of the newborn's species"};
+  if (parent.genome && parent.genome->weights.size() == weights) return;
+  throw RuleError{"recruitment", who + "have a genome of " + std::to_string(weights) + " weights"};
+}
+
 }  // namespace trophic::detail

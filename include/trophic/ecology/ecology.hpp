@@ -46,9 +46,9 @@ namespace trophic {
 /// of any type: `Ecology<Paper> ecology({.seed = 1}, backend::Mujoco::Params{.threads = 2})`.
 ///
 /// A tick is `EcologyParams::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn,
-/// catches, senescence, starvation, the minimum-predators rule, perception and brains, log. Tick 0 is the start. Equal numbers
-/// and seeds give equal runs, for any number of threads and any observers. A policy that returns a value that does not exist or
-/// violates its contract causes a RuleError.
+/// catches, senescence, starvation, the minimum-predators rule, births in spare bodies, perception and brains, log. Tick 0 is the
+/// start. Equal numbers and seeds give equal runs, for any number of threads and any observers. A policy that returns a value
+/// that does not exist or violates its contract causes a RuleError.
 template <class Rules, bool is_table>
 class Ecology final : public Simulation {
  public:
@@ -97,7 +97,9 @@ class Ecology final : public Simulation {
   }
 
   [[nodiscard]] observe::RunDescription describe(double until_s) const override {
-    return trophic::describe(params_, choice_, habitat_, population_.tags(), until_s);
+    auto run = trophic::describe(params_, choice_, habitat_, population_.tags(), until_s);
+    run.spare_bodies = rules_.recruitment.spare_bodies();
+    return run;
   }
 
   [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
@@ -133,7 +135,8 @@ class Ecology final : public Simulation {
       if (!started_) {
         started_ = true;
         if (audience.wants_frame(times_, 0)) show_frame(audience, KeptFrame::of(backend_, 0), habitat_, times_, time_s());
-        for (BodyIndex body = 0; body < poses_.size(); ++body) emit(audience, observe::EventKind::birth, body);
+        for (BodyIndex body = 0; body < poses_.size(); ++body)
+          if (population_[body].lives()) emit(audience, observe::EventKind::birth, body);
         starvation_clock_ = death::ask::start(rules_.starvation, view());
         tick(audience);
       }
@@ -150,8 +153,12 @@ class Ecology final : public Simulation {
   }
 
   [[nodiscard]] std::vector<Species> founders() const {
-    std::vector<Species> species = rules_.community.founders(params_.ecology.robots);
-    detail::check_one_each("community", "founders", species.size(), params_.ecology.robots);
+    const std::size_t spare = detail::checked_spare_bodies(rules_.recruitment.spare_bodies(), params_.ecology.robots);
+    const std::size_t founders = params_.ecology.robots - spare;
+    std::vector<Species> species = rules_.community.founders(founders);
+    detail::check_one_each("community", "founders", species.size(), founders);
+    for (const Species one : species) check_index("community", "species", one, web_.size());
+    species.resize(params_.ecology.robots, no_species);
     return species;
   }
 
@@ -208,6 +215,7 @@ class Ecology final : public Simulation {
       age(audience);
       starve(audience);
       minimum_predators(audience);
+      recruit(audience);
       decide(audience);
     }
     audience.tick(view());
@@ -215,7 +223,7 @@ class Ecology final : public Simulation {
 
   void activate(observe::Audience& audience) {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      if (population_[body].active) continue;
+      if (population_[body].active || !population_[body].lives()) continue;
       const auto activates = death::ask::activates(rules_.activation, states().activation[body], body, view());
       if (activates == death::Activates::no) continue;
       population_.activate(body, time_s(), activates == death::Activates::yes_and_restarts_age);
@@ -227,9 +235,12 @@ class Ecology final : public Simulation {
     Rng rng{params_.seed, Stream::captures, 0, static_cast<std::uint64_t>(tick_)};
     const IndividualId first_newborn = population_.next_id();
     const auto captors = states().capture.all();
-    for (const death::Capture& capture : death::ask::captures(rules_.capture, captors, view(), rng)) {
-      check_index("capture", "hunter", capture.hunter, poses_.size());
-      check_index("capture", "victim", capture.victim, poses_.size());
+    const auto captures = death::ask::captures(rules_.capture, captors, view(), rng);
+    for (const death::Capture& capture : captures) {
+      detail::check_lives("capture", "hunter", capture.hunter, population_.individuals());
+      detail::check_lives("capture", "victim", capture.victim, population_.individuals());
+    }
+    for (const death::Capture& capture : captures) {
       const Individual& hunter = population_[capture.hunter];
       const bool hunter_was_caught = hunter.id >= first_newborn;
       const bool victim_was_caught = population_[capture.victim].id >= first_newborn;
@@ -246,6 +257,7 @@ class Ecology final : public Simulation {
   void age(observe::Audience& audience) {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const Individual& individual = population_[body];
+      if (!individual.lives()) continue;
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
       if (!death::ask::dies(rules_.senescence, states().senescence[body], individual, view(), rng)) continue;
       replace_occupant(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .successor = individual.species});
@@ -259,11 +271,12 @@ class Ecology final : public Simulation {
     const death::Starving starving = death::ask::starving(rules_.starvation, hungry, starvation_clock_, now, perceives);
     const IndividualId first_newborn = population_.next_id();
     for (const BodyIndex hunter : starving.exempt) {
-      check_index("starvation", "exempt hunter", hunter, poses_.size());
+      detail::check_lives("starvation", "exempt hunter", hunter, population_.individuals());
       audience.exemption(hunter, now);
     }
+    for (const BodyIndex victim : starving.victims)
+      detail::check_lives("starvation", "victim", victim, population_.individuals());
     for (const BodyIndex victim : starving.victims) {
-      check_index("starvation", "victim", victim, poses_.size());
       if (population_[victim].id >= first_newborn) continue;
       replace_occupant(audience, {.body = victim, .cause = Cause::starved, .killer = {}, .successor = {}});
     }
@@ -274,8 +287,10 @@ class Ecology final : public Simulation {
     Rng rng{params_.seed, Stream::sacrifice, 0, static_cast<std::uint64_t>(tick_)};
     const IndividualId first_newborn = population_.next_id();
     const auto given_up = states().minimum_predators.all();
-    for (const death::Sacrifice& sacrifice : death::ask::sacrifices(rules_.minimum_predators, given_up, view(), rng)) {
-      check_index("minimum_predators", "victim", sacrifice.victim, poses_.size());
+    const auto sacrifices = death::ask::sacrifices(rules_.minimum_predators, given_up, view(), rng);
+    for (const death::Sacrifice& sacrifice : sacrifices)
+      detail::check_lives("minimum_predators", "victim", sacrifice.victim, population_.individuals());
+    for (const death::Sacrifice& sacrifice : sacrifices) {
       check_index("minimum_predators", "successor", sacrifice.successor, web_.size());
       if (population_[sacrifice.victim].id >= first_newborn) continue;
       if (!death::ask::may_die(rules_.floor, population_[sacrifice.victim].species, view())) continue;
@@ -284,20 +299,51 @@ class Ecology final : public Simulation {
     }
   }
 
-  /// Death of the occupant and birth of its successor. Unless the rules fix the successor's species, it is the parent's or,
-  /// without a parent, the first species that the dead individual ate.
-  void replace_occupant(observe::Audience& audience, const reproduction::Vacancy& vacancy) {
-    const Parentage parentage = population_.parentage(vacancy, view());
-    const Species dead = population_[vacancy.body].species;
-    const std::size_t weights = population_[vacancy.body].genome->weights.size();
-    if (parentage.parent) detail::check_parent(web_, vacancy, *parentage.parent, weights);
-    auto successor = vacancy.successor;
-    if (!successor) successor = parentage.parent ? parentage.parent->species : web_.first_victim(dead).value_or(dead);
+  /// Births in spare bodies. A table without a Recruitment rule has none.
+  void recruit([[maybe_unused]] observe::Audience& audience) {
+    if constexpr (!is_neutral<Rules, RuleSlot::recruitment>) {
+      Rng rng{params_.seed, Stream::recruitment, 0, static_cast<std::uint64_t>(tick_)};
+      const auto recruiting = states().recruitment.all();
+      for (const auto& recruit : reproduction::ask::recruits(rules_.recruitment, recruiting, view(), rng)) {
+        detail::check_recruit(web_, recruit, population_.individuals(), population_.genome_size());
+        const auto descent = recruit.parent ? reproduction::Descent::of_parent : reproduction::Descent::random;
+        population_.replace(recruit.body, recruit.species, {.descent = descent, .parent = recruit.parent}, view());
+        begin_life(audience, recruit.body);
+      }
+    }
+  }
+
+  /// Death of the occupant and birth of its successor, unless the Recruitment rule leaves the body spare.
+  void replace_occupant(observe::Audience& audience, const Vacancy& vacancy) {
+    if (rules_.recruitment.leaves_spare(vacancy, view())) {
+      emit_death(audience, vacancy);
+      return population_.vacate(vacancy.body);
+    }
+    reproduce_into(audience, vacancy);
+  }
+
+  void emit_death(observe::Audience& audience, const Vacancy& vacancy) {
     const auto killer = vacancy.killer ? std::optional{population_[*vacancy.killer].id} : std::nullopt;
     emit(audience, observe::EventKind::death, vacancy.body, vacancy.cause, killer);
+    population_.note_death(vacancy, view());
+  }
+
+  void begin_life(observe::Audience& audience, BodyIndex body) {
+    if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) locomotion_.reset(body);
+    emit(audience, observe::EventKind::birth, body);
+  }
+
+  /// Unless the rules fix the successor's species, it is the parent's or, without a parent, the first species that the dead
+  /// individual ate.
+  void reproduce_into(observe::Audience& audience, const Vacancy& vacancy) {
+    const Parentage parentage = population_.parentage(vacancy, view());
+    const Species dead = population_[vacancy.body].species;
+    if (parentage.parent) detail::check_parent(web_, vacancy, *parentage.parent, population_.genome_size());
+    auto successor = vacancy.successor;
+    if (!successor) successor = parentage.parent ? parentage.parent->species : web_.first_victim(dead).value_or(dead);
+    emit_death(audience, vacancy);
     population_.replace(vacancy.body, *successor, parentage, view());
-    if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) locomotion_.reset(vacancy.body);
-    emit(audience, observe::EventKind::birth, vacancy.body);
+    begin_life(audience, vacancy.body);
   }
 
   /// Perception, decisions, and their effects. Unless robots decide in turn, all perceive the same moment: all decisions are
@@ -308,7 +354,7 @@ class Ecology final : public Simulation {
     const bool is_observed = audience.wants_decisions();
     const bool in_turn = params_.ecology.decision_order == DecisionOrder::in_turn;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      choices_.push_back(choice(body, common, is_observed));
+      choices_.push_back(population_[body].lives() ? choice(body, common, is_observed) : Choice{});
       if (in_turn) act(audience, body, choices_[body]);
     }
     if (in_turn) return;
@@ -345,6 +391,7 @@ class Ecology final : public Simulation {
   }
 
   void act(observe::Audience& audience, BodyIndex body, const Choice& choice) {
+    if (!population_[body].lives()) return;
     population_.sight(body, choice.sighting, view());
     if (!choice.decision) return;
     const Individual& self = population_[body];

@@ -19,6 +19,7 @@
 #include <trophic/population/search_tree.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
+#include <trophic/reproduction/initial_genome/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/rule_states.hpp>
@@ -48,7 +49,8 @@ struct Parentage {
 };
 
 /// One individual per body, starting with the founders, and the states of all rules: the only writer of both. Applies the birth
-/// rules of a table; the ecology decides which body falls vacant, and when.
+/// rules of a table; the ecology decides which body falls vacant, and when. A table with a Recruitment rule has bodies without an
+/// individual, too.
 template <class Rules>
 class Population {
  public:
@@ -58,20 +60,27 @@ class Population {
                 "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
 
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
+  /// A body for which `founders` has no_species starts spare; the id of every founder is the number of its body.
   /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
   /// later births. `shadow`: the heredity rule is not applied, and every inherited genome is drawn anew.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders,
              bool shadow = false)
       : rules_{rules}, web_{web}, seed_{seed}, is_shadow_{shadow}, tags_{rules.brain.tags()} {
     check_tags(tags_);
-    for (const Species species : founders) check_index("community", "species", species, web.size());
+    for (const Species species : founders)
+      if (species != no_species) check_index("community", "species", species, web.size());
     members_.resize(web.size());
     for (const Species species : founders) {
       Individual born = newborn(species, 0.0, 0, nullptr);
+      if (species == no_species) {
+        for_each_state(rules_, states_, [&]<class P>(const P&, BodyStates<P>& states) { states.push_back({}); });
+        individuals_.push_back(spare(born));
+        continue;
+      }
       for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
         states.push_back(for_species(policy, born.species).born(born, nullptr, StateOf<P>{}));
       });
-      born.genome = drawn_genome(born.id);
+      born.genome = drawn_genome(born);
       ++members_[species];
       if constexpr (has_states) bodies_[born.id] = individuals_.size();
       individuals_.push_back(std::move(born));
@@ -103,6 +112,7 @@ class Population {
     std::ranges::fill(members_, std::size_t{0});
     bodies_.clear();
     for (BodyIndex body = 0; body < bodies; ++body) {
+      if (!individuals_[body].lives()) continue;
       ++members_[individuals_[body].species];
       if constexpr (has_states) bodies_[individuals_[body].id] = body;
     }
@@ -131,6 +141,7 @@ class Population {
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
       if constexpr (requires { for_species(policy, Species{}).on_walk(states[0], BodyIndex{}, 0.0, view); }) {
         for (BodyIndex body = 0; body < individuals_.size(); ++body) {
+          if (!individuals_[body].lives()) continue;
           const double walked_m = distance_m(before[body], view.poses[body]);
           for_species(policy, individuals_[body].species).on_walk(states[body], body, walked_m, view);
         }
@@ -149,6 +160,18 @@ class Population {
       const auto& of_victim = for_species(policy, individuals_[victim].species);
       if constexpr (requires { of_victim.on_caught(states[victim], victim, hunter, view); }) {
         of_victim.on_caught(states[victim], victim, hunter, view);
+      }
+    });
+  }
+
+  /// Notifies the rules of all others of a death. The dying individual is still there; `replace` or `vacate` removes it.
+  void note_death(const Vacancy& death, const View& view) {
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
+      if constexpr (requires { for_species(policy, Species{}).on_other_death(states[0], BodyIndex{}, death, view); }) {
+        for (BodyIndex body = 0; body < individuals_.size(); ++body) {
+          if (body == death.body || !individuals_[body].lives()) continue;
+          for_species(policy, individuals_[body].species).on_other_death(states[body], body, death, view);
+        }
       }
     });
   }
@@ -200,29 +223,37 @@ class Population {
     return result;
   }
 
-  /// Replaces the body's occupant by an offspring or a random newcomer of `species`, in the same place.
+  /// The number of weights of every genome.
+  [[nodiscard]] std::size_t genome_size() const { return rules_.brain.genome_size(Sensors::size, control::Decision::outputs); }
+
+  /// Takes the individual out of a body, which is spare from then on.
+  void vacate(BodyIndex body) {
+    remove(body);
+    individuals_[body] = spare(individuals_[body]);
+    mark(body);
+  }
+
+  /// Replaces the body's occupant by an offspring or a random newcomer of `species`, in the same place; fills a spare body.
   void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
     auto genome = parentage.parent && !is_shadow_ ? rules_.heredity.inherit(parentage.parent->genome) : nullptr;
-    if (genome && genome->weights.size() != individuals_[body].genome->weights.size()) {
+    if (genome && genome->weights.size() != genome_size()) {
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " +
-                                      std::to_string(individuals_[body].genome->weights.size())};
+                                      std::to_string(genome_size())};
     }
     create_states(born, body, genome ? body_of(parentage.parent->id) : std::nullopt);
     if (parentage.parent) {
       descend(born, body, *parentage.parent, std::move(genome));
     } else {
-      born.genome = drawn_genome(born.id);
+      born.genome = drawn_genome(born);
       if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
     }
-    --members_[individuals_[body].species];
+    remove(body);
     ++members_[species];
-    if constexpr (has_states) {
-      bodies_.erase(individuals_[body].id);
-      bodies_[born.id] = body;
-    }
+    if constexpr (has_states) bodies_[born.id] = body;
     individuals_[body] = std::move(born);
     mark(body);
+    if (parentage.parent) note_offspring(parentage.parent->id, body, view);
   }
 
  private:
@@ -235,9 +266,14 @@ class Population {
 
   /// Throws std::invalid_argument for an individual that cannot exist under these rules.
   void check_saved(const Individual& individual) const {
-    const std::size_t size = rules_.brain.genome_size(Sensors::size, control::Decision::outputs);
+    const std::size_t size = genome_size();
+    const bool has_tag = std::ranges::count(tags_, individual.tag) == 1;
+    if (!individual.lives()) {
+      if (individual.id == no_individual && !individual.genome && !individual.active && !individual.adversary && has_tag) return;
+      throw std::invalid_argument{"a spare body of other rules"};
+    }
     const bool sound = individual.id < next_id_ && individual.species < web_.size() && individual.genome &&
-                       individual.genome->weights.size() == size && std::ranges::count(tags_, individual.tag) == 1 &&
+                       individual.genome->weights.size() == size && has_tag &&
                        individual.adversary.value_or(0) < individuals_.size();
     if (!sound) throw std::invalid_argument{"an individual of other rules"};
   }
@@ -256,6 +292,36 @@ class Population {
     });
   }
 
+  /// Takes the individual of a body, if any, from the counts.
+  void remove(BodyIndex body) {
+    if (!individuals_[body].lives()) return;
+    --members_[individuals_[body].species];
+    if constexpr (has_states) bodies_.erase(individuals_[body].id);
+  }
+
+  /// Notifies the rules of a parent, if it lives, of its offspring.
+  void note_offspring(IndividualId parent, BodyIndex newborn, const View& view) {
+    const std::optional<BodyIndex> self = body_of(parent);
+    if (!self) return;
+    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
+      const auto& rule = for_species(policy, individuals_[*self].species);
+      if constexpr (requires { rule.on_offspring(states[*self], *self, newborn, view); }) {
+        rule.on_offspring(states[*self], *self, newborn, view);
+      }
+    });
+  }
+
+  /// A spare body with the tag and the target angle of its last individual.
+  [[nodiscard]] static Individual spare(const Individual& last) {
+    Individual none;
+    none.id = no_individual;
+    none.species = no_species;
+    none.active = false;
+    none.tag = last.tag;
+    none.target_angle_rad = last.target_angle_rad;
+    return none;
+  }
+
   /// A newborn without its genome. `previous` is the body's last occupant, none for a founder.
   [[nodiscard]] Individual newborn(Species species, double time_s, std::int64_t tick, const Individual* previous) {
     Individual born;
@@ -271,11 +337,10 @@ class Population {
     return born;
   }
 
-  [[nodiscard]] std::shared_ptr<Genome> drawn_genome(IndividualId id) {
-    const std::size_t size = rules_.brain.genome_size(Sensors::size, control::Decision::outputs);
-    auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(size)});
-    Rng rng{seed_, Stream::initial_genome, id};
-    rules_.initial_genome.draw(genome->weights, rng);
+  [[nodiscard]] std::shared_ptr<Genome> drawn_genome(const Individual& born) {
+    auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(genome_size())});
+    Rng rng{seed_, Stream::initial_genome, born.id};
+    reproduction::ask::draw(rules_.initial_genome, genome->weights, born, rng);
     return genome;
   }
 
@@ -286,7 +351,7 @@ class Population {
     born.parent = parent.id;
     const std::vector<double> before = parent.genome->weights;
     if (!genome) {
-      born.genome = drawn_genome(born.id);
+      born.genome = drawn_genome(born);
     } else {
       if (genome != parent.genome) genome->id = next_genome_id_++;
       Rng rng{seed_, Stream::mutation, born.id};

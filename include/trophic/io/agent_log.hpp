@@ -44,7 +44,9 @@ class AgentLog {
 
   void on_tick(const View& view) {
     if (view.tick % every_ticks_ != 0) return;
-    for (BodyIndex body = 0; body < view.robots.size(); ++body) file_.write(agent_row(view, body), view.web);
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      if (view.robots[body].lives()) file_.write(agent_row(view, body), view.web);
+    }
     file_.flush();
   }
   void on_end(const View&) { file_.finish(); }

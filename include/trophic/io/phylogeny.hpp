@@ -29,6 +29,7 @@ class Phylogeny {
   void on_tick(const View&) { file_.flush(); }
   void on_end(const View& view) {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      if (!view.robots[body].lives()) continue;
       write(view.robots[body], body, view, {}, {}, {}, {});
     }
     file_.finish();

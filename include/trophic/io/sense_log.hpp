@@ -98,6 +98,7 @@ class SenseLog {
     look_at_bodies(view);
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       const Individual& self = view.robots[body];
+      if (!self.lives()) continue;
       SenseRow& row = rows_[body];
       row.time_s = view.time_s;
       row.tick = view.tick;

@@ -48,8 +48,8 @@ TROPHIC_INLINE void Progress::summary(std::ostream& out, const View& view) const
       << " s of the ecology's clock, " << short_text(simulated_s) << " simulated s in " << duration_text(wall_s) << " ("
       << short_text(simulated_s / wall_s) << " simulated s per wall s)\n";
   for (const std::string& remark : run_.remarks) out << "remark  " << remark << "\n";
-  out << "births  " << tally_.births() << " (" << view.robots.size() << " founders; " << tally_.births(Origin::inherited)
-      << " inherited)\n";
+  out << "births  " << tally_.births() << " (" << view.robots.size() - run_.spare_bodies << " founders; "
+      << tally_.births(Origin::inherited) << " inherited)\n";
   out << "deaths  " << tally_.deaths();
   for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
     out << (cause == 0 ? " (" : ", ") << tally_.deaths(static_cast<Cause>(cause)) << " " << enum_name(static_cast<Cause>(cause));

@@ -2,6 +2,7 @@
 // The rules, numbers, seed and versions of a run, for observers and manifests.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -22,10 +23,11 @@ struct RunDescription {
   std::string backend;                                     ///< name and version of the engine
   std::vector<std::string> remarks;                        ///< where the engine deviates from the numbers
   std::uint64_t seed = 0;
-  double tick_s = 0.0;       ///< ecology seconds
-  double clock_scale = 1.0;  ///< simulated seconds per ecology second
-  double until_s = 0.0;      ///< the end of this run, ecology seconds
-  std::string fingerprint;   ///< see `fingerprint`
+  double tick_s = 0.0;           ///< ecology seconds
+  double clock_scale = 1.0;      ///< simulated seconds per ecology second
+  double until_s = 0.0;          ///< the end of this run, ecology seconds
+  std::string fingerprint;       ///< see `fingerprint`
+  std::size_t spare_bodies = 0;  ///< bodies that start without an individual
 };
 
 /// Two runs may be pooled as replicates if this is equal: 16 hexadecimal digits of rules, numbers, models and backend, not of

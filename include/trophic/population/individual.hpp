@@ -21,6 +21,10 @@ using BodyIndex = std::size_t;
 /// Number of an individual (the controller in a body), unique in a run, in order of birth from 0.
 using IndividualId = std::uint64_t;
 
+/// The species and the id of a spare body, which has no individual (reproduction/recruitment/contract.hpp).
+inline constexpr Species no_species = std::numeric_limits<Species>::max();
+inline constexpr IndividualId no_individual = std::numeric_limits<IndividualId>::max();
+
 /// Whether a genome was drawn at random or copied from a parent. `inherited` is the rule's label: see GenomeSource.
 enum class Origin { random, inherited };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Origin) {
@@ -49,7 +53,7 @@ struct Ancestor {
   static constexpr auto saved() { return std::tuple{&Ancestor::id, &Ancestor::species, &Ancestor::genome}; }
 };
 
-/// One living individual. The `Population` holds one per body and is its only writer.
+/// One living individual, or a spare body without one. The `Population` holds one per body and is its only writer.
 struct Individual {
   IndividualId id = 0;
   std::optional<IndividualId> parent;
@@ -70,6 +74,8 @@ struct Individual {
   double adversary_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN without adversary
   double target_angle_rad = 0.0;                                           ///< the brain's last decision, positive to the right
 
+  /// Whether there is an individual; a spare body is of no species, inactive, and has no genome.
+  [[nodiscard]] bool lives() const { return species != no_species; }
   [[nodiscard]] Ancestor as_ancestor() const { return {id, species, genome}; }
 
   static constexpr auto saved() {

@@ -21,7 +21,7 @@ inline constexpr Marks every_mark = ~Marks{0};
   return Marks{1} << folded;
 }
 [[nodiscard]] inline Marks mark_of(const Individual& individual) {
-  return mark_of(individual.species, individual.tag, individual.active);
+  return individual.lives() ? mark_of(individual.species, individual.tag, individual.active) : Marks{0};
 }
 
 /// All marks of a species, or only those of a given tag or of active individuals.

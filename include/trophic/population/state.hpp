@@ -11,6 +11,7 @@
 #include <trophic/population/individual.hpp>
 #include <trophic/population/parts.hpp>
 #include <trophic/population/sighting.hpp>
+#include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
 #include <tuple>
 #include <type_traits>
@@ -43,12 +44,18 @@
 ///     self is caught and still in the view
 ///   void on_sighting(State& own, BodyIndex self, const std::optional<Sighting>& sighting, const View&) const
 ///     after perception: the adversary, if self perceives one
-#define TROPHIC_STATE_HOOKS(HOOK)                                                          \
-  HOOK(on_walk, double, "void on_walk(State&, BodyIndex, double distance_m, const View&)") \
-  HOOK(on_catch, BodyIndex, "void on_catch(State&, BodyIndex, BodyIndex, const View&)")    \
-  HOOK(on_caught, BodyIndex, "void on_caught(State&, BodyIndex, BodyIndex, const View&)")  \
-  HOOK(on_sighting, const std::optional<Sighting>&,                                        \
-       "void on_sighting(State&, BodyIndex, const std::optional<Sighting>&, const View&)")
+///   void on_offspring(State& own, BodyIndex self, BodyIndex newborn, const View&) const
+///     self is the parent of an individual that is born in the body `newborn`; also if the newborn inherits nothing
+///   void on_other_death(State& own, BodyIndex self, const Vacancy& death, const View&) const
+///     another individual dies of any cause and is still in the view; its successor's parent has been chosen
+#define TROPHIC_STATE_HOOKS(HOOK)                                                                       \
+  HOOK(on_walk, double, "void on_walk(State&, BodyIndex, double distance_m, const View&)")              \
+  HOOK(on_catch, BodyIndex, "void on_catch(State&, BodyIndex, BodyIndex, const View&)")                 \
+  HOOK(on_caught, BodyIndex, "void on_caught(State&, BodyIndex, BodyIndex, const View&)")               \
+  HOOK(on_sighting, const std::optional<Sighting>&,                                                     \
+       "void on_sighting(State&, BodyIndex, const std::optional<Sighting>&, const View&)")              \
+  HOOK(on_offspring, BodyIndex, "void on_offspring(State&, BodyIndex, BodyIndex newborn, const View&)") \
+  HOOK(on_other_death, const Vacancy&, "void on_other_death(State&, BodyIndex, const Vacancy&, const View&)")
 
 namespace trophic {
 

@@ -36,6 +36,8 @@
 #include <trophic/reproduction/mutation/no_mutation.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
+#include <trophic/reproduction/recruitment/contract.hpp>
+#include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <utility>
 
 /// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). Tables, numbers,
@@ -55,11 +57,12 @@
   SLOT(TagSwitch, tag_switch, perception, TagSwitch, perception::tag_switch::FreeTags, true)                         \
   SLOT(Brain, brain, control, Brain, detail::NoPolicy, false)                                                        \
   SLOT(Steering, steering, control, Steering, detail::NoPolicy, false)                                               \
-  SLOT(InitialGenome, initial_genome, reproduction, InitialGenome, detail::NoPolicy, false)                          \
+  SLOT(InitialGenome, initial_genome, reproduction, InitialGenome, detail::NoPolicy, true)                           \
   SLOT(GenomeSource, genome_source, reproduction, GenomeSource, reproduction::genome_source::AlwaysInherited, false) \
   SLOT(Parent, parent, reproduction, Parent, reproduction::parent::NoParent, true)                                   \
   SLOT(Heredity, heredity, reproduction, Heredity, detail::NoPolicy, false)                                          \
   SLOT(Mutation, mutation, reproduction, Mutation, reproduction::mutation::NoMutation, true)                         \
+  SLOT(Recruitment, recruitment, reproduction, Recruitment, reproduction::recruitment::NoRecruitment, false)         \
   SLOT(Activation, activation, death, Activation, death::activation::AlwaysActive, true)                             \
   SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, false)                                       \
   SLOT(Floor, floor, death, Floor, death::floor::NoFloor, true)                                                      \

@@ -100,7 +100,8 @@ TROPHIC_RULE_SLOTS(TROPHIC_WITH)
 TROPHIC_NO_SLOT(initialization, "with_community and with_placement")
 TROPHIC_NO_SLOT(perception, "with_heading, with_visibility, with_sensors, with_newborn_tag and with_tag_switch")
 TROPHIC_NO_SLOT(control, "with_brain and with_steering")
-TROPHIC_NO_SLOT(reproduction, "with_initial_genome, with_genome_source, with_parent, with_heredity and with_mutation")
+TROPHIC_NO_SLOT(reproduction,
+                "with_initial_genome, with_genome_source, with_parent, with_heredity, with_mutation and with_recruitment")
 TROPHIC_NO_SLOT(death, "with_activation, with_capture, with_floor, with_starvation, with_minimum_predators and with_senescence")
 #undef TROPHIC_NO_SLOT
 

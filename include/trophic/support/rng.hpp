@@ -31,6 +31,7 @@ enum class Stream : std::uint64_t {
   gait_variation,
   visibility,
   sensors,
+  recruitment,
   user = 1'000'000,  ///< first number for rules of users
 };
 

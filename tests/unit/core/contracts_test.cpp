@@ -81,6 +81,10 @@ TROPHIC_REFUSES(heredity, reproduction::Heredity, TROPHIC_ALONE, std::shared_ptr
 TROPHIC_REFUSES(parent, reproduction::Parent, TROPHIC_ALONE, std::optional<Ancestor>, parent, const reproduction::Vacancy&,
                 const View&, Rng&)
 
+TROPHIC_REFUSES(recruitment, reproduction::Recruitment,
+                TROPHIC_AND(std::size_t spare_bodies() const; bool leaves_spare(const Vacancy&, const View&) const),
+                std::vector<reproduction::Recruit>, recruits, const View&, Rng&)
+
 TROPHIC_REFUSES(activation, death::Activation, TROPHIC_ALONE, death::Activates, activates, BodyIndex, const View&)
 TROPHIC_REFUSES(capture, death::CaptureRule, TROPHIC_ALONE, std::vector<death::Capture>, captures, const View&, Rng&)
 TROPHIC_REFUSES(floor, death::Floor, TROPHIC_ALONE, bool, may_die, Species, const View&)

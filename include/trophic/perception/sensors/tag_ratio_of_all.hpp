@@ -17,8 +17,9 @@ struct TagRatioOfAll {
   static constexpr std::string_view source = "paper, Sec. \"Inputs\", Eq. 2";
   static constexpr std::size_t size = 1;
   [[nodiscard]] std::array<double, size> sense(const View& view) const {
-    const auto total = static_cast<double>(view.robots.size());
-    const auto positive = static_cast<double>(std::ranges::count(view.robots, 1, &Individual::tag));
+    const auto total = static_cast<double>(std::ranges::count_if(view.robots, &Individual::lives));
+    const auto is_positive = [](const Individual& one) { return one.lives() && one.tag == 1; };
+    const auto positive = static_cast<double>(std::ranges::count_if(view.robots, is_positive));
     return {(positive - total / 2.0) / total};
   }
 };

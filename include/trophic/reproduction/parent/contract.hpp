@@ -6,6 +6,7 @@
 #include <optional>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/state.hpp>
+#include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 
@@ -16,13 +17,7 @@
 
 namespace trophic::reproduction {
 
-/// A body whose occupant is about to be replaced; it is still in the view.
-struct Vacancy {
-  BodyIndex body = 0;
-  Cause cause = Cause::caught;
-  std::optional<BodyIndex> killer = {};   ///< the body of the hunter, for Cause::caught
-  std::optional<Species> successor = {};  ///< the species that the body goes to, if the rules fix it: a parent must be of it
-};
+using trophic::Vacancy;
 
 /// `parent(vacancy, view, rng)`: returns the individual that reproduces into the vacant body, dead or alive; without one the
 /// genome is random. It must be of the species `vacancy.successor`, if that is given; otherwise the body goes to the parent's

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Prey reproduce by escaping, into bodies that the dead have left.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/parent/detail/pursuit.hpp>
+#include <trophic/reproduction/recruitment/contract.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::reproduction::recruitment {
+
+/// Rule: an active prey that has escaped `escapes` times since its birth or its last offspring reproduces into the spare body
+/// closest to it; if spare bodies are few, the prey with most escapes first, of equal ones the oldest. After starvation or
+/// senescence a body stays spare unless `spare_bodies` already are; after a catch or a sacrifice it is filled at once. An escape:
+/// a living predator that was within distances.near_m of the active prey is farther than distances.far_m. So escapes add prey
+/// and starvation takes predators away, by at most `spare_bodies` in all. All its numbers are free.   Reads: positions, species,
+/// activity, its own state.   Random draws: 0.
+struct AfterEscapes {
+  static constexpr std::string_view name = "after_escapes";
+  static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
+
+  struct Params {
+    std::size_t spare_bodies = 6;
+    std::int64_t escapes = 1;
+    parent::detail::EscapeDistances distances{};
+    static constexpr auto fields() {
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual, at the start and at most"),
+          field("escapes", &Params::escapes, at_least(1), "escapes before each offspring"),
+          field("distances", &Params::distances)};
+    }
+  };
+  Params params;
+
+  /// Of each individual.
+  struct State {
+    std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
+    std::int64_t escapes = 0;            ///< since birth or the last offspring
+    static constexpr auto fields() { return std::tuple{field("pursuers", &State::pursuers), field("escapes", &State::escapes)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+  void on_walk(State& own, BodyIndex self, double, const View& view) const {
+    parent::detail::update_pursuers(own.pursuers, self, params.distances, view, [&](IndividualId) { ++own.escapes; });
+  }
+  void on_offspring(State& own, BodyIndex, BodyIndex, const View&) const { own.escapes = 0; }
+
+  [[nodiscard]] std::size_t spare_bodies() const { return params.spare_bodies; }
+  [[nodiscard]] bool leaves_spare(const Vacancy& vacancy, const View& view) const {
+    if (vacancy.cause != Cause::starved && vacancy.cause != Cause::senescence) return false;
+    const auto living = static_cast<std::size_t>(std::ranges::count_if(view.robots, &Individual::lives));
+    return view.robots.size() - living < params.spare_bodies;
+  }
+
+  [[nodiscard]] std::vector<Recruit> recruits(const View& view, Rng&, std::span<const State> states) const {
+    std::vector<BodyIndex> parents;
+    std::vector<BodyIndex> spare;
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      if (!view.robots[body].lives()) {
+        spare.push_back(body);
+      } else if (view.robots[body].active && states[body].escapes >= params.escapes) {
+        parents.push_back(body);
+      }
+    }
+    std::ranges::sort(parents, [&](BodyIndex a, BodyIndex b) {
+      return states[a].escapes != states[b].escapes ? states[a].escapes > states[b].escapes
+                                                    : view.robots[a].id < view.robots[b].id;
+    });
+    std::vector<Recruit> births;
+    for (const BodyIndex one : parents) {
+      if (spare.empty()) break;
+      const auto closest = std::ranges::min_element(spare, {}, [&](BodyIndex body) { return view.distance_m(one, body); });
+      births.push_back({.body = *closest, .species = view.robots[one].species, .parent = view.robots[one].as_ancestor()});
+      spare.erase(closest);
+    }
+    return births;
+  }
+};
+static_assert(Recruitment<AfterEscapes>);
+
+}  // namespace trophic::reproduction::recruitment
