@@ -26,7 +26,7 @@ struct SlotGroup {
 
 inline constexpr std::array slot_groups{
     SlotGroup{"perception", rules::slots({"heading", "visibility", "sensors", "newborn_tag", "tag_switch", "brain", "steering"})},
-    SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "parent", "heredity", "mutation"})},
+    SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "parent", "heredity", "mutation", "recruitment"})},
     SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation", "minimum_predators", "senescence"})},
     SlotGroup{"ecology", rules::slots({"community", "placement"})}};
 inline constexpr std::size_t perception_group = 0;
