@@ -14,6 +14,7 @@
 #include <trophic/run/checkpoint/checkpoint_writer.ipp>
 #include <trophic/run/checkpoint/resume.ipp>
 #include <trophic/run/checkpoint/rewind.ipp>
+#include <trophic/run/contest/contest_plan.ipp>
 #include <trophic/run/replicates/run.ipp>
 #include <trophic/run/replicates/run_with_shadow.ipp>
 #include <trophic/run/sweep/attempt.ipp>

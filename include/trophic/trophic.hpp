@@ -63,12 +63,14 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/frames.hpp>
+#include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/standing_poses.hpp>
+#include <trophic/ecology/start.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/body/module.hpp>
@@ -231,6 +233,7 @@
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
+#include <trophic/run/contest/contest_plan.hpp>
 #include <trophic/run/replicates/common_options.hpp>
 #include <trophic/run/replicates/folder.hpp>
 #include <trophic/run/replicates/parallel.hpp>

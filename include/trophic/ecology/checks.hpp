@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <trophic/death/capture/contract.hpp>
+#include <trophic/death/minimum_predators/contract.hpp>
+#include <trophic/death/starvation/contract.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
@@ -24,6 +27,14 @@ void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, cons
 
 /// Throws RuleError unless a body that a slot's rule named exists and has an individual.
 void check_lives(std::string_view slot, std::string_view what, BodyIndex body, std::span<const Individual> robots);
+
+/// The same of all bodies that a rule of death returned.
+void check_captures(std::span<const death::Capture> captures, std::span<const Individual> robots);
+void check_starving(const death::Starving& starving, std::span<const Individual> robots);
+void check_sacrifices(std::span<const death::Sacrifice> sacrifices, std::span<const Individual> robots);
+
+/// Throws std::invalid_argument unless a checkpoint has a finite position for each robot.
+void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots);
 
 /// Returns the number of bodies that start without an individual. Throws RuleError unless it is below the number of robots.
 [[nodiscard]] std::size_t checked_spare_bodies(std::size_t spare, std::size_t robots);

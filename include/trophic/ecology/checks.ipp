@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <trophic/ecology/checks.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/support/rule_error.hpp>
 
 namespace trophic::detail {
@@ -48,6 +49,30 @@ TROPHIC_INLINE void check_lives(std::string_view slot, std::string_view what, Bo
   check_index(slot, what, body, robots.size());
   if (robots[body].lives()) return;
   throw RuleError{slot, std::string{what} + " " + std::to_string(body) + ": must be a body with an individual"};
+}
+
+TROPHIC_INLINE void check_captures(std::span<const death::Capture> captures, std::span<const Individual> robots) {
+  for (const death::Capture& capture : captures) {
+    check_lives("capture", "hunter", capture.hunter, robots);
+    check_lives("capture", "victim", capture.victim, robots);
+  }
+}
+
+TROPHIC_INLINE void check_starving(const death::Starving& starving, std::span<const Individual> robots) {
+  for (const BodyIndex hunter : starving.exempt) check_lives("starvation", "exempt hunter", hunter, robots);
+  for (const BodyIndex victim : starving.victims) check_lives("starvation", "victim", victim, robots);
+}
+
+TROPHIC_INLINE void check_sacrifices(std::span<const death::Sacrifice> sacrifices, std::span<const Individual> robots) {
+  for (const death::Sacrifice& sacrifice : sacrifices) check_lives("minimum_predators", "victim", sacrifice.victim, robots);
+}
+
+TROPHIC_INLINE void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots) {
+  Archive::require(poses.size() == robots, "another number of robots");
+  for (const GroundPose& pose : poses) {
+    const bool is_somewhere = std::abs(pose.x_m) < 1e9 && std::abs(pose.y_m) < 1e9 && std::isfinite(pose.heading_rad);
+    Archive::require(is_somewhere, "a robot without a finite position");
+  }
 }
 
 TROPHIC_INLINE std::size_t checked_spare_bodies(std::size_t spare, std::size_t robots) {

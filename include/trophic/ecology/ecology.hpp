@@ -2,8 +2,6 @@
 // The ecology: the individual in each body, and the order and times of the rules.
 #pragma once
 
-#include <any>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -23,6 +21,7 @@
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/standing_poses.hpp>
+#include <trophic/ecology/start.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/installed_models.hpp>
 #include <trophic/io/state_columns.hpp>
@@ -67,11 +66,7 @@ class Ecology final : public Simulation {
     auto rhythms = locomotion_.save();
     archive(tick_, started_, poses_, starvation_clock_, population_, rhythms, backend_);
     if (!archive.reads()) return;
-    Archive::require(poses_.size() == population_.individuals().size(), "another number of robots");
-    for (const GroundPose& pose : poses_) {
-      const bool is_somewhere = std::abs(pose.x_m) < 1e9 && std::abs(pose.y_m) < 1e9 && std::isfinite(pose.heading_rad);
-      Archive::require(is_somewhere, "a robot without a finite position");
-    }
+    detail::check_saved_poses(poses_, population_.individuals().size());
     locomotion_.restore(rhythms);
     population_.stand_at(poses_);
   }
@@ -116,8 +111,8 @@ class Ecology final : public Simulation {
                .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
-        population_{rules_, web_, params_.seed, founders(), params_.shadow},
-        poses_{place()},
+        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), params_.shadow},
+        poses_{places_of(params_, rules_, habitat_)},
         backend_{choice_.build(habitat_.robot, habitat_.arena, standing_poses(poses_, habitat_.robot), params_.physics)},
         locomotion_{habitat_.robot,
                     habitat_.gait,
@@ -127,6 +122,7 @@ class Ecology final : public Simulation {
                     params_.ecology.cpg_integration,
                     static_cast<std::int64_t>(params_.ecology.idle_control_steps)} {
     population_.stand_at(poses_);
+    if (!params_.lineup.empty()) population_.enlist(params_.lineup);
   }
 
   void run(double until_s, observe::Audience& audience) override {
@@ -152,23 +148,6 @@ class Ecology final : public Simulation {
     }
   }
 
-  [[nodiscard]] std::vector<Species> founders() const {
-    const std::size_t spare = detail::checked_spare_bodies(rules_.recruitment.spare_bodies(), params_.ecology.robots);
-    const std::size_t founders = params_.ecology.robots - spare;
-    std::vector<Species> species = rules_.community.founders(founders);
-    detail::check_one_each("community", "founders", species.size(), founders);
-    for (const Species one : species) check_index("community", "species", one, web_.size());
-    species.resize(params_.ecology.robots, no_species);
-    return species;
-  }
-
-  [[nodiscard]] std::vector<GroundPose> place() const {
-    Rng rng{params_.seed, Stream::placement};
-    auto places = rules_.placement.place(params_.ecology.robots, habitat_.arena, habitat_.robot.bounding_radius_m, rng);
-    detail::check_places(places, params_.ecology.robots);
-    return places;
-  }
-
   void emit(observe::Audience& audience, observe::EventKind kind, BodyIndex body, std::optional<Cause> cause = {},
             std::optional<IndividualId> other = {}) {
     audience.event(observe::Event{.kind = kind, .body = body, .individual = population_[body], .cause = cause, .other = other},
@@ -179,7 +158,7 @@ class Ecology final : public Simulation {
   [[nodiscard]] bool move(observe::Audience& audience) {
     target_angles_rad_.clear();
     for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
-    if (!walk(audience)) return false;
+    if (!advance_or_return(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s())) return false;
     poses_before_ = poses_;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const Pose root = backend_.pose(body);
@@ -193,31 +172,17 @@ class Ecology final : public Simulation {
     return true;
   }
 
-  [[nodiscard]] bool walk(observe::Audience& audience) {
-    struct Before {
-      std::any bodies;
-      typename decltype(locomotion_)::State rhythms;
-    };
-    std::optional<Before> before;
-    if (backend_.has_joints() && audience.may_cancel()) before.emplace(Before{backend_.save(), locomotion_.save()});
-    const auto is_cancelled = [&] { return before && audience.cancels_tick(); };
-    if (advance_in_frames(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s(), is_cancelled))
-      return true;
-    backend_.restore(before->bodies);
-    locomotion_.restore(before->rhythms);
-    return false;
-  }
-
   void tick(observe::Audience& audience) {
-    if (time_s() >= params_.ecology.first_tick_s) {
+    const bool rules_act = time_s() >= params_.ecology.first_tick_s;
+    if (rules_act && params_.lineup.empty()) {
       activate(audience);
       capture(audience);
       age(audience);
       starve(audience);
       minimum_predators(audience);
       recruit(audience);
-      decide(audience);
     }
+    if (rules_act) decide(audience);
     audience.tick(view());
   }
 
@@ -236,10 +201,7 @@ class Ecology final : public Simulation {
     const IndividualId first_newborn = population_.next_id();
     const auto captors = states().capture.all();
     const auto captures = death::ask::captures(rules_.capture, captors, view(), rng);
-    for (const death::Capture& capture : captures) {
-      detail::check_lives("capture", "hunter", capture.hunter, population_.individuals());
-      detail::check_lives("capture", "victim", capture.victim, population_.individuals());
-    }
+    detail::check_captures(captures, population_.individuals());
     for (const death::Capture& capture : captures) {
       const Individual& hunter = population_[capture.hunter];
       const bool hunter_was_caught = hunter.id >= first_newborn;
@@ -270,12 +232,8 @@ class Ecology final : public Simulation {
     const auto hungry = states().starvation.all();
     const death::Starving starving = death::ask::starving(rules_.starvation, hungry, starvation_clock_, now, perceives);
     const IndividualId first_newborn = population_.next_id();
-    for (const BodyIndex hunter : starving.exempt) {
-      detail::check_lives("starvation", "exempt hunter", hunter, population_.individuals());
-      audience.exemption(hunter, now);
-    }
-    for (const BodyIndex victim : starving.victims)
-      detail::check_lives("starvation", "victim", victim, population_.individuals());
+    detail::check_starving(starving, population_.individuals());
+    for (const BodyIndex hunter : starving.exempt) audience.exemption(hunter, now);
     for (const BodyIndex victim : starving.victims) {
       if (population_[victim].id >= first_newborn) continue;
       replace_occupant(audience, {.body = victim, .cause = Cause::starved, .killer = {}, .successor = {}});
@@ -288,8 +246,7 @@ class Ecology final : public Simulation {
     const IndividualId first_newborn = population_.next_id();
     const auto given_up = states().minimum_predators.all();
     const auto sacrifices = death::ask::sacrifices(rules_.minimum_predators, given_up, view(), rng);
-    for (const death::Sacrifice& sacrifice : sacrifices)
-      detail::check_lives("minimum_predators", "victim", sacrifice.victim, population_.individuals());
+    detail::check_sacrifices(sacrifices, population_.individuals());
     for (const death::Sacrifice& sacrifice : sacrifices) {
       check_index("minimum_predators", "successor", sacrifice.successor, web_.size());
       if (population_[sacrifice.victim].id >= first_newborn) continue;

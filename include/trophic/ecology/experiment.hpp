@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <trophic/ecology/lineup.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/params/params.hpp>
@@ -22,6 +23,9 @@ struct Experiment {
   RuleParams<Rules> rules{};
   /// Runs the neutral shadow: the heredity rule is not applied, every inherited genome is drawn anew. Files cannot set it.
   bool shadow = false;
+  /// A contest of these individuals, one for each robot, all active from the start: robots move, perceive and decide, and there
+  /// are no activations, catches, deaths and births. Empty: an ecology. Files cannot set it.
+  Lineup lineup = {};
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& experiment, Visitor&& visit) {

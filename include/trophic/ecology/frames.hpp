@@ -2,8 +2,10 @@
 // Moves bodies through a tick and passes observers the frames that they want.
 #pragma once
 
+#include <any>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/habitat/habitat.hpp>
@@ -59,6 +61,24 @@ template <class Locomotion, class IsCancelled>
   }
   for (const KeptFrame& frame : kept) show_frame(audience, frame, habitat, times, clock_s);
   return true;
+}
+
+/// The same; if an observer cancels the tick, the bodies return to where they were before it, and the result is false.
+template <class Locomotion>
+[[nodiscard]] bool advance_or_return(observe::Audience& audience, Locomotion& locomotion, AnyBackend& backend,
+                                     std::span<const double> target_angles_rad, const Habitat& habitat,
+                                     const observe::FrameTimes& times, double clock_s) {
+  struct Before {
+    std::any bodies;
+    typename Locomotion::State rhythms;
+  };
+  std::optional<Before> before;
+  if (backend.has_joints() && audience.may_cancel()) before.emplace(Before{backend.save(), locomotion.save()});
+  const auto is_cancelled = [&] { return before && audience.cancels_tick(); };
+  if (advance_in_frames(audience, locomotion, backend, target_angles_rad, habitat, times, clock_s, is_cancelled)) return true;
+  backend.restore(before->bodies);
+  locomotion.restore(before->rhythms);
+  return false;
 }
 
 }  // namespace trophic

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/ecology/lineup.hpp>
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/search_tree.hpp>
@@ -74,7 +75,7 @@ class Population {
       Individual born = newborn(species, 0.0, 0, nullptr);
       if (species == no_species) {
         for_each_state(rules_, states_, [&]<class P>(const P&, BodyStates<P>& states) { states.push_back({}); });
-        individuals_.push_back(spare(born));
+        individuals_.push_back(spare_body(born.tag, 0.0));
         continue;
       }
       for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
@@ -128,6 +129,21 @@ class Population {
   }
   /// Finds the closest bodies; null before `stand_at`.
   [[nodiscard]] const SearchTree* tree() const { return poses_.empty() ? nullptr : &tree_; }
+
+  /// Gives the founders these genomes, body by body, and makes all active. Throws std::invalid_argument for a genome that the
+  /// brain does not take.
+  void enlist(std::span<const Contestant> lineup) {
+    for (BodyIndex body = 0; body < individuals_.size(); ++body) {
+      const std::vector<double>& weights = lineup[body].weights;
+      if (weights.size() != genome_size()) {
+        throw std::invalid_argument{"a contest of genomes of " + std::to_string(weights.size()) + " weights: must have " +
+                                    std::to_string(genome_size()) + ", those of the table's brain"};
+      }
+      individuals_[body].genome->weights = weights;
+      individuals_[body].active = true;
+      mark(body);
+    }
+  }
 
   /// Lets the newborn in a body be caught and seen; restarts its age if the rule requires it.
   void activate(BodyIndex body, double time_s, bool restarts_age) {
@@ -229,7 +245,7 @@ class Population {
   /// Takes the individual out of a body, which is spare from then on.
   void vacate(BodyIndex body) {
     remove(body);
-    individuals_[body] = spare(individuals_[body]);
+    individuals_[body] = spare_body(individuals_[body].tag, individuals_[body].target_angle_rad);
     mark(body);
   }
 
@@ -309,17 +325,6 @@ class Population {
         rule.on_offspring(states[*self], *self, newborn, view);
       }
     });
-  }
-
-  /// A spare body with the tag and the target angle of its last individual.
-  [[nodiscard]] static Individual spare(const Individual& last) {
-    Individual none;
-    none.id = no_individual;
-    none.species = no_species;
-    none.active = false;
-    none.tag = last.tag;
-    none.target_angle_rad = last.target_angle_rad;
-    return none;
   }
 
   /// A newborn without its genome. `previous` is the body's last occupant, none for a founder.

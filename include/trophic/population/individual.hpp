@@ -97,4 +97,15 @@ struct Individual {
   }
 };
 
+/// A body without an individual, with the tag and the target angle of its last one.
+[[nodiscard]] inline Individual spare_body(int tag, double target_angle_rad) {
+  Individual none;
+  none.id = no_individual;
+  none.species = no_species;
+  none.active = false;
+  none.tag = tag;
+  none.target_angle_rad = target_angle_rad;
+  return none;
+}
+
 }  // namespace trophic

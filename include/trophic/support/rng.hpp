@@ -32,6 +32,7 @@ enum class Stream : std::uint64_t {
   visibility,
   sensors,
   recruitment,
+  contest,
   user = 1'000'000,  ///< first number for rules of users
 };
 

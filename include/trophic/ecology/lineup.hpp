@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Individuals that meet in a contest: an ecology without births and deaths.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/population/food_web.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// An individual of a contest.
+struct Contestant {
+  Species species = 0;
+  std::vector<double> weights;  ///< of its genome
+};
+
+/// One individual for each body.
+using Lineup = std::vector<Contestant>;
+
+/// Makes an experiment's ecology with given individuals at places drawn from a seed.
+using MakeContest = std::function<std::unique_ptr<Simulation>(std::uint64_t places, Lineup lineup)>;
+
+}  // namespace trophic

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The start of an ecology: the species of each founder, and places.
+#pragma once
+
+#include <cstddef>
+#include <trophic/ecology/checks.hpp>
+#include <trophic/ecology/experiment.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/population/food_web.hpp>
+#include <trophic/population/individual.hpp>
+#include <trophic/rules/table.hpp>
+#include <trophic/support/rng.hpp>
+#include <trophic/support/rule_error.hpp>
+#include <trophic/support/units.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// The species of the founder in each body, no_species for a spare body. Throws RuleError for other numbers than of robots.
+template <class Rules>
+[[nodiscard]] std::vector<Species> founders_of(const Experiment<Rules>& params, const Policies<Rules>& rules,
+                                               const FoodWeb& web) {
+  const std::size_t robots = params.ecology.robots;
+  std::vector<Species> species;
+  if (!params.lineup.empty()) {
+    for (const Contestant& one : params.lineup) species.push_back(one.species);
+    detail::check_one_each("community", "individuals of a contest", species.size(), robots);
+  } else {
+    const std::size_t founders = robots - detail::checked_spare_bodies(rules.recruitment.spare_bodies(), robots);
+    species = rules.community.founders(founders);
+    detail::check_one_each("community", "founders", species.size(), founders);
+  }
+  for (const Species one : species) check_index("community", "species", one, web.size());
+  species.resize(robots, no_species);
+  return species;
+}
+
+/// A place for each robot by the Placement rule. Throws RuleError for other numbers of places, or for one that is not finite.
+template <class Rules>
+[[nodiscard]] std::vector<GroundPose> places_of(const Experiment<Rules>& params, const Policies<Rules>& rules,
+                                                const Habitat& habitat) {
+  Rng rng{params.seed, Stream::placement};
+  auto places = rules.placement.place(params.ecology.robots, habitat.arena, habitat.robot.bounding_radius_m, rng);
+  detail::check_places(places, params.ecology.robots);
+  return places;
+}
+
+}  // namespace trophic
