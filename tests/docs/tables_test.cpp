@@ -13,6 +13,7 @@
 #include <tools/analysis/report/axis_rows.hpp>
 #include <tools/analysis/report/means_table.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
+#include <tools/analysis/report/progress_table.hpp>
 #include <tools/analysis/report/sweep_rows.hpp>
 #include <tools/gait_evolution/history.hpp>
 #include <tools/trophic/cross_check/gait_report.hpp>
@@ -116,6 +117,9 @@ on.)");
                                                 "Each metric of each cell of a sweep, compared with the reference cell.");
   text += section<analysis::AxisEffectRow>("sweep_effects.csv",
                                            "The effect of each value of an axis on each metric, averaged over the other axes.");
+  text += section<analysis::ContestRow>("contests.csv", "Results of `trophic contest`: one row per contest of two teams.");
+  text +=
+      section<analysis::ProgressRow>("progress.csv", "Progress that the contests show, and its test over the neutral shadow.");
   text += section<command::cross_check::CheckRow>("cross_check.csv", "Results of `trophic cross-check` for gaits and ecologies.");
   text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");
   text += section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "One row per generation.");

@@ -9,6 +9,7 @@ namespace trophic::command {
 
 [[nodiscard]] Command analyze();
 [[nodiscard]] Command cite();
+[[nodiscard]] Command contest_command();
 [[nodiscard]] Command cross_check_engines();
 [[nodiscard]] Command evolve_gait();
 [[nodiscard]] Command export_run();

@@ -14,8 +14,8 @@ trophic::command::Command program() {
           .about = "From runs to results: analyses, figures, pages and films; gaits for robots.",
           .options = {},
           .work = {},
-          .subcommands = {analyze(), plot(), cite(), show(), film(), export_run(), ablation_table(), cross_check_engines(),
-                          evolve_gait(), measure_gait(), help(&program)},
+          .subcommands = {analyze(), contest_command(), plot(), cite(), show(), film(), export_run(), ablation_table(),
+                          cross_check_engines(), evolve_gait(), measure_gait(), help(&program)},
           .version = version_text(backend_versions<LinkedBackends>()),
           .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
 }

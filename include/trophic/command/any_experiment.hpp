@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/named_params.hpp>
@@ -37,6 +38,8 @@ class AnyExperiment {
   [[nodiscard]] virtual std::vector<rules::PrintedRule> printed_rules() const = 0;
   /// Makes its ecologies as the numbers are now, or those of its neutral shadow.
   [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
+  /// Makes contests in its arena, with its brains and backend.
+  [[nodiscard]] virtual MakeContest contests() const = 0;
   /// Writes the engine's model of an ecology that `simulations` made. Returns false if the engine has no such file.
   virtual bool save_mjcf(const Simulation& ecology, const std::string& path) const = 0;
 };

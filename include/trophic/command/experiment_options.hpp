@@ -55,6 +55,7 @@ struct ExperimentOptions {
   std::vector<rules::PrintedRule> unlike_rules;  ///< of that table
   bool status = false;                           ///< of a sweep
   std::optional<std::uint64_t> sbatch;           ///< tasks of the Slurm script to print
+  std::string play;                              ///< file of contests
   std::string program;                           ///< as it was called
   io::Provenance provenance;
   io::OwnTables own_tables;  ///< the program's own tables, written by each run

@@ -11,6 +11,7 @@
 #include <trophic/command/backends.hpp>
 #include <trophic/command/experiment_program.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/command/play_contests.hpp>
 #include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/run_experiment.hpp>
@@ -98,6 +99,10 @@ namespace detail {
         "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
         "with --replicates of its future"},
        {"--at", &options.at_s, "seconds of that run's clock (its last checkpoint)"}});
+  add("Contests",
+      {{"--play", &options.play,
+        "play the contests in this file, with --jobs at a time, and write their outcomes next to it; trophic contest --program "
+        "writes the file and calls this"}});
   add("Print",
       {{"--print-config", &options.print_config, "print every number as TOML and stop"},
        {"--print-table",
@@ -194,6 +199,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
       throw std::invalid_argument{"two rule tables are called " + table + ": each needs a name of its own"};
     }
   }
+  if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);
   if (!options.sweep.empty() && !options.status) return run_sweep(options, offer, team);
   if (options.status) return sweep_status(options);
   if (!options.shard.empty() || options.dry_run || options.lease_s || options.sbatch) {

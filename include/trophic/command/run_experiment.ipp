@@ -37,20 +37,6 @@ namespace trophic::command {
 
 namespace detail {
 
-/// The numbers of a manifest as those of a configuration file. Throws Json::exception for a value that is not a number, text or
-/// switch.
-[[nodiscard]] inline toml::table toml_of(const Json& json) {
-  toml::table table;
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_object()) {
-      table.insert(key, toml_of(value));
-    } else {
-      insert_value(table, key, value);
-    }
-  }
-  return table;
-}
-
 /// Frames of a run's recording in a simulated second; 0 without one, the default if it cannot be read.
 [[nodiscard]] inline double replay_hz_of(const std::filesystem::path& run) {
   const std::filesystem::path path = run / "replay.trp";
@@ -312,7 +298,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     origin.output.replay_hz = detail::replay_hz_of(origin.moment.run);
     origin.output.senses = json.contains("senses");
     origin.output.states = std::filesystem::exists(origin.moment.run / io::StateLog::file_name);
-    origin.params = detail::toml_of(json.at("params"));
+    origin.params = toml_of(json.at("params"));
   } catch (const Json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   } catch (const std::invalid_argument& error) {

@@ -23,4 +23,19 @@ void insert_value(toml::table& table, std::string_view key, const Json& value) {
   }
 }
 
+/// The numbers of a manifest as those of a configuration file. Throws Json::exception for a value that is not a number, text or
+/// switch.
+template <class Json>
+[[nodiscard]] toml::table toml_of(const Json& json) {
+  toml::table table;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      table.insert(key, toml_of(value));
+    } else {
+      insert_value(table, key, value);
+    }
+  }
+  return table;
+}
+
 }  // namespace trophic::command

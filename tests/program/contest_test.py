@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""contest_test.py PREDATOR_PREY TROPHIC OWN_TABLE: contests across generations, from runs to tables, and what is refused."""
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolder
+
+OWN_TABLE = sys.argv.pop(3)
+TROPHIC = sys.argv.pop(2)
+PREDATOR_PREY = sys.argv.pop(1)
+
+
+class Contest(InFolder):
+    def call(self, program, *arguments):
+        return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+
+    def runs(self, name, *arguments, program=PREDATOR_PREY):
+        made = self.call(program, "--backend", "kinematic", "--duration", 120, "--replicates", 3, "--replay-hz", 0, "--out", name, *arguments)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        return name
+
+    def contest(self, *arguments):
+        return self.call(TROPHIC, "contest", *arguments)
+
+    def rows(self, table):
+        with open(self.folder / table, encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def refused(self, *arguments, says):
+        result = self.contest(*arguments, "--out", "refused")
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertIn(says, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertFalse((self.folder / "refused").exists())
+
+    def test_every_pair_of_epochs_meets_in_runs_and_shadow_and_jobs_do_not_matter(self):
+        self.runs("study", "--shadow")
+        short = ["--duration", 150, "--reach", 3, "--against", "both", "--epochs", "0,60,120", "--team-size", 5]
+        done = self.contest("study", *short, "--out", "one", "--jobs", 1)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("3 replicates: no intervals and no conclusions; a test needs 6", done.stdout)
+        rows = self.rows("one/contests.csv")
+        self.assertEqual(len(rows), 2 * 2 * 3 * 2 * 9)  # shadow, against, replicates, teams, pairs
+        for row in rows:
+            self.assertTrue(0 <= float(row["contact_s"]) <= 150)
+            self.assertEqual(row["against"] == "own", row["hunters_run"] == row["victims_run"])
+            self.assertEqual(row["shadow"] == "1", "shadow" in row["hunters_run"])
+        self.assertGreater(len({row["contact_s"] for row in rows}), 50)
+        progress = self.rows("one/progress.csv")
+        self.assertEqual([(row["against"], row["species"], row["period"]) for row in progress],
+                         [(against, species, period) for against in ("own", "others") for period in ("early", "late")
+                          for species in ("predator", "prey")])
+        self.assertTrue(all(row["over_shadow_s"] and not row["p_holm"] for row in progress))
+        self.assertEqual(self.contest("study", *short, "--out", "two", "--jobs", 2).returncode, 0)
+        self.assertEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "two/contests.csv").read_bytes())
+        other = self.contest("study", *short, "--out", "other", "--seed", 2)
+        self.assertEqual(other.returncode, 0, other.stderr)
+        self.assertNotEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "other/contests.csv").read_bytes())
+
+    def test_the_program_that_made_the_runs_plays_the_same_contests(self):
+        self.runs("study")
+        short = ["study", "--duration", 40, "--team-size", 5, "--epochs", "0,120"]
+        here = self.contest(*short, "--out", "here")
+        self.assertEqual(here.returncode, 0, here.stderr)
+        self.assertIn("no shadow", here.stdout)
+        there = self.contest(*short, "--out", "there", "--program", PREDATOR_PREY)
+        self.assertEqual(there.returncode, 0, there.stderr)
+        for table in ("contests.csv", "progress.csv"):
+            self.assertEqual((self.folder / "here" / table).read_bytes(), (self.folder / "there" / table).read_bytes())
+        self.assertEqual(sorted(path.name for path in (self.folder / "there").iterdir()), ["contests.csv", "progress.csv"])
+
+    def test_runs_of_a_table_of_ones_own_need_their_program(self):
+        self.runs("mine", program=OWN_TABLE)
+        self.refused("mine", says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs")
+        done = self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 2 * 4)
+
+    def test_what_runs_cannot_give_is_refused_in_a_sentence(self):
+        self.runs("study")
+        first = self.folder / "study/replicate-00"
+        self.refused("nowhere", says="nowhere")
+        self.refused("study", "--epochs", "0,500", says="the run reached 120 s: must be >= 500 s, an epoch")
+        self.refused("study", "--epochs", "60", says="--epochs: 1 epochs: must be at least 2")
+        self.refused("study", "--epochs", "60,0", says="--epochs 0: must be > 60, the epoch before it")
+        self.refused("study", "--epochs", "0,x", says="--epochs 0,x: must be times in seconds with commas between")
+        self.refused("study", "--split", 7, says="--split 7: must be one of the epochs, 0, 40, 80, 120 s")
+        self.refused("study", "--teams", 1, says="--teams 1: must be >= 2")
+        self.refused("study", "--duration", 0, says="--duration 0: must be > 0")
+        self.refused("study", "--reach", -1, says="--reach -1: must be > 0")
+        self.refused("study", "--jobs", 0, says="--jobs 0: must be >= 1")
+        self.refused(first, says="--against others: needs at least two replicates")
+        self.refused("study", "--program", "no-such-program", says="--program no-such-program")
+        self.runs("other", "--set", "rules.mutation.sd=0.1")
+        self.refused("study", "other", says="runs of different rules or numbers are not pooled")
+        self.refused("study", "--shadow", "other", says="other")
+        shutil.move(first / "genomes.csv", self.folder / "genomes.csv")
+        self.refused("study", says="genomes.csv")
+        shutil.copy(self.folder / "genomes.csv", first / "genomes.csv")
+        with open(first / "genomes.csv", "a", encoding="utf-8") as file:
+            file.write("1,2")
+        self.refused("study", says="genomes.csv")
+        shutil.move(self.folder / "genomes.csv", first / "genomes.csv")
+        for path in (self.folder / "study").glob("replicate-*/manifest.json"):
+            path.write_text(json.dumps({**json.loads(path.read_text()), "food_web": []}))
+        self.refused("study", says="no species of this food web hunts: a contest needs hunters and victims")
+
+
+if __name__ == "__main__":
+    unittest.main()

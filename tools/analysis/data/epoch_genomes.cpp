@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Definitions of epoch_genomes.hpp.
+#include <tools/analysis/data/epoch_genomes.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <tools/analysis/data/read_run.hpp>
+#include <tools/analysis/data/table_reader.hpp>
+#include <trophic/io/tables.hpp>
+#include <trophic/params/params.hpp>
+#include <unordered_map>
+#include <utility>
+
+namespace trophic::analysis {
+
+namespace {
+
+/// Where the weights of a genome are to go.
+struct Wanted {
+  std::size_t epoch;
+  std::size_t place;
+};
+
+/// Calls `visit(row)` for each row of a table of the run.
+template <class Row, class Visit>
+void for_each_row(const RunManifest& run, const char* name, Visit&& visit) {
+  const std::filesystem::path path = run.folder / name;
+  try {
+    TableReader<Row> table{path, run.web};
+    detail::check_sum(table.csv(), path, run.tables);
+    for (Row row; table.next(row);) visit(row);
+    if (table.csv().truncated()) throw std::invalid_argument{path.string() + ": the last line was cut off; resume the run"};
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument{error.what()};
+  }
+}
+
+}  // namespace
+
+void check_epoch(const RunManifest& run, double epoch_s) {
+  const std::string path = (run.folder / "manifest.json").string();
+  if (!run.reached_s) {
+    throw std::invalid_argument{path + ": status \"" + run.status +
+                                "\": phylogeny.csv has those alive only at a run's end; resume the run"};
+  }
+  if (*run.reached_s >= epoch_s) return;
+  throw std::invalid_argument{path + ": the run reached " + number_text(*run.reached_s) +
+                              " s: must be >= " + number_text(epoch_s) + " s, an epoch"};
+}
+
+std::vector<std::vector<LivingGenome>> living_genomes(const RunManifest& run, std::span<const double> epochs_s) {
+  for (const double epoch_s : epochs_s) check_epoch(run, epoch_s);
+  std::vector<std::vector<LivingGenome>> living(epochs_s.size());
+  std::unordered_map<std::uint64_t, std::vector<Wanted>> wanted;
+  for_each_row<io::TaxonRow>(run, "phylogeny.csv", [&](const io::TaxonRow& row) {
+    for (std::size_t epoch = 0; epoch < epochs_s.size(); ++epoch) {
+      const double t = epochs_s[epoch];
+      if (row.origin_time > t || row.destruction_time.value_or(t + 1.0) <= t) continue;
+      wanted[row.genome].push_back({epoch, living[epoch].size()});
+      living[epoch].push_back({.id = row.id, .species = row.species});
+    }
+  });
+  for_each_row<io::GenomeRow>(run, "genomes.csv", [&](const io::GenomeRow& row) {
+    const auto found = wanted.find(row.genome);
+    if (found == wanted.end()) return;
+    for (const auto& [epoch, place] : found->second) {
+      if (row.time_s <= epochs_s[epoch]) living[epoch][place].weights = row.weights;
+    }
+  });
+  for (std::vector<LivingGenome>& at_epoch : living) {
+    for (const LivingGenome& one : at_epoch) {
+      if (!one.weights.empty()) continue;
+      throw std::invalid_argument{(run.folder / "genomes.csv").string() + ": has no genome of individual " +
+                                  std::to_string(one.id)};
+    }
+    std::ranges::sort(at_epoch, {}, &LivingGenome::id);
+  }
+  return living;
+}
+
+}  // namespace trophic::analysis

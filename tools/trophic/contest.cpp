@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// `trophic contest`: hunters of one epoch against victims of another, and the progress that their contests show.
+#include "commands.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <tools/analysis/report/contest_progress.hpp>
+#include <tools/analysis/report/progress_table.hpp>
+#include <tools/trophic/analyze_sweep.hpp>
+#include <trophic/command/backends.hpp>
+#include <trophic/command/output.hpp>
+#include <trophic/command/play_contests.hpp>
+#include <trophic/command/table_experiment.hpp>
+#include <trophic/io/next_free_folder.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
+#include <trophic/support/new_file.hpp>
+#include <vector>
+
+#include "contest/planned_contests.hpp"
+
+extern char** environ;
+
+namespace trophic::command {
+
+namespace detail::contest_command {
+
+struct Options {
+  std::vector<std::string> runs;
+  std::optional<std::string> shadow;
+  std::string epochs;
+  std::string against = "others";
+  std::uint64_t teams = 2;
+  std::uint64_t team_size = 0;
+  double duration_s = 300.0;
+  double reach_m = 1.0;
+  std::optional<double> split_s;
+  std::uint64_t seed = 1;
+  std::optional<std::string> backend;
+  std::string program;
+  std::optional<std::uint64_t> jobs;
+  std::optional<std::string> out;
+  bool accept_other_build = false;
+};
+
+[[nodiscard]] std::vector<double> epochs_of(const std::string& text) {
+  std::vector<double> epochs_s;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    double value = 0.0;
+    const auto parsed = std::from_chars(text.data() + at, text.data() + end, value);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + end || !std::isfinite(value)) {
+      throw std::invalid_argument{"--epochs " + text + ": must be times in seconds with commas between, as 0,2000,6000"};
+    }
+    epochs_s.push_back(value);
+    at = end + 1;
+  }
+  return epochs_s;
+}
+
+[[nodiscard]] std::vector<analysis::Against> against_of(const std::string& text) {
+  using analysis::Against;
+  if (text == "own") return {Against::own};
+  if (text == "others") return {Against::others};
+  return {Against::own, Against::others};
+}
+
+void check(const Options& options) {
+  const auto positive = [](const char* option, double value) {
+    if (value > 0.0 && value < 1e9) return;
+    throw std::invalid_argument{std::string{option} + " " + number_text(value) + ": must be > 0 and < 1e9"};
+  };
+  positive("--duration", options.duration_s);
+  positive("--reach", options.reach_m);
+  if (options.teams < 2) {
+    throw std::invalid_argument{"--teams " + std::to_string(options.teams) +
+                                ": must be >= 2; what a single team does is not what its epoch does"};
+  }
+  if (options.teams > 1000) throw std::invalid_argument{"--teams " + std::to_string(options.teams) + ": must be <= 1000"};
+  if (options.team_size > 10'000) {
+    throw std::invalid_argument{"--team-size " + std::to_string(options.team_size) + ": must be <= 10000"};
+  }
+  if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+}
+
+/// The tables that trophic ships, on the backends that this program is linked with.
+[[nodiscard]] Offer shipped() {
+  return {.tables = {{table_name<rules::Paper>(),
+                      [](const LinkedBackend& backend) -> std::unique_ptr<AnyExperiment> {
+                        return std::make_unique<TableExperiment<rules::Paper>>(backend);
+                      }},
+                     {table_name<rules::Released>(),
+                      [](const LinkedBackend& backend) -> std::unique_ptr<AnyExperiment> {
+                        return std::make_unique<TableExperiment<rules::Released>>(backend);
+                      }}},
+          .backends = linked_backends<LinkedBackends>(),
+          .default_backend = std::string{LinkedBackends::default_backend}};
+}
+
+/// A file that is removed at the end.
+class Passing {
+ public:
+  explicit Passing(std::filesystem::path path) : path_{std::move(path)} {}
+  Passing(const Passing&) = delete;
+  Passing& operator=(const Passing&) = delete;
+  ~Passing() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Lets another program play the plan, by `PROGRAM --play PLAN`.
+[[nodiscard]] std::vector<contest::Outcome> played_by(const std::string& program, const contest::Plan& plan,
+                                                      const std::filesystem::path& folder, std::size_t jobs) {
+  const Passing file{folder / "plan.json"};
+  const Passing outcomes{outcomes_of(file.path())};
+  write_new_file(file.path(), contest::text_of(plan));
+  std::vector<std::string> words{program, "--play", file.path().string(), "--jobs", std::to_string(jobs)};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t process = 0;
+  std::cout.flush();
+  const int failed = ::posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments.data(), environ);
+  if (failed != 0) throw std::invalid_argument{"--program " + program + ": " + std::strerror(failed)};
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw std::invalid_argument{"--program " + program + ": did not play the contests; its message is above"};
+  }
+  return contest::read_outcomes(outcomes.path(), plan.matches.size());
+}
+
+void run(const Options& options) {
+  check(options);
+  const std::vector<std::filesystem::path> runs{options.runs.begin(), options.runs.end()};
+  const auto sets = contests::read_sets(runs, options.shadow, options.accept_other_build);
+  for (const std::string& remark : sets.remarks) std::cerr << "trophic contest: " << remark << "\n";
+  contests::Planned planned = contests::planned_contests(sets, {.epochs_s = epochs_of(options.epochs),
+                                                                .against = against_of(options.against),
+                                                                .teams = options.teams,
+                                                                .team_size = options.team_size,
+                                                                .duration_s = options.duration_s,
+                                                                .reach_m = options.reach_m,
+                                                                .seed = options.seed});
+  if (options.backend && *options.backend != planned.plan.engine) {
+    planned.plan.engine = *options.backend;
+    planned.plan.fingerprint.clear();
+    planned.plan.params.erase("backend");
+  }
+  static_cast<void>(analysis::progress_of(planned.rows, options.split_s));  // refuses a split before any work
+  const Offer offer = shipped();
+  if (options.program.empty()) {
+    if (const std::string why = why_not_played(planned.plan, offer); !why.empty()) {
+      throw std::invalid_argument{sets.ours.front().folder.string() + ": " + why};
+    }
+  }
+  const std::size_t jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  const std::string out = options.out.value_or(io::next_free_folder("contests").string());
+  analyze::ResultFolder folder{out};
+  const auto start = std::chrono::steady_clock::now();
+  const auto outcomes =
+      options.program.empty() ? play(planned.plan, offer, jobs) : played_by(options.program, planned.plan, folder.path(), jobs);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    planned.rows[i].contact_s = outcomes[i].contact_s;
+    planned.rows[i].contacted = outcomes[i].contacted;
+  }
+  const auto progress = analysis::progress_of(planned.rows, options.split_s);
+  analysis::write_contests(folder.path() / "contests.csv", planned.rows);
+  analysis::write_progress(folder.path() / "progress.csv", progress);
+  folder.keep();
+  analysis::print_progress(std::cout, progress);
+  std::cout << "tables  " << out << "/contests.csv, progress.csv: " << outcomes.size() << " contests of "
+            << number_text(options.duration_s) << " s in " << number_text(std::round(10.0 * taken.count()) / 10.0) << " s\n";
+  flush_output();
+}
+
+}  // namespace detail::contest_command
+
+/// Contests across generations.
+Command contest_command() {
+  using detail::contest_command::Options;
+  const auto options = std::make_shared<Options>();
+  return {
+      .name = "contest",
+      .about =
+          "Lets hunters of one epoch of the runs meet victims of another, in the runs' arena without catches, births and deaths. "
+          "Progress of a species is how much sooner its later hunters reach the victims of all epochs, or how much later its "
+          "later victims are reached; against opponents of other replicates it is global, against those of the own run "
+          "historical. It is compared with the neutral shadow, which is found in RUNS/shadow.",
+      .options = {{.name = "runs", .target = &options->runs, .help = "folders of runs, or of replicates", .required = true},
+                  {"--shadow", &options->shadow, "folder of the shadow (RUNS/shadow, if there is one)"},
+                  {"--epochs", &options->epochs,
+                   "times of the runs, with commas between, as 0,2000,6000 (four, evenly over the runs)"},
+                  {"--against",
+                   &options->against,
+                   "opponents: others, of another replicate; own; or both (others)",
+                   {"others", "own", "both"},
+                   Words::demanded},
+                  {"--split", &options->split_s, "the epoch at which the late period begins (that in the middle)"},
+                  {"--teams", &options->teams, "teams drawn for each epoch and species, at least 2 (2)"},
+                  {"--team-size", &options->team_size, "robots in a team (half of the runs' robots)"},
+                  {"--duration", &options->duration_s, "length of a contest, seconds of the ecology's clock (300)"},
+                  {"--reach", &options->reach_m, "distance in metres at which a hunter reaches a victim (1)"},
+                  {"--seed", &options->seed, "of teams, partners and places (1)"},
+                  {"--backend", &options->backend, "play on this backend, with its default numbers (the runs')"},
+                  {"--program", &options->program, "the program that made the runs, if their rule table is your own"},
+                  {"--jobs", &options->jobs, "contests at a time (one per core); results do not depend on it"},
+                  {"--accept-other-build", &options->accept_other_build, "take runs that several builds of a program made"},
+                  {"--out", &options->out,
+                   "new folder for contests.csv and progress.csv (the next free contests, contests-1, ...)"}},
+      .work =
+          [options] {
+            detail::contest_command::run(*options);
+            return 0;
+          },
+      .subcommands = {},
+      .version = {},
+      .examples = {"trophic contest runs/study", "trophic contest runs/study --against both --epochs 0,2000,4000,6000",
+                   "trophic contest runs/mine --program build/my_experiment"}};
+}
+
+}  // namespace trophic::command

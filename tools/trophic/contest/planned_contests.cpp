@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Definitions of planned_contests.hpp.
+#include "planned_contests.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <tools/analysis/data/epoch_genomes.hpp>
+#include <tools/analysis/data/pooled_runs.hpp>
+#include <tools/analysis/data/shadow.hpp>
+#include <tools/analysis/data/sweep_runs.hpp>
+#include <tools/analysis/metrics/contest_design.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <utility>
+
+namespace trophic::command::contests {
+
+using analysis::Against;
+using analysis::LivingGenome;
+using analysis::RunManifest;
+
+namespace {
+
+constexpr std::size_t default_epochs = 4;
+
+/// Teams of one set of runs, each drawn when first asked for.
+class Teams {
+ public:
+  Teams(std::span<const RunManifest> runs, const Size& size, bool is_shadow, const analysis::ContestDesign& design,
+        contest::Plan& plan)
+      : runs_{runs}, size_{size}, is_shadow_{is_shadow}, design_{design}, plan_{plan} {
+    for (const RunManifest& run : runs) living_.push_back(analysis::living_genomes(run, size.epochs_s));
+  }
+
+  /// The number of the team in the plan.
+  std::size_t operator()(const analysis::TeamName& name) {
+    const auto [found, is_new] = places_.try_emplace({name.replicate, name.epoch, name.species, name.team}, plan_.teams.size());
+    if (is_new) plan_.teams.push_back(drawn(name));
+    return found->second;
+  }
+
+ private:
+  [[nodiscard]] contest::Team drawn(const analysis::TeamName& name) const {
+    std::vector<const LivingGenome*> members;
+    for (const LivingGenome& one : living_[name.replicate][name.epoch]) {
+      if (one.species == name.species) members.push_back(&one);
+    }
+    if (members.empty()) {
+      const RunManifest& run = runs_[name.replicate];
+      throw std::invalid_argument{run.folder.string() + ": no " + run.web.name(name.species) + " is alive at " +
+                                  number_text(size_.epochs_s[name.epoch]) + " s, an epoch"};
+    }
+    contest::Team team{.species = name.species};
+    for (const std::size_t i : design_.members(name, is_shadow_, members.size(), size_.team_size)) {
+      team.genomes.push_back(members[i]->weights);
+    }
+    return team;
+  }
+
+  std::span<const RunManifest> runs_;
+  const Size& size_;
+  bool is_shadow_;
+  const analysis::ContestDesign& design_;
+  contest::Plan& plan_;
+  std::vector<std::vector<std::vector<LivingGenome>>> living_;  ///< by run and epoch
+  std::map<std::tuple<std::size_t, std::size_t, Species, std::size_t>, std::size_t> places_;
+};
+
+void add_matches(std::span<const RunManifest> runs, const Size& size, bool is_shadow, const analysis::ContestDesign& design,
+                 Planned& planned) {
+  Teams teams{runs, size, is_shadow, design, planned.plan};
+  const FoodWeb& web = runs.front().web;
+  const std::size_t epochs = size.epochs_s.size();
+  for (const Feeding& link : web.links()) {
+    for (const Against against : size.against) {
+      for (std::size_t replicate = 0; replicate < runs.size(); ++replicate) {
+        for (std::size_t team = 0; team < size.teams; ++team) {
+          const std::size_t other = against == Against::own ? replicate : design.partner(replicate, team);
+          for (std::size_t cell = 0; cell < epochs * epochs; ++cell) {
+            const std::size_t p = cell / epochs;
+            const std::size_t q = cell % epochs;
+            planned.plan.matches.push_back(
+                {.hunters = teams({.replicate = replicate, .epoch = p, .species = link.hunter, .team = team}),
+                 .victims = teams({.replicate = other, .epoch = q, .species = link.victim, .team = team}),
+                 .places = design.places(replicate, team)});
+            planned.rows.push_back({.shadow = is_shadow,
+                                    .against = against,
+                                    .hunters_run = runs[replicate].folder.string(),
+                                    .victims_run = runs[other].folder.string(),
+                                    .team = team,
+                                    .hunter = web.name(link.hunter),
+                                    .victim = web.name(link.victim),
+                                    .hunter_epoch_s = size.epochs_s[p],
+                                    .victim_epoch_s = size.epochs_s[q]});
+          }
+        }
+      }
+    }
+  }
+}
+
+std::vector<double> even_epochs(const RunManifest& run) {
+  std::vector<double> epochs_s;
+  const double last_s = run.reached_s.value_or(0.0);
+  for (std::size_t i = 0; i < default_epochs; ++i) {
+    epochs_s.push_back(last_s * static_cast<double>(i) / static_cast<double>(default_epochs - 1));
+  }
+  return epochs_s;
+}
+
+void check_epochs(std::span<const double> epochs_s) {
+  if (epochs_s.size() < 2) {
+    throw std::invalid_argument{"--epochs: " + std::to_string(epochs_s.size()) + " epochs: must be at least 2"};
+  }
+  for (std::size_t i = 0; i < epochs_s.size(); ++i) {
+    if (!(epochs_s[i] >= 0.0)) throw std::invalid_argument{"--epochs " + number_text(epochs_s[i]) + ": must be >= 0"};
+    if (i > 0 && !(epochs_s[i] > epochs_s[i - 1])) {
+      throw std::invalid_argument{"--epochs " + number_text(epochs_s[i]) + ": must be > " + number_text(epochs_s[i - 1]) +
+                                  ", the epoch before it"};
+    }
+  }
+}
+
+}  // namespace
+
+Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<std::filesystem::path>& shadow, bool any_build) {
+  for (const std::filesystem::path& path : runs) {
+    if (analysis::is_sweep(path)) throw std::invalid_argument{path.string() + ": is a sweep: name one of its cells"};
+  }
+  auto pooled = analysis::pooled_runs(runs, false, any_build);
+  Sets sets{.ours = std::move(pooled.manifests), .shadow = {}, .remarks = std::move(pooled.remarks)};
+  const RunManifest& first = sets.ours.front();
+  if (first.web.links().empty()) {
+    throw std::invalid_argument{first.folder.string() +
+                                ": no species of this food web hunts: a contest needs hunters and victims"};
+  }
+  const auto folders = shadow ? std::vector{*shadow} : analysis::shadow_folders(runs);
+  if (folders.empty()) return sets;
+  sets.shadow = analysis::pooled_runs(folders, false, any_build).manifests;
+  analysis::check_shadow(first, sets.shadow.front());
+  return sets;
+}
+
+Planned planned_contests(const Sets& sets, Size size) {
+  const RunManifest& first = sets.ours.front();
+  for (const RunManifest& run : sets.ours) analysis::check_epoch(run, 0.0);
+  if (size.epochs_s.empty()) size.epochs_s = even_epochs(first);
+  check_epochs(size.epochs_s);
+  if (size.team_size == 0) {
+    size.team_size = std::max<std::size_t>(1, whole_number<std::size_t>(first.params.at("ecology"), "robots", 1) / 2);
+  }
+  if (sets.ours.size() < 2 && std::ranges::find(size.against, Against::others) != size.against.end()) {
+    throw std::invalid_argument{"--against others: needs at least two replicates; " + first.folder.string() + " is one"};
+  }
+  Planned planned{.plan = {.rule_table = first.rules,
+                           .engine = first.backend.substr(0, first.backend.find(' ')),
+                           .fingerprint = first.fingerprint,
+                           .params = first.params,
+                           .duration_s = size.duration_s,
+                           .reach_m = size.reach_m},
+                  .rows = {}};
+  add_matches(sets.ours, size, false, {size.seed, sets.ours.size(), size.teams}, planned);
+  if (!sets.shadow.empty()) add_matches(sets.shadow, size, true, {size.seed, sets.shadow.size(), size.teams}, planned);
+  return planned;
+}
+
+}  // namespace trophic::command::contests
