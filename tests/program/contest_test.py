@@ -9,6 +9,7 @@ import subprocess
 import sys
 import unittest
 
+import figures_python
 from in_folder import InFolder
 
 OWN_TABLE = sys.argv.pop(3)
@@ -57,6 +58,11 @@ class Contest(InFolder):
                          [(against, species, period) for against in ("own", "others") for period in ("early", "late")
                           for species in ("predator", "prey")])
         self.assertTrue(all(row["over_shadow_s"] and not row["p_holm"] for row in progress))
+        if figures_python.PYTHON:
+            drawn = self.call(TROPHIC, "plot", "one")
+            self.assertEqual(drawn.returncode, 0, drawn.stderr)
+            for against in ("own", "others"):
+                self.assertTrue((self.folder / f"one/figures/contests_predator_prey_{against}.png").stat().st_size > 10000)
         self.assertEqual(self.contest("study", *short, "--out", "two", "--jobs", 2).returncode, 0)
         self.assertEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "two/contests.csv").read_bytes())
         other = self.contest("study", *short, "--out", "other", "--seed", 2)
@@ -81,6 +87,15 @@ class Contest(InFolder):
         done = self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 2 * 4)
+
+    def test_a_run_with_spare_bodies_is_not_shown_as_if_every_body_had_an_individual(self):
+        made = self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, "--out", "run")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        manifest = self.folder / "run/manifest.json"
+        manifest.write_text(json.dumps({**json.loads(manifest.read_text()), "rules": {"recruitment": "after_escapes"}}))
+        shown = self.call(TROPHIC, "show", "run", "--out", "page.html")
+        self.assertNotEqual(shown.returncode, 0)
+        self.assertIn("has no rows of spare bodies (rule recruitment)", shown.stderr)
 
     def test_what_runs_cannot_give_is_refused_in_a_sentence(self):
         self.runs("study")

@@ -9,7 +9,7 @@ import sys
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(prog="trophic plot", description=__doc__)
-    parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze` or `trophic cross-check` wrote")
+    parser.add_argument("analysis", type=pathlib.Path, help="folder that `trophic analyze`, `trophic contest` or `trophic cross-check` wrote")
     parser.add_argument("--out", type=pathlib.Path, help="new folder for the figures (ANALYSIS/figures)")
     parser.add_argument("--style", choices=["plain", "serif", "ieee"], default="plain", help="fonts and widths (plain)")
     parser.add_argument("--columns", type=int, choices=[1, 2], default=1, help="width of a figure, in columns of a page (1)")
@@ -28,7 +28,7 @@ def main(arguments=None):
         import matplotlib
         matplotlib.use("Agg")
         from .runs import RunError
-        from .figures import cross_check, paper, style, sweep
+        from .figures import contests, cross_check, paper, style, sweep
     except ModuleNotFoundError as error:
         return refuse(f"needs the Python module {error.name}: apt-get install python3-matplotlib python3-pandas python3-scipy")
     folder = options.analysis
@@ -44,6 +44,8 @@ def main(arguments=None):
             figures = sweep.figures_of(folder, options.metric, options.axes)
         elif (folder / "cross_check.csv").exists():
             figures = cross_check.figures_of(folder)
+        elif (folder / "contests.csv").exists():
+            figures = contests.figures_of(folder)
         else:
             figures = paper.figures_of(folder, options.run, options.trophic)
     except (RunError, IndexError) as error:
