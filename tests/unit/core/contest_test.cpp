@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Given individuals in an ecology without births and deaths, and plans of such contests.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <support/hand_population.hpp>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/simulations_of.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/run/contest/contest_plan.hpp>
+#include <trophic/support/new_file.hpp>
+#include <vector>
+
+using namespace trophic;
+using test::message_of;
+using test::predator;
+using test::prey;
+
+namespace {
+
+using Weights = std::vector<double>;
+
+/// Ten predators and ten prey with the weight of their number.
+contest::Plan small_plan() {
+  contest::Plan plan{.rule_table = "paper", .engine = "kinematic", .fingerprint = "", .duration_s = 200.0, .reach_m = 1.0};
+  for (const Species species : {predator, prey}) {
+    contest::Team team{.species = species};
+    for (std::size_t i = 0; i < 10; ++i) team.genomes.push_back(Weights(15, 0.1 * static_cast<double>(i) - 0.4));
+    plan.teams.push_back(team);
+  }
+  plan.matches = {{.hunters = 0, .victims = 1, .places = 7}, {.hunters = 0, .victims = 1, .places = 8}};
+  return plan;
+}
+
+struct Quiet {
+  void on_event(const observe::Event& event, const View&) {
+    CHECK((event.kind == observe::EventKind::birth || event.kind == observe::EventKind::tag_switch));
+    births += event.kind == observe::EventKind::birth ? 1U : 0U;
+  }
+  std::size_t births = 0;
+};
+
+}  // namespace
+
+TEST_CASE("contest: given individuals -> in their bodies, active, and no births, catches or deaths") {
+  const contest::Plan plan = small_plan();
+  const Lineup lineup = contest::lineup_of(plan, plan.matches[0]);
+  const auto arena = contests_of<rules::Paper>({}, backend::Kinematic::Params{})(7, lineup);
+  Quiet quiet;
+  arena->run_until(400.0, quiet);
+  CHECK(quiet.births == 20);
+  const View view = arena->view();
+  REQUIRE(view.robots.size() == 20);
+  for (BodyIndex body = 0; body < 20; ++body) {
+    CHECK(view.robots[body].id == body);
+    CHECK(view.robots[body].species == (body < 10 ? predator : prey));
+    CHECK(view.robots[body].active);
+    CHECK(view.robots[body].genome->weights == lineup[body].weights);
+  }
+}
+
+TEST_CASE("contest: genomes of another size -> error that names both sizes") {
+  contest::Plan plan = small_plan();
+  plan.teams[0].genomes[3].push_back(0.0);
+  const auto make = contests_of<rules::Paper>({}, backend::Kinematic::Params{});
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
+        "a contest of genomes of 16 weights: must have 15, those of the table's brain");
+}
+
+TEST_CASE("contest: same places -> same outcome, others -> another; reach of the arena -> contact at once") {
+  contest::Plan plan = small_plan();
+  const auto make = contests_of<rules::Paper>({}, backend::Kinematic::Params{});
+  const auto first = contest::play(make, plan, plan.matches[0]);
+  CHECK(first.contact_s > 0.0);
+  CHECK(first.contact_s <= 200.0);
+  CHECK((first.contacted > 0.0 && first.contacted <= 1.0));
+  CHECK(contest::play(make, plan, plan.matches[0]).contact_s == first.contact_s);
+  CHECK(contest::play(make, plan, plan.matches[1]).contact_s != first.contact_s);
+  plan.reach_m = 100.0;
+  const auto near = contest::play(make, plan, plan.matches[0]);
+  CHECK((near.contact_s == 0.0 && near.contacted == 1.0));
+  plan.reach_m = 1e-9;
+  const auto far = contest::play(make, plan, plan.matches[0]);
+  CHECK((far.contact_s == 200.0 && far.contacted == 0.0));
+}
+
+TEST_CASE("contest: plan and outcomes -> the same after writing and reading, errors name the file") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "plan.json";
+  contest::Plan plan = small_plan();
+  plan.params = {{"rules", {{"floor", {{"floor", 7}}}}}};
+  plan.teams[1].genomes[0][0] = 0.1 + 0.2;
+  plan.matches[0].places = (std::uint64_t{1} << 48U) - 1;
+  write_new_file(path, contest::text_of(plan));
+  const contest::Plan read = contest::read_plan(path);
+  CHECK(contest::text_of(read) == contest::text_of(plan));
+  CHECK(read.teams[1].genomes == plan.teams[1].genomes);
+  CHECK(read.matches[0].places == plan.matches[0].places);
+
+  const auto outcomes = folder.path() / "outcomes";
+  write_new_file(outcomes, contest::text_of(std::vector{contest::Outcome{.contact_s = 0.1, .contacted = 0.25}}));
+  CHECK(contest::read_outcomes(outcomes, 1)[0].contact_s == 0.1);
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::read_outcomes(outcomes, 2)); }) ==
+        outcomes.string() + ": has 1 outcomes: must have 2");
+  CHECK(
+      message_of<std::invalid_argument>([&] { static_cast<void>(contest::read_plan(outcomes)); }).starts_with(outcomes.string()));
+  plan.matches[0].hunters = 2;
+  const auto wrong = folder.path() / "wrong.json";
+  write_new_file(wrong, contest::text_of(plan));
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::read_plan(wrong)); }) ==
+        wrong.string() + ": matches: a team that is not there");
+}
