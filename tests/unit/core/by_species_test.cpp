@@ -11,6 +11,7 @@
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/toml.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
+#include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>
@@ -116,4 +117,17 @@ TEST_CASE("by species: another community -> numbers for its species") {
   using Swapped = with_community<with_mutation<rules::Paper, by_species<reproduction::mutation::NormalMutation>>,
                                  initialization::community::FoodChain>;
   CHECK(named_params_of(RuleParams<Swapped>{}.mutation).size() == 3);
+}
+
+TEST_CASE("by species: rule with a State as a part -> numbers of the dying individual's species") {
+  using Rules = with_parent_after<rules::Paper, Cause::starved, by_species<reproduction::parent::MostEscapes>>;
+  static_assert(is_rule_table<Rules>);
+  static_assert(
+      is_rule_table<with_starvation_exemption<rules::Paper, by_species<death::starvation::exemption::NearPerceivedVictim>>>);
+  RuleParams<Rules> numbers;
+  numbers.parent.starved.get<PredatorPrey::predator>().near_m = 2.0;
+  const auto policies = make_policies<Rules>(numbers);
+  const auto& starved = policies.parent.part<static_cast<std::size_t>(Cause::starved)>();
+  CHECK(starved.of(PredatorPrey::predator).params.near_m == 2.0);
+  CHECK(starved.of(PredatorPrey::prey).params.near_m == 3.0);
 }
