@@ -38,7 +38,7 @@ def line(question, answer, effect, runs, where):
 
 
 def evolved(data, sets=SETS, questions=EVOLVED, folder=""):
-    """Each set beside its neutral shadow. A question is written in the first of its lines."""
+    """Each set with its neutral shadow. A question is written in the first of its lines."""
     lines = []
     keys = ("difference", "difference_lower", "difference_upper")
     for question, (metric, species, group), above, below in questions:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program that flips the differences between two rule tables, in replicates. `trophic ablation-table` reads the result.
+// A program that swaps the differences between two rule tables, in replicates. `trophic ablation-table` reads the result.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct Options {
   std::string out;
 };
 
-/// Every flip of one table, with the same seeds. Stops at the first with an unfinished replicate.
+/// Every swap of one table, with the same seeds. Stops at the first with an unfinished replicate.
 template <class Base, class Other>
 [[nodiscard]] bool run_from(const Options& options, Study study) {
   study.plan.out /= std::string{direction_prefix} + table_name<Base>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a flip becomes a table and runs.
+// How a swap becomes a table and runs.
 #pragma once
 
 #include <concepts>
@@ -59,7 +59,7 @@ std::vector<std::string> run_group(const std::string& name, const Study& study) 
   return run_table(name, std::move(experiment), study);
 }
 
-/// Base with the sensor at one place of its list as Other has it, if `name` is that flip.
+/// Base with the sensor at one place of its list as Other has it, if `name` is that swap.
 template <class Base, class Other, std::size_t place>
 std::optional<std::vector<std::string>> run_sensor(const std::string& name, const Study& study) {
   if constexpr (Base::Sensors::count == Other::Sensors::count) {
@@ -78,7 +78,7 @@ std::optional<std::vector<std::string>> run_sensors(const std::string& name, con
   return unfinished;
 }
 
-/// Base with one part of a policy as Other has it, if `name` is that flip.
+/// Base with one part of a policy as Other has it, if `name` is that swap.
 template <class Base, class Other, RuleSlot slot, std::size_t place>
 void run_part(const std::string& name, const Study& study, std::optional<std::vector<std::string>>& unfinished) {
   using Here = PolicyIn<Base, slot>;
@@ -89,7 +89,7 @@ void run_part(const std::string& name, const Study& study, std::optional<std::ve
   }
 }
 
-/// Base with one policy, or one part of one, as Other has it, if `name` is that flip.
+/// Base with one policy, or one part of one, as Other has it, if `name` is that swap.
 template <class Base, class Other, RuleSlot slot>
 void run_slot(const std::string& name, const Study& study, std::optional<std::vector<std::string>>& unfinished) {
   using Here = PolicyIn<Base, slot>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an ablation study flips between two tables: each difference alone, groups of slots together, and biases in the brain.
+// The swaps of an ablation study between two tables: each difference alone, groups of slots together, and biases in the brain.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ struct Swap {
   std::string change;
 };
 
-/// The flip of one sensor, where the sensors of two tables differ at a place of lists of one length; empty where they do not.
+/// The swap of one sensor, if the sensors of two tables differ at a place of lists of one length; empty if they do not.
 template <class Base, class Other, std::size_t place>
 [[nodiscard]] std::string sensor_swap() {
   if constexpr (Base::Sensors::count == Other::Sensors::count) {
@@ -86,7 +86,7 @@ template <class Base, class Other>
   return all;
 }
 
-/// Why a flip changes nothing on an engine that moves no joints; empty where it does.
+/// Why a swap changes nothing on an engine that moves no joints; empty if it changes something.
 [[nodiscard]] inline std::string needs_joints(std::string_view name) {
   const bool of_engine = name.starts_with("physics.") || name == "ecology.robot" || name == "ecology.gait" ||
                          name == "ecology.cpg_integration" || name == "ecology.idle_control_steps" ||
@@ -94,7 +94,7 @@ template <class Base, class Other>
   return of_engine ? std::string{name} + ": skipped, it acts through joints and this backend has none" : "";
 }
 
-/// What all flips have in common. `plan.out` is the folder of a direction.
+/// What all swaps have in common. `plan.out` is the folder of a direction.
 struct Study {
   replicates::Plan plan;
   BackendChoice backend;
@@ -103,7 +103,7 @@ struct Study {
   io::Provenance provenance;
 };
 
-/// Runs one flip of Base towards Other into a folder of its name. A sentence for each replicate that is not complete. Defined in
+/// Runs one swap of Base towards Other into a folder of its name. A sentence for each replicate that is not complete. Defined in
 /// run_swap.hpp and compiled once for each direction.
 template <class Base, class Other>
 [[nodiscard]] std::vector<std::string> run_swap(const std::string& name, const Study& study);

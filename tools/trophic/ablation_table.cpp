@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `trophic ablation-table`, what each flip of an ablation study changes: one table over all flips and metrics, corrected for
+// `trophic ablation-table`, what each swap of an ablation study changes: one table over all swaps and metrics, corrected for
 // their number.
 #include "commands.hpp"
 
@@ -43,7 +43,7 @@ struct Options {
   return analysis::read_shadowed_set(std::array{folder});
 }
 
-/// All flips of one table against its base.
+/// All swaps of one table compared with its base.
 struct Direction {
   std::string name;
   std::optional<analysis::ShadowedSet> base;
@@ -62,7 +62,7 @@ struct Direction {
   return names;
 }
 
-/// The sets beside the base: every folder with a list of replicates, by name.
+/// The sets next to the base: every folder with a list of replicates, by name.
 [[nodiscard]] std::vector<std::string> swaps_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator{folder}) {
@@ -150,7 +150,7 @@ void write(const Options& options) {
 
 }  // namespace detail::ablation_table
 
-/// One table over all flips of an ablation study.
+/// One table over all swaps of an ablation study.
 Command ablation_table() {
   const auto options = std::make_shared<detail::ablation_table::Options>();
   return {

@@ -52,7 +52,7 @@ std::string why_missing(const std::filesystem::path& folder, const sweep::Planne
   return "status \"" + manifest->status + "\", must be \"complete\"";
 }
 
-/// Holds the first shadow of each cell against the run beside it.
+/// Compares the first shadow of each cell with its run.
 void check_shadows(const SweepRuns& sweep) {
   for (const GridCell& cell : sweep.grid.cells) {
     const auto both = std::ranges::find_if(cell.replicates, [&](const GridReplicate& replicate) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was measured in a run, each value with the baselines that it has to be set beside.
+// The measurements of a run, each value with its baselines.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@ struct MetricName {
   friend auto operator<=>(const MetricName&, const MetricName&) = default;
 };
 
-/// What another value of a measurement is for. Only a null, which is what chance alone would give, gets a verdict.
+/// The purpose of a baseline. Only a null, the value that chance alone would give, is tested against.
 enum class Role { reference, paper, null };
 [[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Role) {
   return {"reference", "paper", "null"};
 }
 
-/// A value to set a measurement beside. `paper`: the baseline that the paper compares with.
+/// A value to compare a measurement with. `paper`: the baseline that the paper compares with.
 struct Baseline {
   std::string name;
   Role role = Role::reference;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What flips change: ablations.csv, and Markdown tables of what is decided.
+// Effects of swaps: ablations.csv, and Markdown tables of the significant ones.
 #pragma once
 
 #include <cstddef>
@@ -61,8 +61,8 @@ struct SwapRow {
 /// A Markdown table of the effects that are decided, in the units that people read.
 void print_significant(std::ostream& out, std::span<const SwapEffect> effects);
 
-/// How much of the difference between two tables the flips of some names make: one line per metric, each flip's effect with its
-/// interval. `forward`: flips from the first table towards the second. `backward`: from the second towards the first, whose
+/// How much of the difference between two tables the swaps of some names make: one line per metric, each swap's effect with its
+/// interval. `forward`: swaps from the first table towards the second. `backward`: from the second towards the first, whose
 /// effects are shown with the sign turned, so that both say what the second table's rules do. Only metrics whose `whole` differs.
 void print_shares(std::ostream& out, std::span<const SwapEffect> whole, std::span<const SwapEffect> forward,
                   std::span<const SwapEffect> backward, std::span<const std::string> names);

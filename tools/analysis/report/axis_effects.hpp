@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each value of an axis does, averaged over the rest of the grid: all cells speak, not one beside another.
+// The effect of each value of an axis, averaged over the rest of the grid: all cells count.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace trophic::analysis {
 
-/// One metric with an axis at one value, beside the same with the axis at the reference cell's value.
+/// One metric with an axis at one value, compared with the axis at the reference cell's value.
 struct AxisEffect {
   std::string axis;
   std::string value;

@@ -21,7 +21,7 @@
 
 namespace trophic::analysis {
 
-/// One metric of a cell beside that of the reference cell.
+/// One metric of a cell compared with that of the reference cell.
 struct CellDifference {
   std::size_t cell = 0;  ///< its number
   MetricName name;
@@ -67,7 +67,7 @@ struct ComparedValues {
 /// Where nothing varies and nothing differs, or there is but one run, there is nothing to compare.
 [[nodiscard]] bool is_comparison(const CellDifference& d);
 
-/// Holm's correction over all comparisons. One of fewer runs than a verdict needs has no p value, but counts: more runs would
+/// Holm's correction over all comparisons. One of fewer runs than a test needs has no p value, but counts: more runs would
 /// give it one.
 void adjust(std::span<CellDifference> all);
 

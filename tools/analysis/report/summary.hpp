@@ -16,7 +16,7 @@
 
 namespace trophic::analysis {
 
-/// Ours next to another value. Only a null has a difference, and a verdict.
+/// Our value next to a baseline. Only a null has a difference and a test result.
 struct Comparison {
   std::string baseline;
   Role role = Role::reference;

@@ -38,7 +38,7 @@ void put_same(Json& object, const std::optional<MetricName>& same_as);
 [[nodiscard]] Json claims_json(std::span<const ClaimConclusion> conclusions);
 
 /// A set as JSON: its runs, for each metric the mean with spread and 95 % interval, the paper's value and every baseline, and the
-/// conclusions on every published claim. null is what could not be computed. Baselines that are not nulls have no verdict.
+/// conclusions on every published claim. null is what could not be computed. Baselines that are not nulls have no test result.
 [[nodiscard]] Json summary_json(const ShadowedSet& set, std::span<const SummaryRow> rows);
 
 /// Differences of two sets as JSON.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Definitions of flips.hpp.
+// Definitions of swaps.hpp.
 #include <tools/analysis/report/swaps.hpp>
 
 namespace trophic::analysis {

@@ -12,7 +12,7 @@
 
 namespace trophic::analysis {
 
-/// What a flip changes in one metric.
+/// The effect of a swap on one metric.
 struct SwapEffect {
   std::string swap;
   MetricName name;
@@ -26,10 +26,10 @@ struct SwapEffect {
 [[nodiscard]] bool needs_shadow(const MetricName& name);
 
 /// One effect a metric: over the shadows where the metric needs it and both sets have one, else raw. The p values are not yet
-/// adjusted: `adjust_together` does it for all flips at once.
+/// adjusted: `adjust_together` does it for all swaps at once.
 [[nodiscard]] std::vector<SwapEffect> effects_of(const std::string& swap, std::span<const SetDifference> differences);
 
-/// Holm's correction over all flips and metrics of a list.
+/// Holm's correction over all swaps and metrics of a list.
 void adjust_together(std::vector<SwapEffect>& effects);
 
 }  // namespace trophic::analysis

@@ -102,7 +102,7 @@ struct SweepMetricRow {
   }
 };
 
-/// sweep_differences.csv: one row a metric of a cell beside the reference cell.
+/// sweep_differences.csv: one row per metric of a cell, compared with the reference cell.
 struct SweepDifferenceRow {
   std::size_t cell = 0;
   std::size_t reference = 0;

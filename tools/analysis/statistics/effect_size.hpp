@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large a difference is beside the spread between runs.
+// The size of a difference relative to the spread between runs.
 #pragma once
 
 #include <optional>

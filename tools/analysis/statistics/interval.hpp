@@ -9,7 +9,7 @@
 
 namespace trophic::analysis {
 
-/// A set of fewer runs gets its mean and spread, but no interval and no verdict.
+/// A set of fewer runs gets its mean and spread, but no interval and no test result.
 inline constexpr std::size_t min_runs_for_test = 6;
 
 struct Interval {
@@ -27,7 +27,7 @@ struct Interval {
 /// The standard deviation between runs, with n - 1; none of fewer than two values.
 [[nodiscard]] std::optional<double> deviation_of(std::span<const double> values);
 
-/// A spread beside a value of which it is only the rounding is none.
+/// A spread that is only the rounding of a value counts as none.
 [[nodiscard]] bool is_rounding(double spread, double value);
 
 /// One set of runs in a contrast, with the weight of its mean.

@@ -22,7 +22,7 @@ double power_of_t(double errors, double freedom, double level) {
   using Fast = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   const boost::math::students_t_distribution<double, Fast> still{freedom};
   const double critical = boost::math::quantile(boost::math::complement(still, level / 2.0));
-  // Of so many errors the noncentral t's own noise is nothing beside that of the error that they are measured by.
+  // With so many standard errors the normal part of the noncentral t is negligible next to the spread of the estimated error.
   constexpr double far = 200.0;
   if (std::abs(errors) > far) {
     const boost::math::chi_squared_distribution<double, Fast> error{freedom};

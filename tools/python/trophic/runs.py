@@ -195,7 +195,7 @@ class Analysis:
     metrics: pandas.DataFrame = dataclasses.field(repr=False)
     """metrics.csv: every value and every curve of every run, one value a row. Texts that are empty stay empty texts."""
     summary: dict = dataclasses.field(repr=False)
-    """summary.json: means, intervals and verdicts of each set."""
+    """summary.json: means, intervals and test results of each set."""
 
     @functools.cached_property
     def means(self) -> pandas.DataFrame:
@@ -245,7 +245,7 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
 
 
 def read_study(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> dict[str, Runs]:
-    """Every set of runs below this folder, by its path from there: a sweep, or the flips of an ablation study."""
+    """Every set of runs below this folder, by its path from there: a sweep, or the swaps of an ablation study."""
     path = pathlib.Path(path)
     folders = sorted(file.parent for file in path.rglob("replicates.json") if file.parent.name != "shadow")
     if not folders:

@@ -35,7 +35,7 @@ struct Ecologies {
 /// durations differ, and as analysis::read_set does.
 [[nodiscard]] Ecologies read_ecologies(const std::filesystem::path& first, const std::filesystem::path& second);
 
-/// Prints a verdict per metric and adds a line per metric and engine to the CSV.
+/// Prints a conclusion per metric and adds a line per metric and engine to the CSV.
 void compare_ecologies(const Ecologies& sets, Csv& csv);
 
 }  // namespace trophic::command::cross_check

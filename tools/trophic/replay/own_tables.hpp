@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the tables beside a recording are of the same run.
+// Whether the tables next to a recording are of the same run.
 #pragma once
 
 #include <filesystem>
