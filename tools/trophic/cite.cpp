@@ -93,17 +93,17 @@ namespace detail::cite {
   if (!manifest.begins.empty()) sentence += " They begin " + manifest.begins + ".";
   return print_text(sentence + R"(
 
-@software{trophic,
+@misc{trophic,
   title = {trophic: ecologies of simulated robots with rules at compile time and physics behind an adapter},
   author = {{The trophic authors}},
-  version = {)" + version +
-                    R"(},
-  note = {Revision )" +
-                    revision + R"(}
+  year = {2026},
+  note = {Software, version )" +
+                    version + R"(, revision )" + revision + R"(}
 }
-@misc{kachler2023,
+@article{kachler2023,
   title = {Open-endedness induced through a predator-prey scenario using modular robots},
   author = {Kachler, Dimitri and Miras, Karine},
+  journal = {arXiv:2309.11275},
   year = {2023},
   doi = {10.48550/arXiv.2309.11275}
 }

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""cite_test.py TROPHIC PREDATOR_PREY: `trophic cite` gives what a paper needs of a run, and README, CITATION.cff and it make one request."""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolder
+
+PREDATOR_PREY = sys.argv.pop(2)
+TROPHIC = sys.argv.pop(1)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+REQUEST = "If you use trophic, please cite it and the experiment that it reproduces [kachler2023]."
+
+
+class Cite(InFolder):
+    def call(self, *arguments):
+        return subprocess.run([str(word) for word in arguments], capture_output=True, text=True, cwd=self.folder, timeout=300)
+
+    def make(self, *options):
+        done = self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def cited(self, run):
+        done = self.call(TROPHIC, "cite", run)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        sentence, entries = done.stdout.split("\n\n", 1)
+        return sentence, entries
+
+    def test_the_sentence_has_table_engine_version_fingerprint_seed_and_numbers_that_changed(self):
+        self.make("--seed", 7, "--set", "rules.mutation.sd=0.125", "--out", "run")
+        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        sentence, entries = self.cited("run")
+        self.assertEqual(sentence, f"A run of 20 s with the rule table `paper` on kinematic 1 in trophic {manifest['trophic']} "
+                                   f"(revision {manifest['source_revision']}, fingerprint {manifest['fingerprint']}, seed 7), "
+                                   "with these numbers changed (the table's in brackets): rules.mutation.sd = 0.125 (0.05).")
+        self.assertIn(f"note = {{Software, version {manifest['trophic']}, revision {manifest['source_revision']}}}", entries)
+
+    def test_replicates_are_counted_and_have_a_master_seed(self):
+        self.make("--replicates", 3, "--shadow", "--out", "set")
+        sentence, _ = self.cited("set")
+        self.assertTrue(sentence.startswith("3 runs of 20 s with the rule table `paper`"), sentence)
+        self.assertTrue(sentence.endswith("with the numbers of the table."), sentence)
+
+    def test_readme_citation_file_and_program_make_the_same_request(self):
+        self.make("--out", "run")
+        _, entries = self.cited("run")
+        plain = re.sub(r", revision [^}]*", "", entries).strip()
+        readme = (ROOT / "README.md").read_text()
+        self.assertIn(plain, readme)
+        for text in (readme, (ROOT / "docs/how-to/cite.md").read_text()):
+            self.assertEqual(text.count(REQUEST), 1)
+        citation = (ROOT / "CITATION.cff").read_text()
+        self.assertIn(f"message: {REQUEST}\n", citation)
+        title = re.search(r'^title: "(.*)"$', citation, re.M)[1]
+        preferred = citation[citation.index("preferred-citation:") : citation.index("\nreferences:")]
+        self.assertIn(f'  title: "{title}"', preferred)
+        self.assertIn(f"title = {{{title}}}", entries)
+        for field in ("version", "license"):
+            self.assertIn("  " + re.search(rf"^{field}: .*$", citation, re.M)[0], preferred)
+        self.assertIn("  year: " + re.search(r"year = {(\d+)}", entries)[1], preferred)
+
+    def test_the_entries_are_read_by_bibtex(self):
+        if not (shutil.which("bibtex") and shutil.which("pdflatex")):
+            self.skipTest("no bibtex")
+        self.make("--out", "run")
+        (self.folder / "runs.bib").write_text(self.cited("run")[1])
+        (self.folder / "paper.tex").write_text("\\documentclass{article}\\begin{document}\\cite{trophic,kachler2023}\n"
+                                               "\\bibliographystyle{plain}\\bibliography{runs}\\end{document}\n")
+        self.assertEqual(self.call("pdflatex", "-interaction=batchmode", "paper").returncode, 0)
+        done = self.call("bibtex", "paper")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotIn("Warning", done.stdout)
+        self.assertEqual((self.folder / "paper.bbl").read_text().count("\\bibitem"), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
