@@ -113,6 +113,7 @@
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/next_free_folder.hpp>
+#include <trophic/io/own_metric.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/phylogeny.hpp>
 #include <trophic/io/program_code.hpp>

@@ -223,6 +223,12 @@ class Analyze(InFolderWithSets):
             rows = list(csv.DictReader(file))
         self.assertEqual([row["metric"] for row in rows], ["deaths", "population", "hunger"])
         self.assertEqual({row["compared"] for row in rows}, {"raw"})
+        for folder in self.folder.glob("paper/**/replicate-0*"):
+            (folder / "own.csv").write_text("crowd\n1\n")
+        for metric, meant in (("crowdd", "crowd"), ("velocty:prey", "velocity:prey")):
+            wrong = self.analyze("paper", "--column", "own.csv:crowd", "--metric", metric, "--out", "wrong")
+            self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
+            self.assertIn(f"did you mean {meant}?", wrong.stderr)
         wrong = self.analyze("paper", "--metric", "hungr", "--out", "wrong")
         self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
         self.assertIn("did you mean hunger?", wrong.stderr)
@@ -257,6 +263,9 @@ class Analyze(InFolderWithSets):
         short = self.analyze("paper", "--column", "own.csv:crowd", "--out", "short")
         self.assertEqual(short.returncode, 0)
         self.assertIn("replicate-00/own.csv: crowd has no value; the run is left out of its mean", short.stderr)
+        taken = self.analyze("paper", "--column", "own.csv:hunger", "--out", "wrong")
+        self.assertEqual((taken.returncode, taken.stdout), (2, ""))
+        self.assertIn("--column own.csv:hunger: there is a metric of this name; rename the column", taken.stderr)
         (self.folder / "paper/replicate-00/own.csv").unlink()
         for column, sentence in (("own.csv:crowd", "paper/replicate-00 has no such file"), ("own.csv", "must be FILE:COLUMN")):
             refused = self.analyze("paper", "--column", column, "--out", "wrong")

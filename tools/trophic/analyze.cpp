@@ -15,7 +15,6 @@
 #include <string>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/data/shadow.hpp>
-#include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
@@ -45,6 +44,8 @@ namespace trophic::command {
 namespace detail::analyze {
 
 struct Options {
+  std::string program;
+  analysis::OwnMetrics own_metrics;
   std::vector<std::string> runs;
   std::vector<std::string> compare;
   std::optional<std::string> shadow;
@@ -71,10 +72,10 @@ inline constexpr std::uint64_t most_replays = 20;
   return std::make_unique<ResultFolder>(options.out);
 }
 
-void print_remarks(const analysis::ShadowedSet& set) {
-  for (const std::string& remark : set.ours.remarks) std::cerr << "trophic analyze: " << remark << "\n";
+void print_remarks(const Options& options, const analysis::ShadowedSet& set) {
+  for (const std::string& remark : set.ours.remarks) std::cerr << options.sweep.who << ": " << remark << "\n";
   if (!set.shadow) return;
-  for (const std::string& remark : set.shadow->remarks) std::cerr << "trophic analyze: " << remark << "\n";
+  for (const std::string& remark : set.shadow->remarks) std::cerr << options.sweep.who << ": " << remark << "\n";
 }
 
 /// The first runs of the sets as a viewer shows them; what cannot be shown is reported.
@@ -87,14 +88,14 @@ void print_remarks(const analysis::ShadowedSet& set) {
       for (std::size_t i = 0; i < std::min<std::size_t>(most, set.ours.manifests.size()); ++i) {
         const std::filesystem::path& folder = set.ours.manifests[i].folder;
         const std::vector<replay::RecordedRun> runs{replay::open_run(folder)};
-        for (const std::string& remark : runs[0].remarks) std::cerr << "trophic analyze: " << remark << "\n";
+        for (const std::string& remark : runs[0].remarks) std::cerr << options.sweep.who << ": " << remark << "\n";
         const std::string name = folder.lexically_normal().filename().string();
         replays.push_back({.label = sets.size() > 1 ? set.ours.label + " " + name : name, .part = replay::runs_part(runs, {})});
       }
     }
   } catch (const std::invalid_argument& error) {
     if (options.replays) throw;
-    std::cerr << "trophic analyze: no replays: " << error.what() << "\n";
+    std::cerr << options.sweep.who << ": no replays: " << error.what() << "\n";
     replays.clear();
   }
   return replays;
@@ -102,7 +103,7 @@ void print_remarks(const analysis::ShadowedSet& set) {
 
 /// The command line that makes the page of these runs.
 [[nodiscard]] std::string command_of(const Options& options) {
-  std::string command = "trophic analyze";
+  std::string command = options.program + " analyze";
   for (const std::string& folder : options.runs) command += " " + folder;
   if (!options.compare.empty()) command += " --compare " + options.compare[0] + " " + options.compare[1];
   if (options.shadow) command += " --shadow " + *options.shadow;
@@ -178,6 +179,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
   analysis::Measuring how{.until_s = options.until_s,
                           .any_build = options.accept_other_build,
                           .columns = {},
+                          .metrics = options.own_metrics,
                           .jobs = options.jobs.value_or(1),
                           .on_run = {}};
   for (const std::string& column : options.columns) how.columns.push_back(analysis::own_column_of(column));
@@ -205,9 +207,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
       }
     }
   }
-  if (how.columns.empty()) {
-    static_cast<void>(analysis::chosen(analysis::metric_names({&all[0].manifests.front().web, 1}), options.metrics));
-  }
+  analysis::check_names({&all[0].manifests.front().web, 1}, how, options.metrics);
   return runs;
 }
 
@@ -224,7 +224,7 @@ void measure(const Options& options) {
   const std::size_t runs = check_runs(paths, options.shadow, options, how);
   const auto out = make_out(options);
   const std::array sets{analysis::read_shadowed_set(paths, options.shadow, with_progress(how, runs))};
-  print_remarks(sets[0]);
+  print_remarks(options, sets[0]);
   Results results{.sets = {{&sets[0], analysis::summarize(sets[0].ours.runs, sets[0].shadow_runs(), options.metrics)}},
                   .shown = {},
                   .whole = {}};
@@ -258,7 +258,7 @@ void compare(const Options& options) {
     sets[0].ours.label += " (a)";
     sets[1].ours.label += " (b)";
   }
-  for (const analysis::ShadowedSet& set : sets) print_remarks(set);
+  for (const analysis::ShadowedSet& set : sets) print_remarks(options, set);
   Results results{.sets = {}, .differences = analysis::compare_sets(sets[0], sets[1], options.metrics), .shown = {}, .whole = {}};
   for (const analysis::ShadowedSet& set : sets) {
     results.sets.push_back({&set, analysis::summarize(set.ours.runs, set.shadow_runs(), options.metrics)});
@@ -316,9 +316,13 @@ void run(const Options& options) {
 
 }  // namespace detail::analyze
 
-/// Metrics of runs, claims about them, and differences between two sets of them.
-Command analyze() {
+Command analyze(const std::string& program, const io::OwnMetrics& own_metrics) {
   const auto options = std::make_shared<detail::analyze::Options>();
+  const FoodWeb any_web{{"prey", "predator"}, {{1, 0}}};
+  analysis::check_names({&any_web, 1}, {.metrics = own_metrics}, {});
+  options->program = program;
+  options->sweep.who = program + " analyze";
+  options->own_metrics = own_metrics;
   return {
       .name = "analyze",
       .about =
@@ -372,9 +376,9 @@ Command analyze() {
           },
       .subcommands = {},
       .version = {},
-      .examples = {"trophic analyze runs/paper --out analysis",
-                   "trophic analyze --compare runs/paper runs/released --metric velocity:predator",
-                   "trophic analyze runs/sweep --reference 3 --jobs 4"}};
+      .examples = {program + " analyze runs/paper --out analysis",
+                   program + " analyze --compare runs/paper runs/released --metric velocity:predator",
+                   program + " analyze runs/sweep --reference 3 --jobs 4"}};
 }
 
 }  // namespace trophic::command

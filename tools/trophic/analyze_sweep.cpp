@@ -111,10 +111,9 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
   for (const sweep::PlannedRun& run : sweep.plan) thinnings.insert(run.output.agents_every_ticks);
   for (const std::int64_t every : thinnings) {
     if (const std::string lost = analysis::lost_to_thinning(every); !lost.empty())
-      std::cerr << "trophic analyze: " << lost << "\n";
+      std::cerr << options.who << ": " << lost << "\n";
   }
-  const auto known = analysis::metric_names(sweep.webs);
-  if (how.columns.empty()) static_cast<void>(analysis::chosen(known, metrics));
+  analysis::check_names(sweep.webs, how, metrics);
   ResultFolder result{out_folder};
   const std::filesystem::path& out = result.path();
   const auto there = static_cast<std::size_t>(std::ranges::count(sweep.is_there, true));
@@ -122,11 +121,11 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
   const auto names = analysis::chosen(values.names, metrics);
   const std::optional<double> until_s = how.until_s;
   if (sweep.builds.size() > 1) {
-    std::cerr << "trophic analyze: " << sweep.builds.size()
+    std::cerr << options.who << ": " << sweep.builds.size()
               << " builds of a program made these runs: " << analysis::builds_text(sweep.builds)
               << "; their rules may be other code under the same names\n";
   }
-  if (!sweep.missing.empty()) std::cerr << "trophic analyze: " << analysis::missing_line(sweep) << "; left out\n";
+  if (!sweep.missing.empty()) std::cerr << options.who << ": " << analysis::missing_line(sweep) << "; left out\n";
   const auto differences = analysis::compare_cells(sweep.grid, values, reference, names);
   std::vector<analysis::RunsForDifference> answers;
   if (options.difference) answers = analysis::runs_for_difference(differences, *options.difference);

@@ -19,6 +19,7 @@ struct SweepOptions {
   std::optional<std::uint64_t> reference;
   std::optional<double> difference;
   bool allow_missing = false;
+  std::string who;  ///< "trophic analyze", which begins a line on standard error
 
   /// Throws std::invalid_argument if anything is asked, for folders that are not a sweep.
   void check_none() const;

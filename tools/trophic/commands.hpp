@@ -3,11 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <trophic/command/analyze.hpp>
 #include <trophic/command/option.hpp>
 
 namespace trophic::command {
 
-[[nodiscard]] Command analyze();
 [[nodiscard]] Command cite();
 [[nodiscard]] Command contest_command();
 [[nodiscard]] Command cross_check_engines();

@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <string>
+#include <trophic/command/option.hpp>
 #include <trophic/command/selection.hpp>
 #include <trophic/command/watching.hpp>
+#include <trophic/io/own_metric.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
@@ -19,11 +21,16 @@ namespace trophic::command {
 /// The MPI processes of this program; null if it was started alone.
 using FindTeam = std::unique_ptr<sweep::Team> (*)();
 
+/// The command `analyze` of a program with own metrics.
+using MakeAnalyze = Command (*)(const std::string& program, const io::OwnMetrics& own_metrics);
+
 /// Optional parts that a program is linked with, besides its backends; null for those that it lacks.
 struct LinkedParts {
   FindTeam find_team = nullptr;
   OpenWindow open_window = nullptr;
+  MakeAnalyze make_analyze = nullptr;
   io::OwnTables own_tables = {};
+  io::OwnMetrics own_metrics = {};
 };
 
 /// Reads the command line of a program that offers these tables and backends, does its work and returns the exit code.

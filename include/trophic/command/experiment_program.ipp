@@ -213,6 +213,14 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   return run_selection(options, offer, open_window);
 }
 
+/// `analyze`, if the program is linked with it.
+[[nodiscard]] TROPHIC_INLINE std::vector<Command> subcommands_of(const std::string& program, const LinkedParts& linked) {
+  if (linked.make_analyze != nullptr) return {linked.make_analyze(program, linked.own_metrics)};
+  if (linked.own_metrics.empty()) return {};
+  throw std::invalid_argument{"metric " + linked.own_metrics.front().name +
+                              ": this program was built without `analyze`: trophic_add_experiment(" + program + " ... ANALYZE)"};
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const Offer& offer, const LinkedParts& linked) {
@@ -220,6 +228,13 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
   options.program = program_name(argv[0]);
   options.provenance = provenance(argc, argv);
   options.own_tables = linked.own_tables;
+  std::vector<Command> subcommands;
+  try {
+    subcommands = detail::subcommands_of(options.program, linked);
+  } catch (const std::invalid_argument& error) {
+    static_cast<void>(report_failure(argv[0], error));
+    return usage_error;
+  }
   const std::unique_ptr<sweep::Team> team = linked.find_team == nullptr ? nullptr : linked.find_team();
   return run_command(argc, argv,
                      {.name = {},
@@ -227,7 +242,7 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
                                ", and writes its events, agents, phylogeny and genomes with a manifest into a new folder.",
                       .options = detail::options_of(options, offer),
                       .work = [&] { return detail::run_options(options, offer, team.get(), linked.open_window); },
-                      .subcommands = {},
+                      .subcommands = std::move(subcommands),
                       .version = version_text(backend_versions(offer.backends)),
                       .examples = {options.program + " --backend kinematic --duration 600",
                                    options.program + " --replicates 10 --shadow --out runs/study",

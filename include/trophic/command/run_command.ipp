@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Definitions of run_command.hpp; the only file that uses CLI11.
+// Definitions of run_command.hpp; this file and help_text.ipp use CLI11.
 #pragma once
 
 #include <fcntl.h>
@@ -9,25 +9,23 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <trophic/command/check_value.hpp>
 #include <trophic/command/completion.hpp>
+#include <trophic/command/help_text.ipp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
-#include <trophic/observe/terminal.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <type_traits>
 #include <utility>
@@ -80,44 +78,6 @@ TROPHIC_INLINE int report_failure(const char* called, const std::exception& erro
 
 namespace detail {
 
-/// Throws std::invalid_argument "--seed -1: must be >= 0" for texts that CLI11 reads as another number: -1 as 2^64 - 1, 010 as
-/// 8.
-TROPHIC_INLINE void check_whole_number(const std::string& option, const std::string& text) {
-  const auto refuse = [&](const std::string& must) { throw std::invalid_argument{option + " " + text + ": must be " + must}; };
-  const auto all_digits = [](std::string_view digits) {
-    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
-  };
-  if (text.starts_with('-') && all_digits(std::string_view{text}.substr(1))) refuse(">= 0");
-  if (!all_digits(text) || (text.size() > 1 && text.front() == '0')) refuse("a whole number in decimal digits");
-  std::uint64_t value = 0;
-  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) {
-    refuse("<= " + std::to_string(std::numeric_limits<std::uint64_t>::max()));
-  }
-}
-
-/// Throws std::invalid_argument for texts that are not plain decimal numbers, some of which CLI11 accepts: 0x10, 1e, an empty
-/// text.
-TROPHIC_INLINE void check_decimal_number(const std::string& option, const std::string& text) {
-  double value = 0.0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool all = read.ptr == text.data() + text.size() && !text.empty();
-  if (!all || (read.ec != std::errc{} && read.ec != std::errc::result_out_of_range)) {
-    throw std::invalid_argument{option + " " + text + ": must be a number in decimal digits"};
-  }
-}
-
-/// Throws std::invalid_argument for an empty text: `--config "$FILE"` with FILE unset would run another experiment.
-TROPHIC_INLINE void check_text(const std::string& option, const std::string& text) {
-  if (text.empty()) throw std::invalid_argument{option + ": must not be empty"};
-}
-
-/// Throws std::invalid_argument for a word that the option does not take.
-TROPHIC_INLINE void check_word(const Option& option, const std::string& word) {
-  if (std::ranges::find(option.words, word) != option.words.end()) return;
-  throw std::invalid_argument{must_be_one_of(option.name + " " + word, option.words) +
-                              did_you_mean(nearest_word(word, option.words))};
-}
-
 TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
   for (const Option& option : command.options) {
     const std::string name = option.shorthand.empty() ? option.name : option.shorthand + "," + option.name;
@@ -146,71 +106,6 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
     if (is_named(option))
       added->option_text(type == "UINT" ? "N" : type == "FLOAT" ? "X" : type.empty() || type == "BOOLEAN" ? "" : "TEXT");
   }
-}
-
-/// A text in lines of at most `width` columns; each line after the first begins with `indent` blanks.
-[[nodiscard]] TROPHIC_INLINE std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
-  std::string lines;
-  std::size_t column = indent;
-  while (!text.empty()) {
-    const std::string_view word = text.substr(0, text.find(' '));
-    text.remove_prefix(std::min(text.size(), word.size() + 1));
-    if (column > indent && column + 1 + word.size() > width) {
-      lines += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      lines += ' ';
-      ++column;
-    }
-    lines += word;
-    column += word.size();
-  }
-  return lines;
-}
-
-/// --help as wide as the terminal, and no wider than 110 columns.
-class HelpText : public CLI::Formatter {
- public:
-  HelpText() {
-    label("Positionals", "Arguments");
-    label("SUBCOMMAND", "COMMAND");
-  }
-  std::string make_description(const CLI::App* app) const override { return wrapped(app->get_description(), 0, width_) + "\n"; }
-  std::string make_group(std::string group, bool is_positional, std::vector<const CLI::Option*> options) const override {
-    std::string text = CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
-    if (text.ends_with("\n\n")) text.pop_back();
-    return text;
-  }
-  std::string make_footer(const CLI::App* app) const override {
-    const std::string footer = app->get_footer();
-    const std::size_t end = footer.find('\n');
-    return wrapped(footer.substr(0, end), 0, width_) + (end == std::string::npos ? "" : footer.substr(end)) + "\n";
-  }
-  std::string make_option(const CLI::Option* option, bool is_positional) const override {
-    return entry(make_option_name(option, is_positional) + (is_positional ? "" : make_option_opts(option)),
-                 option->get_description());
-  }
-  std::string make_subcommand(const CLI::App* app) const override { return entry(app->get_name(), app->get_description()); }
-
- private:
-  [[nodiscard]] std::string entry(const std::string& name, const std::string& text) const {
-    constexpr std::size_t indent = 22;
-    const std::string head = "  " + name;
-    return head + (head.size() + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - head.size(), ' ')) +
-           wrapped(text, indent, width_) + "\n";
-  }
-
-  std::size_t width_ = std::clamp<std::size_t>(observe::terminal_columns(STDOUT_FILENO), 50, 110);
-};
-
-/// The end of --help: exit codes, then examples.
-[[nodiscard]] TROPHIC_INLINE std::string footer_of(const Command& command) {
-  std::string text =
-      "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal";
-  for (const std::string& example : command.examples) {
-    text += (&example == command.examples.data() ? "\n\nExamples:\n  " : "\n  ") + example;
-  }
-  return text;
 }
 
 /// The sentence about arguments that belong to no option.
@@ -332,6 +227,12 @@ TROPHIC_INLINE int run_command(int argc, const char* const* argv, const Command&
       return report(detail::about_extras(app.remaining(true), *chosen), usage_error);
     } catch (const CLI::ParseError& error) {
       return error.get_exit_code() == 0 ? app.exit(error) : report(error.what(), usage_error);
+    }
+    if (chosen != &command) {
+      for (const Option& option : command.options) {
+        if (detail::is_named(option) && app.count(option.name) > 0)
+          return report(option.name + ": not with " + chosen->name, usage_error);
+      }
     }
     if (chosen->work) return chosen->work();
     std::vector<std::string> names;

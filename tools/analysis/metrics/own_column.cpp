@@ -8,14 +8,12 @@
 #include <optional>
 #include <stdexcept>
 #include <tools/analysis/data/csv_reader.hpp>
-#include <tools/analysis/metrics/series.hpp>
+#include <tools/analysis/metrics/sampled_metric.hpp>
 #include <utility>
 
 namespace trophic::analysis {
 
 namespace {
-
-constexpr double curve_window_s = 200.0;
 
 bool is_nan(std::string_view cell) {
   return cell.empty() || cell == "nan" || cell == "-nan" || cell == "NaN" || cell == "NA";
@@ -54,27 +52,15 @@ void measure_column(const OwnColumn& column, const RunData& run, RunMetrics& res
     if (table.has(name)) table.want(name);
     places.push_back(table.has(name) ? std::optional{table.place_of(name)} : std::nullopt);
   }
-  std::vector<std::pair<MetricName, WindowMean>> found;
-  if (!places[1] && !places[2]) found.emplace_back(MetricName{column.column, "", "all", column.unit}, WindowMean{curve_window_s});
+  SampledMetric found{column.column, column.unit, !places[1] && !places[2]};
   while (table.next()) {
-    const double time_s = places[0] ? table.get<double>(*places[0]) : 0.0;
-    if (time_s > run.manifest.until_s) continue;
-    const MetricName name{column.column, places[1] ? table.get<std::string>(*places[1]) : "",
-                          places[2] ? table.get<std::string>(*places[2]) : "all", column.unit};
-    auto place = std::ranges::find(found, name, &std::pair<MetricName, WindowMean>::first);
-    if (place == found.end()) place = found.insert(found.end(), {name, WindowMean{curve_window_s}});
-    place->second.add(time_s, is_nan(table.text(0)) ? std::nullopt : std::optional{table.get<double>(0)});
+    const std::optional<double> time_s = places[0] ? std::optional{table.get<double>(*places[0])} : std::nullopt;
+    if (time_s.value_or(0.0) > run.manifest.until_s) continue;
+    found.add(places[1] ? table.get<std::string>(*places[1]) : "", places[2] ? table.get<std::string>(*places[2]) : "all", time_s,
+              is_nan(table.text(0)) ? std::nullopt : std::optional{table.get<double>(0)});
   }
   detail::remark_truncated(table, path, remarks);
-  for (const auto& [name, mean] : found) {
-    if (std::ranges::find(result.measurements, name, &Measurement::name) != result.measurements.end()) {
-      throw std::invalid_argument{"--column " + column.file + ":" + column.column +
-                                  ": trophic has a metric of this name; rename the column"};
-    }
-    if (!mean.mean()) remarks.push_back(path.string() + ": " + column.column + " has no value; the run is left out of its mean");
-    result.measurements.push_back({name, mean.mean(), {}});
-    if (places[0]) result.curves.push_back({name, "", mean.series()});
-  }
+  found.finish("--column " + column.file + ":" + column.column, path.string(), result, remarks);
 }
 
 void give_all_the_same_columns(std::span<RunMetrics* const> runs) {

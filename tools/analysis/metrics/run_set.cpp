@@ -27,6 +27,11 @@ std::vector<RunMetrics*> pointers(std::initializer_list<RunSet*> sets) {
 
 }  // namespace
 
+void measure_users(const Measuring& how, const RunData& run, RunMetrics& result, std::vector<std::string>& remarks) {
+  for (const OwnColumn& column : how.columns) measure_column(column, run, result, remarks);
+  for (const OwnMetric& metric : how.metrics) measure_own(metric, run, result, remarks);
+}
+
 RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how) {
   PooledRuns pooled = pooled_runs(paths, how.until_s.has_value(), how.any_build);
   RunSet set{pooled.manifests.front().rules, std::move(pooled.manifests), {}, std::move(pooled.remarks)};
@@ -46,7 +51,7 @@ RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& h
       remarks[i].push_back(manifest.folder.string() + "/" + lost);
     }
     set.runs[i] = measure_run(run);
-    for (const OwnColumn& column : how.columns) measure_column(column, run, set.runs[i], remarks[i]);
+    measure_users(how, run, set.runs[i], remarks[i]);
     const std::scoped_lock lock{one_at_a_time};
     if (how.on_run) how.on_run();
   };
@@ -63,7 +68,7 @@ RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& h
     if (error) std::rethrow_exception(error);
   }
   for (const auto& of_run : remarks) set.remarks.insert(set.remarks.end(), of_run.begin(), of_run.end());
-  if (!how.columns.empty()) give_all_the_same_columns(pointers({&set}));
+  give_all_the_same_columns(pointers({&set}));
   return set;
 }
 
@@ -84,7 +89,7 @@ ShadowedSet read_shadowed_set(std::span<const std::filesystem::path> paths, cons
     throw std::invalid_argument{shadow.folder.string() + ": made by " + builds_text(shadow.builds) + ": must be made by " +
                                 builds_text(ours.builds) + ", as " + ours.folder.string() + " (--accept-other-build takes it)"};
   }
-  if (!how.columns.empty()) give_all_the_same_columns(pointers({&set.ours, &*set.shadow}));
+  give_all_the_same_columns(pointers({&set.ours, &*set.shadow}));
   return set;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that belong together, measured, with the shadow that they are set beside.
+// Runs that belong together, measured, with their shadow.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
+#include <tools/analysis/metrics/own_metric.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -27,13 +28,17 @@ struct RunSet {
 struct Measuring {
   std::optional<double> until_s = {};   ///< only the first seconds
   bool any_build = false;               ///< runs of several builds of a program may be pooled
-  std::vector<OwnColumn> columns = {};  ///< metrics of one's own
+  std::vector<OwnColumn> columns = {};  ///< metrics that are columns of tables
+  OwnMetrics metrics = {};              ///< of the user's program
   std::size_t jobs = 1;                 ///< runs measured at a time; results do not depend on it
   std::function<void()> on_run = {};    ///< called after each run, by any thread, one at a time
 };
 
+/// Adds what the user defined: columns of tables and metrics of a program.
+void measure_users(const Measuring& how, const RunData& run, RunMetrics& result, std::vector<std::string>& remarks);
+
 /// Reads and measures runs that may be pooled. Throws as pooled_runs and read_run do, std::invalid_argument for a run that is
-/// shorter than `until_s`, and as measure_column.
+/// shorter than `until_s`, and as measure_column and measure_own.
 [[nodiscard]] RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how = {});
 
 /// A set with its shadow, where there is one.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <tools/analysis/data/read_run.hpp>
+#include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
 #include <trophic/run/replicates/parallel.hpp>
 #include <utility>
@@ -35,6 +36,30 @@ std::vector<MetricName> metric_names(std::span<const FoodWeb> webs) {
   return names;
 }
 
+void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<const std::string> choices) {
+  std::vector<MetricName> known = metric_names(webs);
+  std::vector<std::string> taken;
+  for (const MetricName& name : known) taken.push_back(name.metric);
+  const std::size_t shipped = taken.size();
+  for (const OwnColumn& column : how.columns) {
+    if (std::ranges::find(taken, column.column) != taken.end()) {
+      throw std::invalid_argument{"--column " + column.file + ":" + column.column +
+                                  ": there is a metric of this name; rename the column"};
+    }
+    taken.push_back(column.column);
+  }
+  check_own_metrics(how.metrics, taken);
+  for (const OwnMetric& metric : how.metrics) taken.push_back(metric.name);
+  // Which species and groups a metric of the user has is known when it is measured.
+  const std::span<const std::string> own = std::span{taken}.subspan(shipped);
+  std::vector<std::string> others;
+  for (const std::string& choice : choices) {
+    if (std::ranges::find(own, choice.substr(0, choice.find(':'))) == own.end()) others.push_back(choice);
+  }
+  for (const std::string& name : own) known.push_back({name, "", "all", "1"});
+  static_cast<void>(chosen(known, others));
+}
+
 SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
   SweepValues values{metric_names(sweep.webs), std::vector<std::vector<std::optional<double>>>(sweep.plan.size())};
   std::vector<std::vector<Measurement>> own(sweep.plan.size());
@@ -52,7 +77,7 @@ SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
       values.of_run[i] = std::move(numbers);
       RunMetrics columns;
       std::vector<std::string> remarks;
-      for (const OwnColumn& column : how.columns) measure_column(column, run, columns, remarks);
+      measure_users(how, run, columns, remarks);
       own[i] = std::move(columns.measurements);
       const std::scoped_lock lock{one_at_a_time};
       if (how.on_run) how.on_run();

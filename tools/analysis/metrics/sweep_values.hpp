@@ -29,6 +29,10 @@ struct SweepValues {
 /// The metrics of runs with these food webs, each once, as measure_run orders them.
 [[nodiscard]] std::vector<MetricName> metric_names(std::span<const FoodWeb> webs);
 
+/// Checks before anything is measured that each of the user's metrics has a name of its own, and that each choice names a metric.
+/// Throws std::invalid_argument.
+void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<const std::string> choices);
+
 /// Reads and measures the runs that are there; what was read of a run is gone when it is measured. The values do not depend on
 /// `how.jobs`. Throws std::invalid_argument for the first run in the plan's order that cannot be read as a whole; the others are
 /// given up.

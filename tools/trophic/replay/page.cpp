@@ -19,16 +19,16 @@
 #include <trophic/support/json.hpp>
 #include <utility>
 
-/// The viewer's page, tools/viewer/page, and its length. A program that is built with -DTROPHIC_VIEWER=OFF lacks it.
+/// The viewer's page, tools/viewer/page, and its length: 0 in a program that is built with -DTROPHIC_VIEWER=OFF.
 extern "C" {
-[[gnu::weak]] extern const char trophic_viewer_page[];
-[[gnu::weak]] extern const unsigned long trophic_viewer_page_size;
+extern const char trophic_viewer_page[];
+extern const unsigned long trophic_viewer_page_size;
 }
 
 namespace trophic::command::replay {
 
 std::string_view viewer_page() {
-  if (&trophic_viewer_page_size == nullptr) {
+  if (trophic_viewer_page_size == 0) {
     throw std::invalid_argument{"this program was built without the viewer (-DTROPHIC_VIEWER=OFF); build it again with it"};
   }
   return {static_cast<const char*>(trophic_viewer_page), trophic_viewer_page_size};
