@@ -138,7 +138,7 @@ struct Estimates {
   return print_text(
       "#!/bin/bash\n# " + estimate_text(file, plan, *estimates) +
       ". Time is 1.5 times the longest task's and ten minutes.\n"
-      "# Submit it again to finish what was cut off; `" +
+      "# Submit it again to finish what was interrupted; `" +
       options.program + " --status --out " + options.out +
       "` says what that is.\n"
       "#SBATCH --job-name=" +

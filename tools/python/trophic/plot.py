@@ -30,7 +30,8 @@ def main(arguments=None):
         from .runs import RunError
         from .figures import contests, cross_check, paper, style, sweep
     except ModuleNotFoundError as error:
-        return refuse(f"needs the Python module {error.name}: apt-get install python3-matplotlib python3-pandas python3-scipy")
+        return refuse(f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-matplotlib python3-pandas "
+                      "python3-scipy, or TROPHIC_PYTHON=/usr/bin/python3 if it is installed there")
     folder = options.analysis
     out = options.out or folder / "figures"
     if out.exists() or out.is_symlink():
