@@ -40,7 +40,7 @@ std::string printed(const Progress& one) {
 
 }  // namespace
 
-TEST_CASE("progress table: six replicates -> interval, p and conclusion; fewer -> numbers and no conclusion") {
+TEST_CASE("progress table: six replicates -> interval, p and conclusion, fewer -> numbers and no conclusion") {
   const std::string six = printed(late_hunters(6));
   CHECK(six.find("predator") != std::string::npos);
   CHECK(six.find("others' prey") != std::string::npos);

@@ -69,7 +69,7 @@ TEST_CASE("contest: genomes of another size -> error that names both sizes") {
         "a contest of genomes of 16 weights: must have 15, those of the table's brain");
 }
 
-TEST_CASE("contest: same places -> same outcome, others -> another; reach of the arena -> contact at once") {
+TEST_CASE("contest: same places -> same outcome, others -> another, reach of the arena -> contact at once") {
   contest::Plan plan = small_plan();
   const auto make = contests_of<rules::Paper>({}, backend::Kinematic::Params{});
   const auto first = contest::play(make, plan, plan.matches[0]);
