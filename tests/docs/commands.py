@@ -194,13 +194,14 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         if offences or not command:
             return offences
     else:
-        offences = check_flags(programs.help(executable), arguments, name)
+        command = [word for word in arguments[:1] if word == "analyze"]
+        offences = check_flags(programs.help(executable, *command) + " --help", arguments, name)
         if offences:
             return offences
     if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments) or "--sweep" in arguments or "--status" in arguments:
         return []  # values of placeholders, runs to resume, sweep files and their folders are the reader's
     ask = "--list" if name == "trophic-ablations" else "--print-config"
-    if ask not in programs.help(executable, *(arguments[:1] if name == "trophic" else [])):
+    if ask not in programs.help(executable, *command):
         return []
     with tempfile.TemporaryDirectory() as folder:  # the arguments are parsed, nothing is run
         (pathlib.Path(folder) / "models").symlink_to(tree.root / "models")
