@@ -138,6 +138,14 @@ TEST_CASE("claim: its program on this machine died -> stale at once") {
   CHECK(fs::is_empty(folder.path()));
 }
 
+TEST_CASE("claim: space of a process -> has this start of the machine, as initial namespaces are alike on all of them") {
+  if (!fs::exists("/proc/sys/kernel/random/boot_id")) return;
+  std::string boot;
+  std::ifstream{"/proc/sys/kernel/random/boot_id"} >> boot;
+  REQUIRE(boot.size() == 36);
+  CHECK(sweep::detail::process_space().starts_with(boot + " "));
+}
+
 TEST_CASE("claim: of another machine, not renewed for its lease -> stale") {
   const TemporaryFolder folder;
   const fs::path claim = folder.path() / "5.0";

@@ -56,8 +56,8 @@ inline constexpr const char* owner_file = "owner.json";
 [[nodiscard]] inline std::string process_space() {
   std::string boot;
   try {
-    boot = read_whole_file("/proc/sys/kernel/random/boot_id");
-  } catch (const std::invalid_argument&) {  // on a system without it the host alone identifies a process
+    boot = read_beginning("/proc/sys/kernel/random/boot_id", 64);  // its size is said to be 0
+  } catch (const std::invalid_argument&) {                         // on a system without it the host alone identifies a process
     boot = host_name();
   }
   while (!boot.empty() && boot.back() == '\n') boot.pop_back();
