@@ -15,6 +15,7 @@
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <utility>
 
 namespace trophic::io {
@@ -134,6 +135,11 @@ TROPHIC_INLINE RecordingReader::RecordingReader(std::filesystem::path path) : pa
 
 TROPHIC_INLINE void RecordingReader::scan() {
   const std::string name = path_.string();
+  try {
+    static_cast<void>(read_beginning(path_, 0));  // says what is wrong; opening a pipe would wait
+  } catch (const std::invalid_argument& reason) {
+    throw std::runtime_error{reason.what()};
+  }
   std::ifstream file{path_, std::ios::binary};
   if (!file) throw std::runtime_error{name + ": cannot be read"};
   std::string start(recording::magic.size(), '\0');

@@ -17,7 +17,8 @@ namespace trophic {
 /// Objects keep the order of their keys, in files as in memory.
 using Json = nlohmann::ordered_json;
 
-/// Parses a text. Throws Json::exception if it is not JSON, or if brackets are nested more than 64 deep.
+/// Parses a text. Throws Json::exception if it is not JSON, if brackets are nested more than 64 deep or if
+/// an object has more than 10,000 keys.
 [[nodiscard]] Json parse_json(std::string_view text);
 
 /// Parses a text; returns null if it is not JSON.

@@ -27,7 +27,7 @@ class NewFile {
   /// Appends a text. Throws.
   void write(std::string_view text);
 
-  /// Puts what was written onto the disk and gives it its name.
+  /// Puts what was written onto the disk and gives it its name. Throws if something has got that name meanwhile.
   void finish();
 
  private:

@@ -31,6 +31,19 @@ namespace detail {
   return -1;
 }
 
+/// Gives a file a name that nothing has. Returns false, with errno, if something has it or if the system refuses.
+[[nodiscard]] inline bool rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to) {
+#ifdef RENAME_NOREPLACE
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;  // else the file system cannot do it
+#endif
+  if (std::filesystem::exists(std::filesystem::symlink_status(to))) {
+    errno = EEXIST;
+    return false;
+  }
+  return std::rename(from.c_str(), to.c_str()) == 0;
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(path)}, part_{path_.string() + ".part"} {
@@ -60,7 +73,7 @@ TROPHIC_INLINE void NewFile::write(std::string_view text) {
 }
 
 TROPHIC_INLINE void NewFile::finish() {
-  if (::fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) {
+  if (::fsync(file_) != 0 || !detail::rename_to_free(part_, path_)) {
     throw std::runtime_error{"cannot write " + path_.string() + ": " + std::strerror(errno)};
   }
   ::close(std::exchange(file_, -1));

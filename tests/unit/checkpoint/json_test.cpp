@@ -37,6 +37,18 @@ TEST_CASE("json: nested deeper than trophic writes -> refused, without overflowi
   CHECK(parse_json(wide + "]").size() == 1001);
 }
 
+TEST_CASE("json: more keys in one object than trophic writes -> refused, without comparing each with each") {
+  const auto keys = [](int count) {
+    std::string text = "{";
+    for (int i = 0; i < count; ++i) text.append(i > 0 ? "," : "").append("\"k").append(std::to_string(i)).append("\":{}");
+    return text + "}";
+  };
+  CHECK(parse_json(keys(10'000)).size() == 10'000);
+  CHECK_THROWS_AS(static_cast<void>(parse_json(keys(10'001))), Json::exception);
+  CHECK(parse_json_or_null(keys(1'000'000)).is_null());
+  CHECK(parse_json("[" + keys(6'000) + "," + keys(6'000) + ",\"" + std::string(20'000, ':') + "\"]").size() == 3);
+}
+
 TEST_CASE("json: whole number within its bounds -> the number, and any other value -> an error that names the field") {
   const Json json = parse_json(R"({"seed":18446744073709551615,"low":-3,"half":0.5,"huge":1e300,"text":"7"})");
   CHECK(whole_number<std::uint64_t>(json, "seed") == 18446744073709551615u);

@@ -33,6 +33,16 @@ TEST_CASE("new file: finished -> has its name, not finished -> removed") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "film.mp4.part"));
 }
 
+TEST_CASE("new file: its name is taken while it is written -> error, and what is there stays") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "film.mp4";
+  NewFile file{path};
+  file.write("whole");
+  std::ofstream{path} << "made meanwhile";
+  CHECK(message_of<std::runtime_error>([&] { file.finish(); }).ends_with("film.mp4: File exists"));
+  CHECK(read_whole_file(path) == "made meanwhile");
+}
+
 TEST_CASE("new file: child of a killed program still writes -> other file") {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "film.mp4";

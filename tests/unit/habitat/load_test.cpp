@@ -71,6 +71,12 @@ TEST_CASE("robot file: missing or not TOML -> error") {
   CHECK(robot_complaint(leg + "[core.left]\nmodule = \"brick\"\n").starts_with("6:"));
 }
 
+TEST_CASE("robot file: control character in a text -> error that prints none") {
+  CHECK(robot_complaint("name = \"\\u001b[2J\"\n[core]\n") ==
+        " name = \"\\u001B[2J\": must be a text without control characters");
+  CHECK(robot_complaint("name = \"a\"\ngait = \"\\u009b2J\"\n[core]\n").ends_with(": must be a text without control characters"));
+}
+
 TEST_CASE("robot file: two modules on one face -> error") {
   const std::string message = robot_complaint(leg + "[core.left]\nmodule = \"brick\"\n");
   CHECK(message.find("cannot redefine existing table 'core.left'") != std::string::npos);

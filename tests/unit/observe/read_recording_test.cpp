@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstddef>
@@ -114,9 +115,19 @@ TEST_CASE("read recording: any flipped bit -> error") {
   }
 }
 
+TEST_CASE("read recording: a pipe or a folder in its place -> error at once") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "replay.trp";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  for (const std::filesystem::path& path : {pipe, folder.path()}) {
+    CHECK(message_of<std::runtime_error>([&] { RecordingReader{path}; }).ends_with(": is not a regular file"));
+  }
+}
+
 TEST_CASE("read recording: another file -> error") {
   const test::TemporaryFolder folder;
-  CHECK(refusal(folder.path() / "none.trp") == (folder.path() / "none.trp").string() + ": cannot be read");
+  CHECK(refusal(folder.path() / "none.trp") ==
+        (folder.path() / "none.trp").string() + ": cannot be read: No such file or directory");
   CHECK(refusal(folder.file("picture.trp", "\x89PNG\r\n\x1a\n and so on")).find(": is not a trophic recording") !=
         std::string::npos);
   CHECK(refusal(folder.file("empty.trp", "")).find(": is not a trophic recording") != std::string::npos);

@@ -14,6 +14,7 @@
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/params/toml_text.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
@@ -45,8 +46,7 @@ class TomlTable {
 
   [[nodiscard]] std::string text(std::string_view key) const {
     const toml::node& value = required(key);
-    if (const auto text = value.value_exact<std::string>()) return *text;
-    fail(key, " = " + toml_text(value) + ": must be a text");
+    return plain_text(key, value);
   }
 
   [[nodiscard]] bool truth(std::string_view key) const {
@@ -86,11 +86,7 @@ class TomlTable {
 
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const {
     std::vector<std::string> result;
-    for (const toml::node& item : array(key)) {
-      const auto text = item.value_exact<std::string>();
-      if (!text) fail(key, " = " + toml_text(item) + ": must be a text");
-      result.push_back(*text);
-    }
+    for (const toml::node& item : array(key)) result.push_back(plain_text(key, item));
     return result;
   }
 
@@ -154,6 +150,13 @@ class TomlTable {
     const toml::node& value = required(key);
     if (!value.is_array()) fail(key, " = " + toml_text(value) + ": must be a list");
     return *value.as_array();
+  }
+
+  [[nodiscard]] std::string plain_text(std::string_view key, const toml::node& value) const {
+    const auto text = value.value_exact<std::string>();
+    if (!text) fail(key, " = " + toml_text(value) + ": must be a text");
+    if (!is_plain(*text)) fail(key, " = " + toml_text(value) + ": must be a text without control characters");
+    return *text;
   }
 
   [[nodiscard]] double plain_number(std::string_view key, const toml::node& value) const {
