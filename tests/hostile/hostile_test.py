@@ -7,6 +7,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tomllib
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
@@ -259,6 +260,142 @@ class Builds(Hostile):
         self.assertIn("2 builds of a program", self.done(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr)
 
 
+ROBOGEN = """0 CoreComponent Core 0
+\t0 ActiveHinge Hip1 1
+\t\t0 FixedBrick Leg1 1
+\t\t\t0 ActiveHinge Knee1 0
+\t\t\t\t0 FixedBrick Foot1 0
+\t\t\t2 FixedBrick Side1 0
+\t1 ActiveHinge Hip2 0
+\t2 I Hip3 0
+\t\t0 F Leg3 3
+
+Hip1 Hip2 0.5
+"""
+REVOLVE = """---
+id: bot  # a comment
+body:
+  id          : Core
+  type        : Core
+  children    :
+    0:
+      slot        : 0
+      id          : Back
+      type        : ActiveHinge
+      orientation : 90
+      children:
+        1:
+          id: BackLeg
+          type: FixedBrick
+          orientation: -90
+          params: {blue: 1,
+            green: 0}
+          children:
+            2: {id: none}
+    2:
+      id: 'Right'
+      type: FixedBrick
+brain:
+  - weights: [0.1,
+"""
+REVOLVE2 = {"type": "core", "children": {"front": {"type": "active_hinge", "rotation": 1.5707963267948966, "children": [{"type": "brick"}]},
+                                         "2": {"type": "brick", "children": {"1": None, "left": {"type": "hinge"}}}}}
+
+
+class Converted(Hostile):
+    """Bodies in the formats of RoboGen, Revolve and revolve2."""
+
+    def converted(self, name, text):
+        (self.folder / name).write_text(text)
+        (self.folder / "robot.toml").unlink(missing_ok=True)
+        said = self.done(TROPHIC, "convert", name, "--out", "robot.toml", "--name", "bot").stdout
+        with open(self.folder / "robot.toml", "rb") as file:
+            robot = tomllib.load(file)
+        self.done(PREDATOR_PREY, "--robots", 2, "--set", "rules.community.predators=1", "--backend", "kinematic", "--robot", "./robot.toml",
+                  "--print-config")
+        return said, {name: value for name, value in robot.items()}
+
+    def modules(self, tree):
+        """(module, quarter turns, below) by face."""
+        return {face: (below["module"], below["rotation_deg"] // 90, self.modules(below)) for face, below in tree.items()
+                if isinstance(below, dict)}
+
+    def test_robogen(self):
+        said, robot = self.converted("body.txt", ROBOGEN)
+        self.assertIn("4 hinges, 4 bricks, from RoboGen's text", said)
+        self.assertEqual(robot["name"], "bot")
+        # Hips on the core's sides whose axis is turned by 90 degrees, and on its front as it is, sweep; bricks lie flat.
+        modules = self.modules(robot["core"])
+        self.assertEqual(set(modules), {"right", "left", "front"})
+        hinge, turns, below = modules["right"]
+        self.assertEqual((hinge, turns % 2), ("hinge", 1))
+        self.assertEqual(below["front"][:2], ("brick", (-turns) % 4))
+        self.assertEqual({face: (kind, turned % 2) for face, (kind, turned, _) in below["front"][2].items()},
+                         {"front": ("hinge", 0), "left": ("brick", 0)})
+        self.assertEqual(modules["left"], ("hinge", 0, {}))
+        self.assertEqual((modules["front"][0], modules["front"][1] % 2), ("hinge", 1))
+
+    def test_revolve(self):
+        _, robot = self.converted("body.yaml", REVOLVE.replace("            2: {id: none}\n", "            2:\n"))
+        self.assertEqual(self.modules(robot["core"]), {"back": ("hinge", 1, {"front": ("brick", 3, {})}), "right": ("brick", 0, {})})
+
+    def test_revolve2(self):
+        expected = {"front": ("hinge", 1, {"front": ("brick", 0, {})}), "back": ("brick", 0, {"left": ("hinge", 0, {})})}
+        _, robot = self.converted("body.json", json.dumps(REVOLVE2))
+        self.assertEqual(self.modules(robot["core"]), expected)
+        yaml = ("type: core\nchildren:\n  front:\n    type: active_hinge\n    rotation: 1.5708\n    children:\n      attachment:\n"
+                "        type: brick\n  back:\n    type: brick\n    children:\n      left:\n        type: hinge\n")
+        self.assertEqual(self.modules(self.converted("body.yaml", yaml)[1]["core"]), expected)
+
+    def test_the_spider_is_the_one_of_the_models(self):
+        legs = {face: {"type": "hinge", "rotation": turn, "children": {"attachment": {"type": "brick"}}}
+                for face, turn in (("front", 0.0), ("back", 1.57079632679), ("left", 0.0), ("right", 1.57079632679))}
+        _, robot = self.converted("spider.json", json.dumps({"type": "core", "children": legs}))
+        with open(pathlib.Path(__file__).resolve().parents[2] / "models/robots/spider.toml", "rb") as file:
+            spider = tomllib.load(file)["core"]
+        for leg in spider.values():
+            leg["front"].setdefault("rotation_deg", 0)
+        self.assertEqual(robot["core"], spider)
+
+    def test_what_is_not_such_a_body_is_refused_in_one_sentence(self):
+        deep = {"type": "hinge"}
+        for _ in range(40):
+            deep = {"type": "hinge", "children": {"front": deep}}
+        for text, sentence in (
+            ('<robot name="two"/>', "is URDF: must be a body of revolve2 or Revolve"),
+            ("no body", "is in no format that is known"),
+            ("0 CoreComponent Core 0\n\t0 ActiveWheel W 0 0.04\n", ":2: is of type ActiveWheel: must be a core, an active hinge or a brick"),
+            ("0 CoreComponent Core 0\n\t4 ActiveHinge H 0\n", ":2: slot = 4: a core has 4 slots"),
+            ("0 CoreComponent Core 0\n\t\t0 ActiveHinge H 0\n", ":2: 2 tabs: must be 1 to 1"),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 4\n", ":2: turns = 4: must be 0 to 3"),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 0\n\t0 ActiveHinge I 0\n", ":3: right: two modules on one face"),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H\x1b[2J 0\n", ":2: its name must be text without control characters"),
+            (REVOLVE, "core.0.1.2: must be a module with a type"),
+            (REVOLVE.replace("orientation : 90", "orientation : 45"), "core.0: orientation = 45: must be a multiple of 90 degrees"),
+            (REVOLVE.replace("orientation : 90", "rotation : 90"), "core.0: rotation: is not a key that is read here; orientation turns"),
+            (REVOLVE.replace("type        : ActiveHinge", "type        : &x ActiveHinge"), ":10: &x ActiveHinge: is YAML that Revolve does not write"),
+            (REVOLVE.replace("      id: 'Right'", "     id: 'Right'"), ": must be indented as the line before"),
+            (REVOLVE.replace("    2:\n      id: 'R", "    0:\n      id: 'R"), ": 0: appears twice"),
+            (json.dumps({"type": "core", "children": {"front": {"type": "hinge", "rotation": 1.0}}}), "core.front: rotation = 1.0: must be a multiple"),
+            (json.dumps({"type": "core", "children": {"top": {"type": "hinge"}}}), "core: children.top: a core has no such place"),
+            (json.dumps({"type": "core", "children": {"front": {"type": "core"}}}), "core.front: front: a robot has only one core"),
+            (json.dumps({"type": "core", "children": {"front": deep}}), "must be JSON nested at most 64 deep"),
+            ('{"type": "core", "children": {"front": ', "must be JSON nested"),
+        ):
+            with self.subTest(text):
+                (self.folder / "body").write_text(text)
+                said = self.refused(2, TROPHIC, "convert", "body", "--out", "robot.toml")
+                self.assertIn(sentence, said)
+                self.assertNotRegex(said, "[\x00-\x1f\x7f-\x9f]")
+                self.assertFalse((self.folder / "robot.toml").exists())
+
+    def test_nothing_is_overwritten(self):
+        (self.folder / "body").write_text(ROBOGEN)
+        (self.folder / "robot.toml").write_text("mine")
+        self.assertIn("robot.toml: exists already", self.refused(2, TROPHIC, "convert", "body", "--out", "robot.toml"))
+        self.assertIn("must end in .toml", self.refused(2, TROPHIC, "convert", "body", "--out", "robot"))
+
+
 BODIES = {
     "mod.xml": ('<mujoco model="two"><worldbody><body name="core"><freejoint/></body></worldbody></mujoco>', "MJCF, MuJoCo's XML"),
     "mod.urdf": ('<?xml version="1.0"?><robot name="two"><link name="core"/></robot>', "URDF"),
@@ -275,6 +412,7 @@ class Foreign(Hostile):
                 (self.folder / name).write_text(text)
                 said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--robot", f"./{name}", "--duration", 4, "--out", "run")
                 self.assertIn(f"{name}: is {format_}: must be TOML, a robot a tree of cores, hinges and bricks", said)
+                self.assertEqual("trophic convert" in said, name not in ("mod.xml", "mod.urdf"))
 
     def test_a_number_beyond_its_bound_is_refused(self):
         for number in ("ecology.tick_s=1e18", "ecology.tick_s=3601", "ecology.clock_scale=1000"):

@@ -35,6 +35,7 @@ COMMANDS = {
     "cross-check": [TROPHIC, "cross-check", "--seconds", "0.2"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
     "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
+    "convert": [TROPHIC, "convert", "body.txt", "--out", "new.toml"],
     "plot": [TROPHIC, "plot", "run"],
     "cite": [TROPHIC, "cite", "run"],
     "help": [TROPHIC, "help"],
@@ -73,6 +74,7 @@ class Options(InFolderWithSets):
         super().setUp()
         for name in ("run", "set"):
             shutil.copytree(self.sets / name, self.folder / name)
+        (self.folder / "body.txt").write_text("0 CoreComponent Core 0\n\t0 ActiveHinge Hip 1\n")
 
     def files(self):
         return {path.relative_to(self.folder) for path in self.folder.rglob("*")}

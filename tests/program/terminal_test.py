@@ -166,7 +166,7 @@ class Tool(InFolder):
 
     def test_commands(self):
         text = self.call("--help").stdout
-        for command in ("analyze", "plot", "cite", "help", "ablation-table", "cross-check", "evolve-gait", "measure-gait"):
+        for command in ("analyze", "plot", "cite", "help", "ablation-table", "cross-check", "evolve-gait", "measure-gait", "convert"):
             self.assertIn(command, text)
             inner = self.call(command, "--help")
             self.assertEqual((inner.returncode, inner.stderr), (0, ""))
@@ -175,8 +175,8 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], "trophic: needs a command: analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait or help\n"),
-            (["analyse"], "trophic: analyse: must be analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait or help; did you mean analyze?\n"),
+            ([], "trophic: needs a command: analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help\n"),
+            (["analyse"], "trophic: analyse: must be analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help; did you mean analyze?\n"),
             (["analyze", "--publish"], "trophic analyze: --publish: unknown option; did you mean --published? (--help lists all)\n"),
             (["ablation-table"], "trophic ablation-table: runs is required\n"),
         ):

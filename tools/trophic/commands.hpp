@@ -10,6 +10,7 @@ namespace trophic::command {
 
 [[nodiscard]] Command cite();
 [[nodiscard]] Command contest_command();
+[[nodiscard]] Command convert_body();
 [[nodiscard]] Command cross_check_engines();
 [[nodiscard]] Command evolve_gait();
 [[nodiscard]] Command export_run();

@@ -15,7 +15,7 @@ trophic::command::Command program() {
           .options = {},
           .work = {},
           .subcommands = {analyze(), contest_command(), plot(), cite(), show(), film(), export_run(), ablation_table(),
-                          cross_check_engines(), evolve_gait(), measure_gait(), help(&program)},
+                          cross_check_engines(), evolve_gait(), measure_gait(), convert_body(), help(&program)},
           .version = version_text(backend_versions<LinkedBackends>()),
           .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
 }

@@ -7,6 +7,10 @@
 
 namespace trophic::detail {
 
+inline constexpr std::string_view revolve2_json = "a body of revolve2 as JSON";
+inline constexpr std::string_view revolve2_yaml = "a body of revolve2 as YAML";
+inline constexpr std::string_view robogen_text = "RoboGen's text";
+
 /// The name of the format in which other programs describe robots; empty if it is none of those that are known.
 [[nodiscard]] inline std::string_view foreign_format(std::string_view text) {
   const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
@@ -14,9 +18,11 @@ namespace trophic::detail {
   if (begin == std::string_view::npos) return "";
   const std::string_view first = text.substr(begin);
   if (first.starts_with('<')) return has("<mujoco") ? "MJCF, MuJoCo's XML" : has("<robot") ? "URDF" : has("<sdf") ? "SDF" : "XML";
-  if (first.starts_with('{')) return has("\"core\"") || has("\"Core\"") ? "a body of revolve2 as JSON" : "JSON";
-  if (has("CoreComponent") && !has("body:")) return "RoboGen's text";
-  if (has("body:") && has("type:")) return "a body of revolve2 as YAML";
+  if (first.starts_with('{')) return has("\"core\"") || has("\"Core") ? revolve2_json : "JSON";
+  for (const std::string_view core : {"0 Core", "0 E ", "0 N "}) {
+    if (first.starts_with(core)) return robogen_text;
+  }
+  if (has("type:") && (has("body:") || has("children:"))) return revolve2_yaml;
   return first.starts_with("---") ? "YAML" : "";
 }
 
@@ -24,8 +30,10 @@ namespace trophic::detail {
 [[nodiscard]] inline std::string about_foreign_format(std::string_view text) {
   const std::string_view format = foreign_format(text);
   if (format.empty()) return "";
+  const bool converts = format == revolve2_json || format == revolve2_yaml || format == robogen_text;
   return ": is " + std::string{format} +
-         ": must be TOML, a robot a tree of cores, hinges and bricks as models/README.md describes it";
+         ": must be TOML, a robot a tree of cores, hinges and bricks as models/README.md describes it" +
+         (converts ? "; `trophic convert` makes one of this" : "");
 }
 
 }  // namespace trophic::detail
