@@ -55,7 +55,7 @@ def in_brief(data):
 
 
 def choices_that_matter(data):
-    """What single choices, rules and numbers change."""
+    """The effects of single choices, rules and numbers."""
     lines = []
     keys = ("difference", "difference_lower", "difference_upper")
     question = "Does evolution of prey depend on whether an inactive newborn may be a parent?"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The gallery: a replay that plays, a catch, the page of a run, and the shipped robots. What needs programs is left out without them."""
+"""The gallery: a replay that plays, a catch, the page of a run, and the shipped robots. Parts that need programs are left out without them."""
 
 import pathlib
 import shutil

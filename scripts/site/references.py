@@ -20,7 +20,7 @@ def linked(text: str, keys: set[str]) -> str:
 
 
 def page(root: pathlib.Path) -> str:
-    lines = ["References {#page_references}", "=" * 20, "", "What the code and these pages cite. `references.bib` has it for machines.", ""]
+    lines = ["References {#page_references}", "=" * 20, "", "The sources that the code and these pages cite, from `references.bib`.", ""]
     for key, entry in sorted(entries(root).items()):
         where = entry.get("journal") or entry.get("booktitle") or entry.get("publisher", "")
         address = f"https://doi.org/{entry['doi']}" if "doi" in entry else entry.get("url")

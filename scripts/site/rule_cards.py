@@ -113,7 +113,7 @@ def escaped(text: str) -> str:
 
 
 def first_sentence(card: Card) -> str:
-    """What a policy does, as its doc block begins."""
+    """The first sentence of a policy's doc block."""
     prose = " ".join(line.strip() for line in card.doc if not line.startswith("  "))
     prose = re.sub(r"^.*?\bRules?\b(?:\s*\([^)]*\))?[^:.]*:\s*", "", prose) or prose
     prose = re.sub(r"\s*\((?:Sec\.|released code|ties:)[^)]*\)", "", prose)
@@ -161,7 +161,7 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
     body = re.sub(r"\b(Rules?\b[^:.]*):\s*", r"**\1.** ", body, count=1)
     lines += [body, ""]
     if card.source:
-        lines += [f"**Where it comes from.** {escaped(card.source)}", ""]
+        lines += [f"**Source.** {escaped(card.source)}", ""]
     if card.params:
         lines += ["| number | default | bounds | meaning |", "|---|---|---|---|"]
         lines += [f"| `{field}` | `{default}` | `{bounds}` | {escaped(meaning)} |" for field, default, bounds, meaning in card.params] + [""]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """words.py ROOT [--only PREFIX | --spelling | --self-test]: the sentences that users read are plain English.
 
-Reads Markdown documents, comments of public headers and examples, messages (string literals of several words) and names of tests.
+Reads Markdown documents, comments of headers, sources, examples and scripts, messages (string literals of several words) and names of tests.
 --spelling runs codespell on the tree. --self-test checks each pattern on an example that it must catch and one that it must not, and
 codespell on a planted error. Prints each finding; exit 0 none, 1 some, 77 if codespell is not installed."""
 
@@ -14,13 +14,15 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tokenize
 from collections.abc import Iterator
 
 from documents import all_documents
 
 LONGEST_SENTENCE = 30  # words, in documents
-COMMENTS = ("include", "backends", "examples", "tools/mpi/include", "tools/pictures")  # public headers and examples
+COMMENTS = ("include", "backends", "examples", "src", "tools")
 MESSAGES = ("include", "backends", "examples", "tools")
+SCRIPTS = ("scripts", "tools/python")  # in Python
 TESTS = ("tests", "tools/viewer/tests")
 
 
@@ -141,6 +143,23 @@ def messages(root: pathlib.Path) -> Iterator[Text]:
                 yield Text(path, code[: match.start()].count("\n") + 1, "message", re.sub(r"\\[nt]", " ", joined))
 
 
+def is_python(path: pathlib.Path) -> bool:
+    if path.suffix:
+        return path.suffix == ".py"
+    with path.open("rb") as file:
+        return b"python" in file.readline()
+
+
+def scripts(root: pathlib.Path) -> Iterator[Text]:
+    for path in sorted(path for folder in SCRIPTS for path in (root / folder).rglob("*") if path.is_file() and is_python(path)):
+        with path.open("rb") as file:
+            for token in tokenize.tokenize(file.readline):
+                if token.type == tokenize.COMMENT and not re.search(r"SPDX|#!", token.string):
+                    yield Text(path.relative_to(root), token.start[0], "comment", token.string.lstrip("# "))
+                if token.type == tokenize.STRING and re.search(r"[a-z]+ [a-z]+ [a-z]+", token.string):
+                    yield Text(path.relative_to(root), token.start[0], "message", token.string.strip("rbf\"'").replace("\n", " "))
+
+
 def tests(root: pathlib.Path) -> Iterator[Text]:
     for path, text in sources(root, TESTS, ".cpp", ".hpp", ".mjs"):
         for match in re.finditer(rf"\b(?:TEST_CASE|TEST_CASE_TEMPLATE|TEST_CASE_TEMPLATE_DEFINE|SUBCASE|test)\(\s*({LITERAL}(?:\s*{LITERAL})*)", text):
@@ -202,7 +221,7 @@ def main() -> int:
         offences = spelling(chosen.root.resolve())
     else:
         root = chosen.root.resolve()
-        texts = [text for read in (documents, comments, messages, tests) for text in read(root)]
+        texts = [text for read in (documents, comments, messages, scripts, tests) for text in read(root)]
         kinds = {text.kind for text in texts}
         offences = [found for text in texts if str(text.path).startswith(chosen.only) for found in findings(text)]
         offences += [f"no {kind} was read" for kind in ("document", "comment", "message", "test") if kind not in kinds]

@@ -93,7 +93,7 @@ class Disk:
             self.name_on_disk(self.find(parts[:count]), {part: self.find(parts[: count + 1])})
 
     def name_on_disk(self, folder, names):
-        """Adds names to those on the disk. What was renamed has one name at any time, as a rename is whole or not there."""
+        """Adds names to those on the disk. A renamed file has one name at any time, because a rename is complete or absent."""
         for each in filter(None, self.kept_entries):
             for name in [name for name, one in each.items() if one in names.values()]:
                 del each[name]

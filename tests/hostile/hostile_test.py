@@ -41,7 +41,7 @@ class Hostile(InFolder):
         return done
 
     def refused(self, code, *words):
-        """What is said in one line on standard error."""
+        """The one line on standard error."""
         done = self.call(*words)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         said = [line for line in done.stderr.splitlines() if not line.startswith("everything written so far is in")]

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check_cases.py COMPILE_COMMANDS.json --family g++|clang++ CASE.cpp...: this compiler gives exactly one error for each case, and says
-what the case expects. With --valid instead, all cases compile with -DVALID, so that the mistake is what stops them. The cases are compiled
-in one go, each in a namespace of its own; by itself one whose mistake the includes of others would mend, which has a line "// alone".
+"""check_cases.py COMPILE_COMMANDS.json --family g++|clang++ CASE.cpp...: this compiler prints exactly one error for each case, with the
+sentence that the case expects. With --valid instead, all cases compile with -DVALID, so that only the mistake stops them. The cases are compiled
+together, each in its own namespace. A case with a line "// alone" is compiled alone, because the includes of others would fix its mistake.
 Exit code 77: this compiler is not installed."""
 
 import argparse
@@ -29,7 +29,7 @@ def family_of(compiler: str) -> str:
 
 
 def includes(case: pathlib.Path, valid: bool) -> list[str]:
-    """What a case includes; what stands between #ifdef VALID and #endif only where it is valid."""
+    """The includes of a case; those between #ifdef VALID and #endif only if it is valid."""
     found, only_valid = [], False
     for line in case.read_text().splitlines():
         only_valid = line.startswith("#ifdef VALID") or (only_valid and not line.startswith(("#endif", "#else")))
@@ -75,7 +75,7 @@ def errors_by_case(output: str, family: str, names: list[str]) -> dict[str, list
 
 
 def complaints(cases: list[pathlib.Path], errors: dict[str, list[str]]) -> list[str]:
-    """What is not one error with the expected sentence."""
+    """Cases without exactly one error with the expected sentence."""
     found = [f"an error names no case:\n{error}" for error in errors.get("", [])]
     for case in cases:
         expected = [line.split("// expect: ", 1)[1].strip() for line in case.read_text().splitlines() if line.startswith("// expect: ")]

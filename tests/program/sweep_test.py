@@ -204,7 +204,7 @@ class Ways(Sweeps):
         self.assert_same()
 
     def array_task(self, index, **variables):
-        """What slurm.sh makes of an array task of Slurm: its command's words, or its refusal."""
+        """The command of slurm.sh for an array task of Slurm, or its error."""
         program = self.folder / "words"
         program.write_text('#!/bin/sh\necho "$@"\n')
         program.chmod(0o755)

@@ -86,7 +86,7 @@ class Completion(InFolder):
 
 @unittest.skipUnless(shutil.which("zsh"), "no zsh")
 class ZshCompletion(InFolder):
-    """What zsh prints when Tab is pressed twice, in a terminal of its own."""
+    """The text that zsh prints when Tab is pressed twice, in its own terminal."""
 
     def offered(self, program, typed):
         (self.folder / "script").write_text(subprocess.run([program, "--completion", "zsh"], capture_output=True, text=True, check=True).stdout)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """headers_compile_alone.py COMPILE_COMMANDS.json SOURCE HEADERS.txt: the compiler takes each header that HEADERS.txt names, one a
-line, with nothing before it, by the flags of SOURCE. All are tried; those that fail are told."""
+line, with nothing before it, by the flags of SOURCE. All are tried; those that fail are printed."""
 
 import concurrent.futures
 import os

@@ -10,7 +10,7 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1])
 CORE = ROOT / "include"
-PARTS = ("backends", "tools")  # what stands beside the core
+PARTS = ("backends", "tools")  # everything outside the core
 SKIPPED = 77
 
 
@@ -98,7 +98,7 @@ def references() -> dict[str, str]:
 
 def sources_cited():
     """Every policy's `source`, and every citation of code and documents, names a section and equation of the paper or a key of
-    references.bib; an entry has a DOI, an address or says that it has none, and somebody cites it."""
+    references.bib; an entry has a DOI, an address or says that it has none, and is cited."""
     entries = references()
     offences = [f"docs/references.bib: {key} needs a doi or a url" for key, text in entries.items() if not re.search(r"doi = |url = |no DOI", text)]
     paper = entries["kachler2023"]
@@ -161,13 +161,13 @@ def analysis_rooms():
 
 
 def nothing_unfinished():
-    """What is in the tree is done."""
+    """Files contain no unfinished work."""
     files = sources("include", *PARTS, "examples", "tests", "models", suffixes=(".hpp", ".ipp", ".cpp", ".md", ".toml", ".txt"))
     return lines_with(r"\b(TODO|FIXME|XXX)\b", files)
 
 
 def short_top_level():
-    """Who looks at the repository first sees at most 18 entries."""
+    """The top level has at most 18 entries."""
     entries = sorted(path.name for path in ROOT.iterdir() if not path.name.startswith((".", "build")) and path.name != "runs")
     return [f"{len(entries)} entries at the top level, must be <= 18: {' '.join(entries)}"] if len(entries) > 18 else []
 

@@ -40,7 +40,7 @@ REASONS = {
     "TROPHIC_CHECK_STATE_HOOK": TEXT,
     "TROPHIC_CHECK_HOOK": TEXT,
     "TROPHIC_NO_SLOT": TEXT,
-    "TROPHIC_SENTENCE_*": "a contract's sentence beside its concept, joined with other literals in a static_assert",
+    "TROPHIC_SENTENCE_*": "a contract's sentence next to its concept, joined with other literals in a static_assert",
     "TROPHIC_HEADER_ONLY": "decides which files are included",
     "TROPHIC_INLINE": "a specifier that is there or not, for definitions that are included or compiled",
     "TROPHIC_LANES_INLINE": "an attribute and a specifier in one, for every function of the kernel",

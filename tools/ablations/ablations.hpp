@@ -86,7 +86,7 @@ template <class Base, class Other>
   if (chosen == backends.end()) {
     throw std::invalid_argument{about_missing_backend(options.backend, backend_names<LinkedBackends>())};
   }
-  // Hundreds of runs that nobody watches are not recorded.
+  // There are hundreds of runs, which are not watched, so they are not recorded.
   const Study study{.plan = {.out = options.out,
                              .master_seed = options.seed,
                              .count = options.replicates.value_or(is_kinematic ? 30 : 10),

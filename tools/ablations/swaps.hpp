@@ -94,7 +94,7 @@ template <class Base, class Other>
   return of_engine ? std::string{name} + ": skipped, it acts through joints and this backend has none" : "";
 }
 
-/// What all swaps have in common. `plan.out` is the folder of a direction.
+/// The settings that all swaps share. `plan.out` is the folder of a direction.
 struct Study {
   replicates::Plan plan;
   BackendChoice backend;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a CPPN's node makes of its weighted sum.
+// Activation functions: the output of a CPPN's node for its weighted sum.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of a pre-experiment, and how to go on from them.
+// The files of a pre-experiment, and how to resume from them.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@
 
 namespace trophic::gait_evolution {
 
-/// What a pre-experiment is made of but its numbers: table, policies, seed, engine, versions.
+/// The parts of a pre-experiment in addition to its numbers: table, policies, seed, engine, versions.
 template <class Table, JointDriven B>
 [[nodiscard]] NamedParams provenance(const PreExperiment<Table, B>& experiment) {
   const auto text = [](std::string_view value) { return std::string{value}; };
@@ -90,7 +90,7 @@ void save(const PreExperiment<Table, B>& experiment, const std::filesystem::path
   if (has_champion(experiment)) replace_file(folder / "gait.toml", champion_file(experiment));
 }
 
-/// Goes on from the checkpoint in a folder. Throws std::runtime_error for a file that is missing or broken and
+/// Resumes from the checkpoint in a folder. Throws std::runtime_error for a file that is missing or broken and
 /// std::invalid_argument for the checkpoint of another pre-experiment.
 template <class Table, JointDriven B>
 void resume(PreExperiment<Table, B>& experiment, const std::filesystem::path& folder) {

@@ -79,7 +79,7 @@ Lineage read_lineage(const trophic::detail::TomlTable& file, std::string_view fi
     }
   }
   file.no_other_keys();
-  // At least one is born in each generation, and somebody survives it.
+  // At least one individual is born in each generation, and at least one survives it.
   bool is_whole = lineage.generations <= lineage.individuals.size();
   for (std::size_t generation = 0; is_whole && generation < lineage.generations; ++generation) {
     is_whole = std::ranges::any_of(lineage.individuals, [&](const Individual& one) { return one.survived(generation); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What makes a gait good.
+// Fitness functions of gaits.
 #pragma once
 
 #include <array>

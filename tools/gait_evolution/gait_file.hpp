@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A gait file that tells what its gait was evolved from and how.
+// A gait file that records how its gait was evolved, and from what.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which number a new link or node gets, so that the same innovation has the same number in every genome of a run.
+// Numbers of new links and nodes: the same innovation has the same number in every genome of a run.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everybody who ever lived in a pre-experiment.
+// All individuals that ever lived in a pre-experiment.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@
 namespace trophic::gait_evolution {
 
 /// Evolves a robot's gait in advance (Sec. "Targeted Steering"). Founders first; then, each generation: parents are selected
-/// among the living and, where they are no couples, shuffled; child i has parents 2i and 2i + 1 counted round that list, is their
+/// among the living and, unless they are couples, shuffled; child i has parents 2i and 2i + 1 counted round that list, is their
 /// crossover with crossover_probability, else a copy of the first, then mutates; all children are tried out; the survivors are
 /// selected among the living and the children. Every evaluation has a backend with one robot of its own, so that results are the
 /// same for any number of threads. Random streams: gait_founder by id, gait_selection by generation, gait_variation by child's
@@ -55,7 +55,7 @@ class PreExperiment {
     static_cast<void>(parents.select(std::vector<double>(plan.population), plan.parents, rng));
   }
 
-  /// Goes on from a stored state of the same pre-experiment.
+  /// Resumes from a stored state of the same pre-experiment.
   void restore(Lineage lineage) { lineage_ = std::move(lineage); }
 
   [[nodiscard]] const Params<Table, B>& params() const { return params_; }

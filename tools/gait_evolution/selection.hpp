@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who becomes a parent, and who survives.
+// Selection of parents and of survivors.
 #pragma once
 
 #include <concepts>
@@ -35,7 +35,7 @@ void check_count(std::string_view policy, std::size_t count, std::size_t individ
 /// Rule: every individual meets `opponents` others drawn without repetition, or with 0 (the literal
 /// round robin; the paper gives no number) each other one; it wins a meeting where its fitness is higher. Those with the most
 /// wins are selected, each once, in this order; equal wins are ordered by fitness, then by age, older first.
-/// Random draws: none where everybody is met, else size - 2 shuffling draws an individual.
+/// Random draws: none if all are met, else size - 2 shuffling draws an individual.
 struct RoundRobin {
   static constexpr std::string_view name = "round_robin";
 
@@ -62,7 +62,7 @@ namespace detail {
 }  // namespace detail
 
 /// Tournament. Rule: the fittest of `size` individuals drawn with repetition is selected, the first drawn among equals; again
-/// until there are enough. Whoever was selected is out of the next tournaments.   Random draws: size a tournament.
+/// until there are enough. A selected individual is out of the next tournaments.   Random draws: size a tournament.
 struct Tournament {
   static constexpr std::string_view name = "tournament";
 
@@ -79,7 +79,7 @@ struct Tournament {
 static_assert(Selection<Tournament>);
 
 /// Couples by tournaments, as in the released code. Rule: both parents of a child are the winners of tournaments among all; the
-/// second tournament is held again while its winner is the first parent. Nobody is barred from several couples.
+/// second tournament is held again while its winner is the first parent. An individual may be in several couples.
 /// Random draws: size a tournament; at least two tournaments a couple.
 struct TournamentCouples {
   static constexpr std::string_view name = "tournament_couples";

@@ -33,7 +33,7 @@ struct Plan {
   }
 };
 
-/// What a table states in addition to its policies, by designated initialisers; a policy's own numbers where it states none.
+/// Numbers of a table, by designated initialisers; a policy's own numbers if it states none.
 template <class Table>
 struct TableParams {
   std::string robot = "spider";

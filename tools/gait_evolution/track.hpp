@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a robot went in a trial, and what can be measured on it.
+// The path of a robot in a trial, and its measures.
 #pragma once
 
 #include <array>

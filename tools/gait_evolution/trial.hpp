@@ -22,7 +22,7 @@
 
 namespace trophic::gait_evolution {
 
-/// Which axis of the robot points along the negative x-axis when a trial starts.
+/// Axis of the robot that points along the negative x-axis when a trial starts.
 enum class Facing {
   forward_axis,  ///< so that displacement along -x is walking forward, as perception and steering understand it
   core_x         ///< the core's own x-axis

@@ -11,7 +11,7 @@
 
 namespace trophic::command {
 
-/// What such a page shows.
+/// Content of the page.
 struct AnalysisPage {
   struct Figure {
     std::string name;

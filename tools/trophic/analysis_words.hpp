@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a set of runs says, for an analysis page: the question, the findings, rows of the table, rules, commands.
+// Sentences of an analysis page about a set of runs: question, findings, rows of the table, rules, commands.
 #pragma once
 
 #include <filesystem>

@@ -66,7 +66,7 @@ struct Options {
 inline constexpr std::uint64_t default_replays = 2;
 inline constexpr std::uint64_t most_replays = 20;
 
-/// Where tables go: where --out says, else into "analysis" or the next free one, unless a page is all that is asked for.
+/// The folder for tables: --out, else "analysis" or the next free one; null if only a page is asked for.
 [[nodiscard]] std::unique_ptr<ResultFolder> make_out(const Options& options) {
   if (!options.out && !options.html.empty()) return nullptr;
   return std::make_unique<ResultFolder>(options.out);
@@ -132,7 +132,7 @@ void write_page(const Options& options, std::span<const analysis::ShadowedSet> s
             << megabytes_text(html.size()) << "\n";
 }
 
-/// What was measured, for people and for papers.
+/// Results for the screen, for tables and for the page.
 struct Results {
   std::vector<analysis::SummarizedSet> sets;
   std::vector<analysis::SetDifference> differences = {};  ///< of two sets that are compared
@@ -186,8 +186,8 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
   return how;
 }
 
-/// What can be known of runs without measuring them: that they may be pooled, that metrics exist, that each run has the columns
-/// that are asked for. Returns how many runs there are.
+/// Checks, before anything is measured, that runs may be pooled, that metrics exist, and that each run has the wanted columns.
+/// Returns the number of runs.
 [[nodiscard]] std::size_t check_runs(std::span<const std::filesystem::path> paths, const std::optional<std::string>& shadow,
                                      const Options& options, const analysis::Measuring& how) {
   std::vector<analysis::PooledRuns> all{analysis::pooled_runs(paths, how.until_s.has_value(), how.any_build)};
@@ -270,7 +270,7 @@ void compare(const Options& options) {
   finish(options, out.get(), sets, results);
 }
 
-/// What can be known before anything is measured.
+/// Checks the options of the page before anything is measured.
 void check_page(const Options& options) {
   if (options.html.empty() && (!options.figures.empty() || options.replays)) {
     throw std::invalid_argument{"--figures and --replays: need --html"};

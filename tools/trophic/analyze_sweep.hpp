@@ -14,7 +14,7 @@
 
 namespace trophic::command::detail::analyze {
 
-/// What `trophic analyze` is asked of a sweep alone.
+/// Options of `trophic analyze` that only a sweep has.
 struct SweepOptions {
   std::optional<std::uint64_t> reference;
   std::optional<double> difference;
@@ -41,7 +41,7 @@ class ResultFolder {
   bool is_kept_ = false;
 };
 
-/// What is measured of `runs` runs, with a line on a terminal that says how many are done.
+/// Adds a progress line on a terminal: how many of `runs` runs are measured.
 [[nodiscard]] analysis::Measuring with_progress(const analysis::Measuring& how, std::size_t runs);
 
 void write_json(const std::filesystem::path& path, const Json& json);

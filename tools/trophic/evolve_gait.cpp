@@ -32,7 +32,7 @@ namespace trophic::command {
 
 namespace detail::evolve_gait {
 
-/// Everything that the command line says. What it leaves out comes from the configuration file, then from the table.
+/// Options of the command line. Missing ones come from the configuration file, then from the table.
 struct Options {
   std::optional<std::string> table;
   std::optional<std::string> fitness;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/command/option.hpp>
-// Who links trophic::film has this definition.
+// Defined in programs that link trophic::film.
 #ifdef TROPHIC_WITH_FILM
 #include <iostream>
 #include <tools/trophic/replay/film_run.hpp>
@@ -20,7 +20,7 @@ namespace trophic::command {
 
 namespace detail::film {
 
-/// What the command line says.
+/// Options of the command line.
 struct Options {
   std::string run;
   std::string robot;

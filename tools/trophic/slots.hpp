@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each slot of a rule table decides, in an ecologist's words.
+// The question that each slot of a rule table answers, in an ecologist's words.
 #pragma once
 
 #include <array>

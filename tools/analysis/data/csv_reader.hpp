@@ -79,7 +79,7 @@ class CsvReader {
     return text(column) == none ? std::nullopt : std::optional{get<T>(column)};
   }
 
-  /// Where among the columns asked for a name stands; it must be one of them.
+  /// The position of a name among the wanted columns; it must be one of them.
   [[nodiscard]] std::size_t place_of(std::string_view column) const;
   [[noreturn]] void reject(std::size_t column, std::string_view must) const;
   /// An error about a line of this file, for the caller to throw.

@@ -19,7 +19,7 @@ namespace trophic::analysis {
 
 namespace {
 
-/// Where the weights of a genome are to go.
+/// The place for the weights of a genome.
 struct Wanted {
   std::size_t epoch;
   std::size_t place;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which runs belong together: one experiment, several seeds.
+// Runs that belong together: one experiment, several seeds.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct PooledRuns {
 };
 
 /// The folders of the runs that a path stands for: the path itself, or the replicates that its replicates.json lists. A listed
-/// one that is not there goes to `remarks`. Throws std::invalid_argument for a path that is no folder or a broken list.
+/// folder that is missing gets a remark. Throws std::invalid_argument for a path that is not a folder or a broken list.
 [[nodiscard]] std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path,
                                                              std::vector<std::string>& remarks);
 

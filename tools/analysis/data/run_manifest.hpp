@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run's manifest says.
+// The manifest of a run, as metrics need it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace trophic::analysis {
 
-/// What a run's manifest says that metrics need.
+/// The entries of a run's manifest that metrics need.
 struct RunManifest {
   std::filesystem::path folder;
   std::string fingerprint;
@@ -52,7 +52,7 @@ struct RunManifest {
 /// The first value in which two objects differ, as "KEY = THAT OF b: must be THAT OF a", a's keys first; empty where none does.
 [[nodiscard]] std::string first_difference(const Json& a, const Json& b);
 
-/// What the text of a manifest says; `path` is what errors call it. Throws std::runtime_error naming file and field.
+/// Reads the text of a manifest; errors name it `path`. Throws std::runtime_error naming file and field.
 [[nodiscard]] RunManifest manifest_of(std::string_view text, const std::filesystem::path& path);
 
 /// Reads FOLDER/manifest.json. Errors as manifest_of.

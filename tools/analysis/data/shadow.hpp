@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A neutral shadow: the same ecology in which nothing is inherited. Where it lies, and whether it is one.
+// The neutral shadow, the same ecology in which nothing is inherited: finds its folder and checks that it is one.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace trophic::analysis {
 inline constexpr std::string_view shadow_slot = "heredity";
 inline constexpr std::string_view shadow_policy = "nothing_inherited";
 
-/// Where --shadow put the shadows of these runs: PATH/shadow, where there is such a folder.
+/// The folders PATH/shadow that exist, into which --shadow put the shadows of these runs.
 [[nodiscard]] std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesystem::path> paths);
 
 /// Throws std::invalid_argument, naming both runs and what differs, unless `shadow` is a run of the same rules, numbers, engine

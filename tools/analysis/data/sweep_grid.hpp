@@ -26,7 +26,7 @@ struct GridCell {
   std::vector<GridReplicate> replicates;  ///< by their numbers
 };
 
-/// What varies between cells.
+/// A setting that varies between cells.
 struct Axis {
   std::string name;                 ///< a setting's path, rule_table or engine
   std::vector<std::string> values;  ///< one a cell, in their order; empty where a cell does not have the setting

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which runs of a sweep there are, held against its plan before anything is measured.
+// The runs of a sweep, compared with its plan before any is measured.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct SweepRuns {
 /// program made unless `any_build`, and if no run is there. Runs that are missing or incomplete go to `missing`.
 [[nodiscard]] SweepRuns read_sweep(const std::filesystem::path& folder, bool any_build = false);
 
-/// What is missing in one line; of many the first few.
+/// The missing runs in one line; of many the first few.
 [[nodiscard]] std::string missing_line(const SweepRuns& sweep);
 
 }  // namespace trophic::analysis

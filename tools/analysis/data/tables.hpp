@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was observed, as tables in memory: one row per event, one row per robot and tick.
+// The tables of a run in memory: one row per event, one row per robot and tick.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ enum class Group { all, random, inherited, active, inherited_active };
 class Moment {
  public:
   explicit Moment(Agents rows);
-  /// None if nobody of that number is alive.
+  /// Null if no individual of that number is alive.
   [[nodiscard]] const AgentRow* find(IndividualId id) const;
   /// None if no row of this tick has that body.
   [[nodiscard]] const AgentRow* find_body(BodyIndex body) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who meets whom in contests across generations, and where: drawn anew for each replicate.
+// The opponents in contests across generations and their places, drawn anew for each replicate.
 #pragma once
 
 #include <cstddef>

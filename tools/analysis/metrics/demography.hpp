@@ -16,7 +16,7 @@ namespace trophic::analysis {
 [[nodiscard]] WindowMean ticks_at(Agents agents, Species species, std::size_t members, double window_s = 200.0);
 
 /// Ticks since birth or last catch, averaged over the members of a species; ticks without a member are left out. Empty for a
-/// species that hunts nobody.
+/// species without prey.
 [[nodiscard]] WindowMean hunger(Agents agents, Species species, double window_s = 200.0);
 
 /// Deaths of members of a species, of one cause or of any.

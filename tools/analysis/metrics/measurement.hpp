@@ -13,7 +13,7 @@
 
 namespace trophic::analysis {
 
-/// What a measurement means.
+/// The meaning of a measurement.
 struct MetricName {
   std::string metric;
   std::string species;  ///< "prey"; of a metric of two: "prey+predator"
@@ -54,7 +54,7 @@ struct RunMetrics {
   std::vector<Curve> curves;
 };
 
-/// What runs have as a metric's value; runs without one are left out.
+/// The values of a metric; runs without one are left out.
 [[nodiscard]] std::vector<double> values_of(std::span<const RunMetrics> runs, const MetricName& name);
 
 }  // namespace trophic::analysis

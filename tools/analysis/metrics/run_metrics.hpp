@@ -13,8 +13,8 @@ namespace trophic::analysis {
 /// time.
 inline constexpr std::size_t crowd_at_floor = 8;
 
-/// What runs do not say of which agents.csv has only the ticks that are multiples of `every`: half a sentence, or nothing. All
-/// other metrics are means over ticks or come from events.
+/// Half a sentence about the metrics that a run loses if agents.csv has only the ticks that are multiples of `every`; empty if it
+/// loses none. All other metrics are means over ticks or come from events.
 [[nodiscard]] std::string lost_to_thinning(std::int64_t every);
 
 /// All metrics of a run, for any number of species, in an order that depends only on the food web. A metric whose table is

@@ -24,7 +24,7 @@ struct RunSet {
   std::vector<std::string> remarks;
 };
 
-/// What is measured of runs, and how.
+/// How runs are measured.
 struct Measuring {
   std::optional<double> until_s = {};   ///< only the first seconds
   bool any_build = false;               ///< runs of several builds of a program may be pooled

@@ -50,7 +50,7 @@ void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<
   }
   check_own_metrics(how.metrics, taken);
   for (const OwnMetric& metric : how.metrics) taken.push_back(metric.name);
-  // Which species and groups a metric of the user has is known when it is measured.
+  // The species and groups of a user's metric are known once it is measured.
   const std::span<const std::string> own = std::span{taken}.subspan(shipped);
   std::vector<std::string> others;
   for (const std::string& choice : choices) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was measured in each run of a sweep: numbers alone, so that ten thousand runs fit the memory.
+// The measured values of each run of a sweep: numbers alone, so that ten thousand runs fit into memory.
 #pragma once
 
 #include <cstddef>

@@ -19,8 +19,8 @@ namespace trophic::analysis {
 [[nodiscard]] double uniform_pair_symmetry(Rng& rng, std::size_t pairs = 100'000);
 
 /// E|mean tag of `a` robots + mean tag of `b` robots| if `plus` tags of +1 and the others of -1 are dealt out among all of them:
-/// exact, by the hypergeometric distribution. It keeps whatever everybody has in common, such as a bias to one tag. a and b must
-/// be > 0.
+/// exact, by the hypergeometric distribution. It keeps what all robots have in common, such as a bias to one tag. a and b must be
+/// > 0.
 [[nodiscard]] double permuted_symmetry(std::size_t a, std::size_t b, std::size_t plus);
 
 /// Tag symmetry of two species over a run, and what the same ticks would give with tags that say nothing about the species.

@@ -11,7 +11,7 @@ namespace trophic::analysis {
 
 /// One robot over one stretch of time: (dist(P1, A1) - dist(P2, A1)) / duration with P1, P2 its own position at the start and the
 /// end and A1 its adversary's at the start; positive towards the adversary (Eq. 6 of Sec. "Metrics for system dynamics"). A walk
-/// past something close ends farther away on average, so zero is no null: the neutral shadow is.
+/// past something close ends farther away on average, so the null is the neutral shadow, not zero.
 struct VelocitySample {
   double time_s = 0.0;  ///< start
   double end_s = 0.0;
@@ -25,13 +25,14 @@ struct VelocitySample {
 inline constexpr std::int64_t velocity_ticks = 6;
 
 /// Every stretch of `ticks` ticks of every robot that has an adversary at its start, one starting
-/// at each tick. The adversary may die meanwhile: only its position at the start counts. A robot that is reborn meanwhile is
-/// somebody else: no sample; nor are there any in the last `ticks` ticks.
+/// at each tick. The adversary may die meanwhile: only its position at the start counts. If the robot dies meanwhile, there is no
+/// sample; nor are there any in the last `ticks` ticks.
 [[nodiscard]] std::vector<VelocitySample> velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks);
 
-/// As velocity_samples, with the adversary that the authors' log stores: of each body the body that it last perceived as closest,
-/// kept while it sees nobody and across births. Bodies that have never perceived anybody give no sample. The published velocities
-/// come from such a log. Needs the rows of every tick: between two that are farther apart somebody else may have been perceived.
+/// As velocity_samples, with the adversary that the authors' log stores: for each body the body that it last perceived as
+/// closest, kept across births and while it perceives none. Bodies that have never perceived another give no sample. The
+/// published velocities come from such a log. Needs the rows of every tick, because another body may be perceived at a tick left
+/// out.
 [[nodiscard]] std::vector<VelocitySample> stored_velocity_samples(Agents agents, std::int64_t ticks = velocity_ticks);
 
 /// Samples of the stretches that end at a mark: at the first tick of `agents` at or after `every_s`, 2 `every_s`, ..., and at

@@ -15,7 +15,7 @@ inline constexpr double wall_reach_m = 1.0;
 [[nodiscard]] WindowMean wall_sticking(Agents agents, Species species, Group group, double half_side_m,
                                        double reach_m = wall_reach_m, double window_s = 200.0);
 
-/// What robots spread evenly over the floor would give.
+/// The share of robots spread evenly over the floor.
 [[nodiscard]] double wall_share_of_floor(double half_side_m, double reach_m = wall_reach_m);
 
 }  // namespace trophic::analysis

@@ -61,10 +61,10 @@ struct ComparedValues {
 /// cell - reference by pairs, or by Welch, and the scatter of it.
 [[nodiscard]] std::pair<std::optional<Contrast>, std::optional<Scatter>> compared(const ComparedValues& values, bool paired);
 
-/// What can be said before the number of comparisons is known, and the contrast that says it.
+/// The difference before the correction for the number of comparisons, and its contrast.
 [[nodiscard]] std::pair<CellDifference, std::optional<Contrast>> compare_values(const ComparedValues& values, bool paired);
 
-/// Where nothing varies and nothing differs, or there is but one run, there is nothing to compare.
+/// False if nothing varies and nothing differs, or if there is only one run.
 [[nodiscard]] bool is_comparison(const CellDifference& d);
 
 /// Holm's correction over all comparisons. One of fewer runs than a test needs has no p value, but counts: more runs would

@@ -34,7 +34,7 @@ std::vector<std::string> line_of(const ReadingConclusion& each) {
           conclusion};
 }
 
-/// What the published system was, and how this set differs from it.
+/// The published system, and how this set differs from it.
 std::string what_was_published(const RunSet& set) {
   const RunManifest& manifest = set.manifests.front();
   const std::string published =

@@ -16,7 +16,7 @@
 
 namespace trophic::analysis {
 
-/// Whose opponents a contest has: those of the own run, or of another replicate, which they never met.
+/// Origin of the opponents in a contest: the same run, or another replicate, which they never met.
 enum class Against { own, others };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Against) {
   return {"own", "others"};

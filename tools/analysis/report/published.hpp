@@ -15,13 +15,13 @@ namespace trophic::analysis {
 inline constexpr double published_duration_s = 6000.0;
 inline constexpr std::size_t published_runs = 10;
 
-/// Where a published number stands: in the paper's text, or counted in the logs that its authors released.
+/// Source of a published number: the paper's text, or a count in the logs that its authors released.
 enum class Source { text, logs };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Source) {
   return {"text", "logs"};
 }
 
-/// Where a standard deviation between runs comes from. `another_reading`: measured in our runs for another reading of the same
+/// Source of a standard deviation between runs. `another_reading`: measured in our runs for another reading of the same
 /// figure.
 enum class SpreadOrigin { authors_logs, published_range, our_runs, another_reading };
 [[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(SpreadOrigin) {

@@ -27,7 +27,7 @@ void put(Json& object, const Difference& difference);
 
 void put_test(Json& object, const Difference& difference);
 
-/// Which metric has the same values in every run, as METRIC:SPECIES:GROUP, or null.
+/// Adds the metric that has the same values in every run, as METRIC:SPECIES:GROUP, or null.
 void put_same(Json& object, const std::optional<MetricName>& same_as);
 
 [[nodiscard]] Json runs_json(const RunSet& set);

@@ -22,7 +22,7 @@ struct SwapEffect {
   Difference difference;
 };
 
-/// Whether a metric moves with the composition of the population alone, so that only a shadow tells what inheritance does.
+/// Whether a metric moves with the composition of the population alone, so that only a shadow isolates the effect of inheritance.
 [[nodiscard]] bool needs_shadow(const MetricName& name);
 
 /// One effect a metric: over the shadows where the metric needs it and both sets have one, else raw. The p values are not yet

@@ -10,8 +10,8 @@
 
 namespace trophic::analysis {
 
-/// What the tables do not say: the grid, what is missing, how comparisons were corrected, what is decided, and what was asked.
-/// null is what could not be computed.
+/// Results that no table has: the grid, missing runs, the correction of comparisons, significant differences, and the answer to
+/// --difference. A value that could not be computed is null.
 [[nodiscard]] Json sweep_json(const SweepRuns& sweep, const CellDifferences& differences, std::size_t reference,
                               std::span<const RunsForDifference> answers);
 

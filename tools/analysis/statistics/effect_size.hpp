@@ -7,8 +7,8 @@
 
 namespace trophic::analysis {
 
-/// What the standardised difference of two samples is multiplied by so that it is right on average [hedges1981]; about
-/// 1 - 3 / (4 freedom - 1). `freedom` > 1: of the spread that it is divided by.
+/// Factor by which the standardised difference of two samples is unbiased [hedges1981]; about 1 - 3 / (4 freedom - 1).
+/// `freedom` > 1: degrees of freedom of the standard deviation that divides it.
 [[nodiscard]] double hedges_correction(double freedom);
 
 /// Hedges' g [hedges1981]: mean(b) - mean(a) over the pooled spread between runs of both sets, corrected for the number of runs.

@@ -11,8 +11,8 @@
 
 namespace trophic::analysis {
 
-/// Where the interval of a difference lies: all of it on one side of zero, or not. `unknown`: too few runs for an interval. Not
-/// distinguishable is no finding of absence.
+/// Position of the interval of a difference: all of it on one side of zero, or not. `unknown`: too few runs for an interval.
+/// `not_significant` does not show that there is no difference.
 enum class TestResult { unknown, below, not_significant, above };
 [[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(TestResult) {
   return {"not tested", "below", "not significant", "above"};

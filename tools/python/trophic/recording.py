@@ -22,10 +22,10 @@ class RecordingError(ValueError):
 
 @dataclasses.dataclass
 class Recording:
-    """Where every robot was. F frames, R robots, J joints (0 on a backend without joints)."""
+    """The poses of all robots. F frames, R robots, J joints (0 on a backend without joints)."""
 
     head: dict
-    """What the recording says of itself: robot, arena, species, fingerprint, seed, ..."""
+    """Description of the recording: robot, arena, species, fingerprint, seed, ..."""
     time_s: numpy.ndarray
     """(F,): the ecology's clock, seconds."""
     position_m: numpy.ndarray

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was compared, as lines of one CSV and as text for the terminal.
+// The report of a cross-check: lines of one CSV, and text for the terminal.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace trophic::command::cross_check {
 
-/// What a line of cross_check.csv is about. Gaits have settings, timestep and target angle; metrics have species and group.
+/// Subject of a line of cross_check.csv. Gaits have settings, timestep and target angle; metrics have species and group.
 struct Subject {
   std::string_view part;  ///< gait or ecology
   std::string engine;

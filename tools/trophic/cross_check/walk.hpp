@@ -28,8 +28,8 @@ struct Condition {
   double target_angle_rad = 0.0;
 };
 
-/// What one robot did. Speed: path between samples 2 s apart, over time. Power: sum over hinges of |torque x velocity|, mean over
-/// time. Torque: mean over hinges and time of |torque|, by the servo's own formula.
+/// Measures of one walking robot. Speed: path between samples 2 s apart, over time. Power: sum over hinges of |torque x
+/// velocity|, mean over time. Torque: mean over hinges and time of |torque|, by the servo's own formula.
 struct Walk {
   double speed_m_s = 0.0;
   double turn_rate_rad_s = 0.0;

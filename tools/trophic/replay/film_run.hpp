@@ -13,7 +13,7 @@
 
 namespace trophic::command::replay {
 
-/// What is to be drawn.
+/// Stretch, robots and look of a film.
 struct FilmPlan {
   std::filesystem::path folder;
   std::filesystem::path out;
@@ -34,8 +34,8 @@ struct FilmPlan {
 /// "1280x720" as two numbers from 1 to `most`. Throws std::invalid_argument naming the option.
 [[nodiscard]] std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::string_view text, std::size_t most);
 
-/// Draws what the plan says into its file and tells of it. Throws std::invalid_argument for what is wrong with the plan or the
-/// run, std::runtime_error for what goes wrong later.
+/// Draws the film of a plan into its file and prints a line about it. Throws std::invalid_argument for errors in the plan or the
+/// run, std::runtime_error for later ones.
 [[nodiscard]] int film_run(const FilmPlan& plan);
 
 }  // namespace trophic::command::replay

@@ -37,7 +37,7 @@ std::size_t GltfFile::add_shape(std::size_t parent, std::size_t mesh, const Eige
 
 std::size_t GltfFile::add_material(std::string name, const Colour& colour) {
   Json rgba = Json::array();
-  for (const float part : colour) {  // the format wants linear light, screens are told otherwise
+  for (const float part : colour) {  // the format has linear light, colours of screens are not linear
     rgba.push_back(part <= 0.04045F ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
   }
   rgba.push_back(1.0);

@@ -30,7 +30,7 @@ class GltfFile {
   /// A node that shows a mesh.
   std::size_t add_shape(std::size_t parent, std::size_t mesh, const Eigen::Vector3d& at_m, const Eigen::Quaterniond& turn,
                         const Eigen::Vector3d& scale);
-  /// What else is known of a node.
+  /// Further data of a node.
   void describe(std::size_t node, Json what) { nodes_[node]["extras"] = std::move(what); }
   void describe(Json what) { extras_ = std::move(what); }
 

@@ -104,7 +104,7 @@ void GltfScene::add_occupants(std::size_t body, std::optional<IndividualId> only
     const io::AgentRow row = row_at(from, body);
     std::size_t next = from + 1;
     while (next <= last_ && row_at(next, body).id == row.id) ++next;
-    // The frame of a death is the last one of the dead and the first one of the heir.
+    // The frame of a death is the last one of the dead and the first one of its successor in the body.
     if (!only || row.id == *only) add_individual(body, row, from, next);
     from = next;
   }

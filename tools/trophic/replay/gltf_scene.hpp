@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stretch of a recorded run as a glTF scene: who lived in it, where everybody and each of its joints was.
+// A stretch of a recorded run as a glTF scene: all individuals, with the motion of their bodies and joints.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ namespace trophic::command::replay {
 
 /// An individual is a node of its own, "robot 17", with a node for each link and box below it; before its birth and after its
 /// death its scale is 0. One animation, "run", begins with the first frame at or before the stretch; a second of it is a second
-/// of the ecology's clock. Species tell by colour; who is not active yet has its species' colour too.
+/// of the ecology's clock. Each species has a colour; inactive individuals have it too.
 class GltfScene {
  public:
   /// More bytes of motion than this are refused: few programs open them.
@@ -40,11 +40,11 @@ class GltfScene {
 
   void add_slopes(std::size_t parent, std::size_t material, const HeightField& field);
 
-  /// Everybody who lived in a body, one after another, or the only one asked for.
+  /// Adds the individuals that lived in a body, one after another, or only one of them.
   void add_occupants(std::size_t body, std::optional<IndividualId> only);
   [[nodiscard]] const io::AgentRow& row_at(std::size_t frame, std::size_t body) const;
 
-  /// `next`: the first frame of whom it is no longer, beyond the last frame for who lives on.
+  /// `next`: the first frame of the next occupant; beyond the last frame for an individual that survives.
   void add_individual(std::size_t body, const io::AgentRow& row, std::size_t from, std::size_t next);
 
   /// How a link stands to its parent.

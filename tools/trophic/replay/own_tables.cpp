@@ -26,8 +26,8 @@ class OwnTables {
   OwnTables(std::filesystem::path folder, const io::RecordingReader& recording)
       : folder_{std::move(folder)}, recording_{recording}, last_s_{recording.time_s(recording.frames() - 1)} {}
 
-  /// Throws std::invalid_argument unless every event of events.csv happened at a tick of the recording, where it has that body,
-  /// to somebody who was born into that body and lived there until then; std::runtime_error for a file that cannot be read.
+  /// Throws std::invalid_argument unless every event of events.csv happened at a tick of the recording, to an individual that was
+  /// born into that body and lived there until then; std::runtime_error for a file that cannot be read.
   void check_events() {
     analysis::CsvReader events{folder_ / "events.csv", {"time_s", "tick", "body", "x_m", "y_m", "event", "id"}};
     std::vector<std::optional<std::uint64_t>> lives(recording_.head().robots);
@@ -53,7 +53,7 @@ class OwnTables {
     }
   }
 
-  /// Throws std::invalid_argument unless everybody in phylogeny.csv was born into that body, as events.csv says.
+  /// Throws std::invalid_argument unless each individual in phylogeny.csv was born into the body that events.csv has.
   void check_phylogeny() const {
     analysis::CsvReader taxa{folder_ / "phylogeny.csv", {"id", "body"}};
     while (taxa.next()) check_born(taxa.get<std::uint64_t>(0), taxa.get<std::size_t>(1), place_of(taxa, "phylogeny.csv"));
@@ -134,7 +134,7 @@ class OwnTables {
   std::filesystem::path folder_;
   const io::RecordingReader& recording_;
   double last_s_;
-  std::map<std::uint64_t, std::size_t> births_;  ///< the body of everybody who was born
+  std::map<std::uint64_t, std::size_t> births_;  ///< by individual: the body
 };
 
 }  // namespace

@@ -118,7 +118,7 @@ std::string recording_bytes(const RecordedRun& run, const Window& window) {
   return kept;
 }
 
-/// What a page carries of a run: (name, bytes).
+/// Files of a run in the page: (name, bytes).
 std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun& run, const Window& window) {
   const auto in_window = [&](const analysis::CsvReader& csv) { return window.has(csv.get<double>(0)); };
   const double tick_s = run.recording.head().times.tick_s;
@@ -139,7 +139,7 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
   return files;
 }
 
-/// As much of the ends of the runs' paths as tells them apart: "replicate-00", or "paper/replicate-00" and
+/// The shortest ends of the runs' paths that distinguish them: "replicate-00", or "paper/replicate-00" and
 /// "released/replicate-00".
 std::vector<std::string> labels_of(const std::vector<RecordedRun>& runs) {
   const auto label = [](const RecordedRun& run, std::size_t parts) {
@@ -165,7 +165,7 @@ std::vector<std::string> labels_of(const std::vector<RecordedRun>& runs) {
   return labels;
 }
 
-/// What the page says of a run before its files.
+/// A run's entry in the page's index.
 Json index_of(const RecordedRun& run, const Window& window, const std::string& label) {
   Json index;
   if (window.from_s) index["from_s"] = *window.from_s;

@@ -12,7 +12,7 @@ namespace trophic::command::replay {
 /// Throws std::invalid_argument where the program was built without the viewer.
 [[nodiscard]] std::string_view viewer_page();
 
-/// What stands in the viewer's page for these runs: their index, then their files.
+/// The part of the viewer's page for these runs: their index, then their files.
 [[nodiscard]] std::string runs_part(const std::vector<RecordedRun>& runs, const Window& window);
 
 /// The page. Throws std::invalid_argument for a table that cannot be read.

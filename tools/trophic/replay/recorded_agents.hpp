@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who lived in which body, and what it showed, at every tick of a stretch of a run.
+// Individuals and their tags, by body, at every tick of a stretch of a run.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class RecordedAgents {
   /// Reads the ticks that begin in [from_s - before_s, to_s]. Throws std::invalid_argument for a table that is not the run's.
   RecordedAgents(const RecordedRun& run, double from_s, double to_s, double before_s);
 
-  /// What everybody showed at a moment: body by body.
+  /// The rows of agents.csv at a moment, by body.
   [[nodiscard]] std::span<const io::AgentRow> at(double time_s) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace trophic::command::replay {
 
-/// What `show` and `film` look at.
+/// A run as `show` and `film` read it.
 struct RecordedRun {
   std::filesystem::path folder;
   Json manifest;
@@ -35,7 +35,7 @@ struct Window {
   [[nodiscard]] double start_s(const io::RecordingReader& recording) const;
   [[nodiscard]] double end_s(const io::RecordingReader& recording) const;
   [[nodiscard]] bool has(double time_s) const { return !(from_s && time_s < *from_s - 1e-9) && !(to_s && time_s > *to_s + 1e-9); }
-  /// Whether a tick tells who lives at a moment of the stretch: from the last one at or before its start on.
+  /// Whether a tick determines the individuals at a moment of the stretch: the last tick at or before its start, and later ones.
   [[nodiscard]] bool has_tick(double time_s, double tick_s) const;
 };
 

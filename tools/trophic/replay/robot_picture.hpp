@@ -9,7 +9,7 @@
 
 namespace trophic::command::replay {
 
-/// What is to be drawn of a robot that stands on the floor.
+/// A picture of a robot that stands on the floor.
 struct RobotPicture {
   std::string robot;  ///< name or path of a robot file
   std::filesystem::path out;

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One figure of what `trophic cross-check` wrote: convergence of speed and turning, paths, and equivalence of the ecology. What it did not
-compare is left blank."""
+"""One figure of a cross-check: convergence of speed and turning, paths, and equivalence of the ecology. Panels without data are blank."""
 from __future__ import annotations
 
 import cmath

@@ -86,7 +86,7 @@ class Data:
         return f"n = {len(self.folders)} runs" + (f" and {shadow} of the shadow" if shadow else "")
 
     def intervals(self, sign, with_shadow=True):
-        """What `sign` (bands, bars) means, if there are enough runs."""
+        """The meaning of `sign` (bands, bars), if there are enough runs."""
         n = self.n if with_shadow else self.n.split(" and ")[0]
         if len(self.folders) < 6:
             return f"{n}: too few for an interval (at least 6 are needed)."

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the figures share: sizes, fonts, colours, captions, how a figure is saved, and what is said if its data are missing."""
+"""Common to all figures: sizes, fonts, colours, captions, saving, and the message for missing data."""
 from __future__ import annotations
 
 import json
@@ -58,7 +58,7 @@ def line(species, all_species):
 
 
 def caption(figure, text):
-    """What bands, points and lines mean and how many runs there are: kept with the figure, for captions.json and captions.tex."""
+    """Adds a caption, for captions.json and captions.tex: the meaning of bands, points and lines, and the number of runs."""
     figure.caption = " ".join(text.split())
     return figure
 

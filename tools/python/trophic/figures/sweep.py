@@ -45,7 +45,7 @@ class Axis:
             self.values.sort(key=float)
 
     def positions(self):
-        """Where values stand along x: to scale if they are numbers that are about evenly spaced, else side by side."""
+        """Positions of values along x: to scale if they are numbers that are about evenly spaced, else side by side."""
         if self.numeric and len(self.values) > 1:
             numbers = np.array(list(map(float, self.values)))
             steps = np.diff(numbers)
