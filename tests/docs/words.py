@@ -112,6 +112,7 @@ def sources(root: pathlib.Path, folders: tuple[str, ...], *suffixes: str) -> Ite
                 yield path.relative_to(root), path.read_text()
 
 
+TYPESCRIPT = re.compile(r"(?<![:\"'])//[ \t]?(.*)|/?\*\*?[ \t](.*?)(?:\*/|$)")
 COMMENT = re.compile(r"//[/!]?<?[ \t]?(.*)")
 LITERAL = r'"(?:\\.|[^"\\\n])*"'
 
@@ -158,6 +159,19 @@ def scripts(root: pathlib.Path) -> Iterator[Text]:
                     yield Text(path.relative_to(root), token.start[0], "comment", token.string.lstrip("# "))
                 if token.type == tokenize.STRING and re.search(r"[a-z]+ [a-z]+ [a-z]+", token.string):
                     yield Text(path.relative_to(root), token.start[0], "message", token.string.strip("rbf\"'").replace("\n", " "))
+
+
+def viewer(root: pathlib.Path) -> Iterator[Text]:
+    for path, text in sources(root, ("tools/viewer",), ".ts", ".mjs"):
+        if "tests" in path.parts:
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            match = TYPESCRIPT.search(re.sub(LITERAL, '""', line))
+            if match and "SPDX" not in line:
+                yield Text(path, number, "comment", (match[1] or match[2] or "").strip())
+            for literal in re.findall(rf"{LITERAL}|`[^`]*`", line):
+                if re.search(r"[a-z]+ [a-z]+ [a-z]+", literal):
+                    yield Text(path, number, "message", literal[1:-1])
 
 
 def tests(root: pathlib.Path) -> Iterator[Text]:
@@ -221,7 +235,7 @@ def main() -> int:
         offences = spelling(chosen.root.resolve())
     else:
         root = chosen.root.resolve()
-        texts = [text for read in (documents, comments, messages, scripts, tests) for text in read(root)]
+        texts = [text for read in (documents, comments, messages, scripts, viewer, tests) for text in read(root)]
         kinds = {text.kind for text in texts}
         offences = [found for text in texts if str(text.path).startswith(chosen.only) for found in findings(text)]
         offences += [f"no {kind} was read" for kind in ("document", "comment", "message", "test") if kind not in kinds]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes built/viewer.html: the page with its code and style inside, and one line where `trophic show` puts the runs. What is built of the
-// sources here is kept in page/.
+// Makes built/viewer.html: the page with its code and style inside, and one line where `trophic show` puts the runs. The built page
+// is kept in page/.
 import { build } from "esbuild";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";

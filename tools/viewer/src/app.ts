@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds on one time bar, and beside them what is known of the run and the robot at hand.
+// Worlds on one time bar, with a side bar of the run and the selected robot.
 import { Controls, speeds } from "./controls";
 import { catchesOf, CatchScene, firstToShow, leadSeconds } from "./director";
 import { make } from "./element";
@@ -26,7 +26,7 @@ export class App {
   playing = false;
   speed = 10;
   current = 0;
-  /** The individual at hand; NaN: nobody. */
+  /** The selected individual; NaN: none. */
   selected = NaN;
   /** Empty places are runs that cannot be drawn, as without WebGL. */
   readonly worlds: (World | null)[] = [];
@@ -326,7 +326,7 @@ export class App {
     if (this.time >= this.lastTime) this.play(false);
   }
 
-  /** Who lives where is asked of just before a catch while that is on show: at its own tick the victim's body has its successor. */
+  /** Time of the occupants: just before a catch that is shown, because at its own tick the victim's body has its successor. */
   get rowTime(): number {
     const { event, time } = this;
     if (!event || event.kind !== "catch" || time !== event.time) return time;
@@ -393,7 +393,7 @@ export class App {
     this.banner.classList.toggle("happened", ahead <= 0 && (event.kind === "catch" || event.kind === "death"));
   }
 
-  /** What the last pictures took, ms each. */
+  /** Durations of the last pictures, ms each. */
   get pictureMs(): number[] {
     return [...this.pictureTimes];
   }

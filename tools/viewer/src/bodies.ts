@@ -5,7 +5,7 @@ import { theme } from "./theme";
 
 const limbInk = new Color(0x2b333d);
 
-/** Where the sun stands, from the origin. */
+/** Position of the sun, from the origin. */
 export const sunAt = [4, -7, 14] as const;
 
 /** Projects along the light onto the plane a little above the floor. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours that people with any colour vision tell apart (Okabe and Ito), one for each species, and those of marks. In dark surroundings the
+// Colours that any colour vision distinguishes (Okabe and Ito), one for each species, and those of marks. In dark surroundings the
 // dark ones are lighter.
 import { isDark } from "./theme";
 

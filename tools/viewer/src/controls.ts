@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands above the time bar: playing, catches, views.
+// Controls above the time bar: playing, catches, views.
 import { make, makeButton } from "./element";
 import type { Shown, View } from "./world";
 

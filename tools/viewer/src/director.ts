@@ -45,7 +45,7 @@ export function catchesOf(run: Run): Event[] {
   return run.events.filter((event) => event.kind === "catch" && event.time >= run.firstTime && event.time <= run.lastTime);
 }
 
-/** The catch that a page opens at: the first by somebody who inherited its genome, with time to see both come near; else the first. */
+/** The catch that a page opens at: the first by an inherited hunter, with time to see both approach; else the first. */
 export function firstToShow(run: Run): Event | undefined {
   const catches = catchesOf(run).filter((event) => event.time >= run.firstTime + leadSeconds);
   return catches.find((event) => run.individuals.get(event.id)?.origin === "inherited") ?? catches[0];

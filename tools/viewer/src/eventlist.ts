@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happened as a list that one can read, search and click.
+// Events as a list to read, search and click.
 import { colourOf } from "./colours";
 import { make } from "./element";
 import { firstAfter, type Event, type Run } from "./run";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What keys and pointer do, and the legend, in a window of their own.
+// Help in a dialog: the legend, keys and pointer.
 import { make, makeButton } from "./element";
 
-/** Keys as the browser names them, what the help calls them, what they do. */
+/** Keys by the names of the browser, their names and meanings in the help, and their work. */
 export interface Key {
   keys: string[];
   name: string;
@@ -11,7 +11,7 @@ export interface Key {
 }
 
 const pointer: [string, string][] = [
-  ["click a robot", "select it; beside all of them: nobody"],
+  ["click a robot", "select it; on the floor: none"],
   ["drag, wheel, right drag", "turn, come nearer, move"],
   ["click on the time bar or a curve", "go to that moment"],
   ["wheel, drag, double click on the time bar", "zoom, move, all of it"],

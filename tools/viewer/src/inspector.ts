@@ -5,7 +5,7 @@ import { plain } from "./element";
 import type { Run, Senses } from "./run";
 import { deathWords, directionWords } from "./sentences";
 
-/** Where everybody was drawn: x, y, z, and where they head. */
+/** Drawn positions of robots, x, y, z, and their headings. */
 export interface Drawn {
   drawn: Float32Array;
   headings: Float32Array;
@@ -77,7 +77,7 @@ function wayTo({ drawn, headings }: Drawn, from: number, to: number): string {
   return `${fixed(Math.hypot(dx, dy), 1)} m ${directionWords(Math.atan2(dy, dx) - headings[from])}`;
 }
 
-/** What a robot touched, what its brain was told and answered, and what became of it. */
+/** Contacts of a robot, inputs and outputs of its brain, and the outcome of its choice. */
 function sensed(senses: Senses, row: number): [string, string][] {
   const rows: [string, string][] = [];
   const cell = (name: string): string => senses.cell(name, row);

@@ -27,12 +27,12 @@ export function keysOf(app: App): Key[] {
         app.side.events.search.focus();
       },
     },
-    { keys: ["Escape"], name: "Esc", meaning: "close, end the scene, select nobody", work: () => app.leave() },
+    { keys: ["Escape"], name: "Esc", meaning: "close, end the scene, select none", work: () => app.leave() },
     { keys: ["?"], name: "?", meaning: "this help", work: () => app.help.toggle() },
   ];
 }
 
-/** Does what a key is for, unless somebody types a text. */
+/** Calls the work of a pressed key, unless a text is typed. */
 export function listenToKeys(keys: Key[], help: Help): void {
   window.addEventListener("keydown", (e) => {
     const isText = e.target instanceof HTMLSelectElement || (e.target instanceof HTMLInputElement && e.target.type === "search" && e.key !== "Escape");

@@ -13,7 +13,7 @@ export class Labels {
     this.used = 0;
   }
 
-  /** A name beside a place, CSS pixels. */
+  /** A name next to a place, CSS pixels. */
   add(text: string, x: number, y: number, isMain: boolean): void {
     if (this.used >= most) return;
     let tag = this.tags[this.used];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one sees of a robot from afar: a ring on the floor in its species' colour, filled or hollow by its tag, and where it heads.
-// And what has just happened: a cross in a ring for a catch, a ring that widens for another death or an activation.
+// Marks of robots that are visible from afar: a ring on the floor in the species' colour, filled or hollow by the tag, and the heading.
+// Marks of events: a cross in a ring for a catch, a ring that widens for another death or an activation.
 import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
 
 const hidden = new Matrix4().makeScale(0, 0, 0);
@@ -111,7 +111,7 @@ export class Marks {
     this.highlights.set(index, highlight ? mark : null, highlight ?? undefined);
   }
 
-  /** Rings that widen where something has just happened, and crossed rings where somebody was caught. */
+  /** Rings that widen where something has just happened, and crossed rings where a robot was caught. */
   flash(marks: Mark[], catches: Mark[]): void {
     for (let i = 0; i < this.flashCount; ++i) {
       this.flashes.set(i, marks[i] ?? null);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who descends from whom: a line for each life, over time, below its parent's. The wheel zooms, a click selects a branch. Branches that died
+// The phylogeny: a line for each life, over time, below its parent's. The wheel zooms, a click selects a branch. Branches that died
 // out can be collapsed.
 import { hierarchy } from "d3-hierarchy";
 import { colourOf, faded } from "./colours";
@@ -8,7 +8,7 @@ import type { Individual, Run } from "./run";
 import { deathWords, nameOf } from "./sentences";
 import { theme } from "./theme";
 
-/** Everybody of whose branch somebody lives at the end. */
+/** Individuals with living descendants at the end, or alive themselves. */
 export function lasting(run: Run): Set<number> {
   const found = new Set<number>();
   for (const one of run.individuals.values()) {
@@ -134,7 +134,7 @@ export class PhylogenyView {
     this.whole();
   }
 
-  /** Whose lives have a line. */
+  /** Individuals whose lives have a line. */
   private get drawnOnes(): Individual[] {
     return [...(this.run?.individuals.values() ?? [])].filter((one) => this.kept.has(one.id));
   }

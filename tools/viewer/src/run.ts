@@ -205,7 +205,7 @@ export class Run {
     return -1;
   }
 
-  /** Reads the recording through once, so that tracks are known; tells which part of it was read, 0 to 1. */
+  /** Reads the whole recording once for the tracks; calls `pause` with the share that was read, 0 to 1. */
   async readTracks(pause: (part: number) => Promise<void>): Promise<void> {
     const { head } = this.recording;
     const robots = this.robots;

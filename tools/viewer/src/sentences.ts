@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happened and what is seen, in words.
+// Sentences about events and the state of a run.
 import type { Event, Run } from "./run";
 
 const deaths: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age" };
@@ -15,7 +15,7 @@ export function nameOf(run: Run, id: number): string {
   return one ? `${run.index.species[one.species] ?? "robot"} ${id}` : `robot ${id}`;
 }
 
-/** "inherited, lived 92 s", of somebody who dies at a moment. */
+/** "inherited, lived 92 s", of an individual that dies at a moment. */
 export function lifeWords(run: Run, id: number, time: number): string {
   const one = run.individuals.get(id);
   if (!one) return "";

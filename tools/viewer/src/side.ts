@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Beside the world, or on a phone a sheet from below: the robot at hand, curves, phylogeny and the list of events.
+// The side bar, on a phone a sheet from below: the selected robot, curves, phylogeny and the list of events.
 import { make, makeButton } from "./element";
 import { EventList } from "./eventlist";
 import { Inspector } from "./inspector";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The run's time as a bar with what happened: births, catches and deaths by cause. A click jumps, the wheel zooms, a drag moves.
-// Where events are too many to be told apart, a lane shows how many there are.
+// The run's time as a bar with events: births, catches and deaths by cause. A click jumps, the wheel zooms, a drag moves.
+// A lane with too many events shows their number instead.
 import { colourOf, faded } from "./colours";
 import { firstAfter, type Event, type Run } from "./run";
 import { shortSentence } from "./sentences";

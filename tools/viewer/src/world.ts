@@ -19,7 +19,7 @@ export interface Shown {
   links: boolean;
 }
 
-/** What is to be seen of a moment. */
+/** Content of a picture of a moment. */
 export interface Look {
   time: number; // of the poses, and of what has just happened
   rowTime: number; // of who lives in which body: just before `time` while a catch is shown
