@@ -94,21 +94,56 @@ class Start(unittest.TestCase):
                 root = parent[root]
             self.assertAlmostEqual(tips[str(one)], died[one] - born[root], places=6)
 
+    def study(self):
+        """Sets whose tables differ: times with fractions in one of them alone, and two weights more."""
+        runs = [trophic.run(table, backend="kinematic", set=numbers, duration=60, replicates=2, shadow=True, out=self.folder / name)
+                for name, table, numbers in (("a", "paper", {}), ("b", "released", {"ecology.tick_s": 2.5}))]
+        return {"a": runs[0], "b": runs[1]}
+
+    def test_frames_of_a_study_have_the_same_columns_and_types(self):
+        study = self.study()
+        for name in ("events", "agents", "phylogeny", "genomes"):
+            with self.subTest(name):
+                frames = list(trophic.study_frames(study, name))
+                self.assertEqual(len(frames), 8)
+                for frame in frames[1:]:
+                    pandas.testing.assert_series_equal(frame.dtypes, frames[0].dtypes)
+                whole = pandas.concat(frames, ignore_index=True)
+                for label, runs in study.items():
+                    for is_shadow, part in ((False, runs), (True, runs.shadow)):
+                        ours = whole[(whole["set"] == label) & (whole.shadow == is_shadow)].drop(columns=["set", "shadow"]).reset_index(drop=True)
+                        its = part.table(name)
+                        pandas.testing.assert_frame_equal(ours[list(its.columns)], its, check_dtype=False)
+                        self.assertTrue(ours.drop(columns=list(its.columns)).isna().all(axis=None))
+        self.assertEqual(whole.dtypes[["set", "shadow", "run", "seed", "id", "time_s"]].astype(str).tolist(), ["object", "bool", "object", "uint64", "int64", "float64"])
+
+    def test_frames_of_an_own_table_have_texts_if_one_run_has(self):
+        runs = trophic.run("paper", backend="kinematic", duration=20, replicates=2, out=self.folder / "set")
+        runs[0].add_table("own", pandas.DataFrame({"what": [1.5]}))
+        with self.assertRaisesRegex(trophic.RunError, "replicate-01/own.csv: cannot be read"):
+            list(trophic.study_frames(runs, "own"))
+        runs[1].add_table("own", pandas.DataFrame({"what": ["many"], "more": [2]}))
+        frames = list(trophic.study_frames(runs, "own"))
+        self.assertEqual([frame.what.tolist() for frame in frames], [["1.5"], ["many"]])
+        self.assertEqual([frame.more.dtype for frame in frames], [float, float])
+
     def test_parquet_of_a_study(self):
-        runs = trophic.run("paper", backend="kinematic", duration=60, replicates=2, shadow=True, out=self.folder / "set")
+        study = self.study()
+        (self.folder / "there").mkdir()
+        with self.assertRaisesRegex(trophic.RunError, "there: exists already; nothing is overwritten"):
+            trophic.to_parquet(study, self.folder / "there")
+        before = sorted(self.folder.iterdir())
         try:
             import pyarrow  # noqa: F401
         except ModuleNotFoundError:
-            with self.assertRaisesRegex(trophic.RunError, "needs the Python module pyarrow"):
-                trophic.to_parquet(runs, self.folder / "study")
-            self.assertFalse((self.folder / "study").exists())
+            with self.assertRaisesRegex(trophic.RunError, "^to_parquet: needs the Python module pyarrow: pip install pyarrow$"):
+                trophic.to_parquet(study, self.folder / "study")
+            self.assertEqual(sorted(self.folder.iterdir()), before)
             self.skipTest("no pyarrow")
-        trophic.to_parquet({"a": runs, "b": runs}, self.folder / "study")
-        agents = pandas.read_parquet(self.folder / "study/agents.parquet")
-        self.assertEqual(len(agents), 2 * (len(runs.table("agents")) + len(runs.shadow.table("agents"))))
-        self.assertEqual(set(agents["set"]), {"a", "b"})
-        with self.assertRaisesRegex(trophic.RunError, "exists already"):
-            trophic.to_parquet(runs, self.folder / "study")
+        paths = trophic.to_parquet(study, self.folder / "study")
+        self.assertEqual(sorted(self.folder.iterdir()), sorted([*before, self.folder / "study"]))
+        for path in paths:
+            pandas.testing.assert_frame_equal(pandas.read_parquet(path), pandas.concat(trophic.study_frames(study, path.stem), ignore_index=True))
 
     def test_refusals_are_one_sentence(self):
         (self.folder / "there").mkdir()

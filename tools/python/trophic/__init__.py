@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Starts trophic's programs and reads what they leave: runs, studies and analyses as pandas frames, recordings as numpy arrays, figures."""
+"""Starts trophic's programs and reads their files: runs, studies and analyses as pandas frames, recordings as numpy arrays, figures."""
 from __future__ import annotations
 
 import importlib
 
-# Where each name is; a module is imported when it is first asked for, as numpy, pandas and matplotlib need not all be there.
+# The module of each name. Modules are imported at first use, because numpy, pandas or matplotlib may be missing.
 _MODULES = {"Recording": "recording", "RecordingError": "recording", "read_replay": "recording",
             "Run": "runs", "Runs": "runs", "Analysis": "runs", "RunError": "runs", "read_run": "runs", "read_runs": "runs", "read_study": "runs",
-            "read_analysis": "runs", "to_parquet": "runs", "show": "start", "run": "start", "analyze": "start", "ProgramError": "start"}
+            "read_analysis": "runs", "study_frames": "runs", "to_parquet": "runs", "show": "start", "run": "start", "analyze": "start", "ProgramError": "start"}
 __all__ = sorted(_MODULES)
 
 

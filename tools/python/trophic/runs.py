@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Reads the folders that runs and sets of runs leave, and what `trophic analyze` made of them, as pandas frames.
+"""Reads folders of runs, sets of runs and analyses as pandas frames.
 
-docs/files.md says which files there are, docs/tables.md has the columns. Needs pandas."""
+docs/files.md lists the files, docs/tables.md the columns. Needs pandas."""
 from __future__ import annotations
 
 import dataclasses
@@ -11,20 +11,23 @@ import io
 import json
 import os
 import pathlib
+import shutil
 import zlib
+from collections.abc import Iterator
 
 import pandas
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
-# Ids and counts may be absent; what is empty in a text column is an empty text.
-_TEXT = ("same_as", "null", "compared", "event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "swap", "tag_outcome")
-
-
+# Columns of texts, whose empty cells are empty texts.
+_TEXT = ("same_as", "null", "compared", "event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "swap", "tag_outcome",
+         "ancestor_list")
+# Columns of whole numbers that are never empty. All other numbers may have empty cells or fractions in some run.
+_WHOLE = ("tick", "id", "body", "genome_id", "active", "tag", "tag_at_birth")
 _CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_outcome", "run", "set")
 
 
 class RunError(ValueError):
-    """A folder that is not a run, or not a set of runs; the message names it."""
+    """Raised for a folder that is not a run or a set of runs; the message names it."""
 
 
 def _card(title: str, facts: dict) -> str:
@@ -35,11 +38,11 @@ def _card(title: str, facts: dict) -> str:
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A folder of one run. Tables are read when they are first asked for; RunError for one that is not what the run wrote."""
+    """A folder of one run. Its tables are read at first use; a table that was changed after the run raises RunError."""
 
     path: pathlib.Path
     manifest: dict = dataclasses.field(repr=False)
-    """manifest.json: rules, numbers, seed, versions, and how the run ended."""
+    """manifest.json: rules, numbers, seed, versions, and the status of the run."""
 
     @property
     def complete(self) -> bool:
@@ -51,34 +54,33 @@ class Run:
 
     @property
     def builds(self) -> list[str]:
-        """The codes of the programs that made it: several if another build resumed it with --accept-other-build."""
+        """The codes of the programs that made it; several if another build resumed it with --accept-other-build."""
         programs = [self.manifest, self.manifest.get("origin", {}), *self.manifest.get("continued", [])]
         return sorted({program["code"] for program in programs if "code" in program})
 
     @property
     def fingerprint(self) -> str:
-        """Runs that share it have the same rules, numbers, models and backend."""
+        """Identifies rules, numbers, models and backend: equal for runs in which these are equal."""
         return self.manifest["fingerprint"]
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
-        """events, agents, phylogeny, genomes, senses of a run with --senses, states of one with --states, or a table of one's own; only these
-        columns, if given. With `categories`, species, events, causes and origins are categories, which take less memory."""
+        """Reads events, agents, phylogeny, genomes, senses (--senses), states (--states) or an own table; only `columns`, if given. With
+        `categories`, species, events, causes and origins are categories, which take less memory."""
         file = f"{name}.csv"
         return _categorised(_table(self.path / file, columns, self.manifest.get("tables", {}).get(file)), categories)
 
     def to_newick(self) -> str:
-        """The phylogeny in Newick format, a line for each founder or random newcomer; branch lengths are times between births in seconds, and
-        the last piece of a line is the individual's life. ggtree and ape read it."""
+        """Returns the phylogeny in Newick format for ape and ggtree, one tree a line for each founder or random newcomer. Branch lengths are
+        times between births in seconds; a terminal branch ends with the individual's death, or with the run."""
         return _newick(self.phylogeny)
 
     def show(self, out: str | os.PathLike | None = None):
-        """A page of the run (`trophic show`), which a notebook displays; `out` is a new file for it."""
+        """Makes a page of the run (`trophic show`), which a notebook displays; `out` is a new file for it."""
         from .start import show
         return show(self, out)
 
     def add_table(self, name: str, frame: pandas.DataFrame) -> pathlib.Path:
-        """Writes a table of one's own, NAME.csv, into the run's folder, for `trophic analyze --column NAME.csv:COLUMN`. Raises RunError if there is
-        one."""
+        """Writes an own table, NAME.csv, into the run's folder, for `trophic analyze --column NAME.csv:COLUMN`. Raises RunError if it exists."""
         path = self.path / f"{name}.csv"
         try:
             with open(path, "x", newline="") as file:
@@ -114,23 +116,23 @@ class Run:
 
     @functools.cached_property
     def senses(self) -> pandas.DataFrame:
-        """What every robot touched, was told and answered, of a run with --senses. `inputs` has the names of input0, input1, ..."""
+        """Contacts of every robot, and inputs and outputs of its brain, of a run with --senses. `inputs` names input0, input1, ..."""
         return self.table("senses")
 
     @functools.cached_property
     def states(self) -> pandas.DataFrame:
-        """What rules keep for every robot, of a run with --states: a column SLOT.MEMBER for each member of each State."""
+        """States of rules for every robot, of a run with --states: a column SLOT.MEMBER for each member of each State."""
         return self.table("states")
 
     @property
     def inputs(self) -> list[str]:
-        """The sensors that input0, input1, ... of `senses` are the values of. KeyError for a run without that table."""
+        """The names of the sensors input0, input1, ... of `senses`. Raises KeyError for a run without that table."""
         return self.manifest["senses"]["inputs"]
 
 
 @dataclasses.dataclass(frozen=True)
 class Runs:
-    """Replicates: runs that differ in their seeds only, and the runs of their neutral shadow, if there is one."""
+    """Replicates, which are runs that differ only in their seeds, and the runs of their neutral shadow, if there is one."""
 
     path: pathlib.Path
     runs: list[Run] = dataclasses.field(repr=False)
@@ -146,7 +148,7 @@ class Runs:
         return self.runs[index]
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
-        """That table of all runs, with the columns `run` (the folder's name) and `seed` in front."""
+        """Reads a table of all runs, with the columns `run` (the folder's name) and `seed` in front."""
         tables = []
         for run in self.runs:
             table = run.table(name, columns)
@@ -156,10 +158,10 @@ class Runs:
         return _categorised(pandas.concat(tables, ignore_index=True), categories)
 
     def measure(self, name: str, function) -> None:
-        """A metric of one's own: writes NAME.csv into the folder of each run and of its shadow, for `trophic analyze --column NAME.csv:NAME`.
+        """Computes an own metric: writes NAME.csv into the folder of each run and of its shadow, for `trophic analyze --column NAME.csv:NAME`.
 
-        `function` takes a Run and returns a number, or a frame with the columns NAME and, as it likes, time_s, species and group. nan is a value
-        that cannot be computed. Raises RunError, naming the run, if the function throws, returns something else or the file exists; then
+        `function` takes a Run and returns a number, or a frame with the column NAME and optionally time_s, species and group. nan is a value
+        that cannot be computed. Raises RunError, naming the run, if the function raises, returns something else or the file exists; then
         nothing is written.
         """
         tables = []
@@ -189,11 +191,11 @@ class Runs:
 
 @dataclasses.dataclass(frozen=True)
 class Analysis:
-    """What `trophic analyze` wrote."""
+    """A folder that `trophic analyze` wrote."""
 
     path: pathlib.Path
     metrics: pandas.DataFrame = dataclasses.field(repr=False)
-    """metrics.csv: every value and every curve of every run, one value a row. Texts that are empty stay empty texts."""
+    """metrics.csv: every value and every curve of every run, one value a row."""
     summary: dict = dataclasses.field(repr=False)
     """summary.json: means, intervals and test results of each set."""
 
@@ -209,7 +211,7 @@ class Analysis:
 
 
 def read_run(path: str | os.PathLike) -> Run:
-    """The run in this folder. Raises RunError for another folder."""
+    """Reads the run in this folder. Raises RunError if it is not one."""
     path = pathlib.Path(path)
     try:
         manifest = json.loads((path / "manifest.json").read_text())
@@ -223,10 +225,10 @@ def read_run(path: str | os.PathLike) -> Run:
 
 
 def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> Runs:
-    """The replicates in this folder, in order, and those of its shadow. Incomplete ones are left out unless they are asked for.
+    """Reads the replicates in this folder, in order, and those of its shadow. `incomplete` includes incomplete ones.
 
-    Raises RunError for a folder without replicates, for runs of different fingerprints, which are not replicates, and for runs
-    that different builds of a program made unless that is accepted: their rules may be other code under the same names.
+    Raises RunError for a folder without replicates, for runs of different fingerprints, which are not replicates, and, unless
+    `accept_other_build`, for runs of different builds of a program, whose rules may be other code under the same names.
     """
     path = pathlib.Path(path)
     numbered = {folder.name.removeprefix("replicate-"): folder for folder in path.glob("replicate-*")}
@@ -245,7 +247,7 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
 
 
 def read_study(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> dict[str, Runs]:
-    """Every set of runs below this folder, by its path from there: a sweep, or the swaps of an ablation study."""
+    """Reads every set of runs below this folder, by its path from there: a sweep, or the swaps of an ablation study."""
     path = pathlib.Path(path)
     folders = sorted(file.parent for file in path.rglob("replicates.json") if file.parent.name != "shadow")
     if not folders:
@@ -254,7 +256,7 @@ def read_study(path: str | os.PathLike, *, incomplete: bool = False, accept_othe
 
 
 def read_analysis(path: str | os.PathLike) -> Analysis:
-    """The folder that `trophic analyze --out` made. Raises RunError for another."""
+    """Reads the folder of `trophic analyze --out`. Raises RunError if it is not one."""
     path = pathlib.Path(path)
     try:
         return Analysis(path, _table(path / "metrics.csv"), json.loads((path / "summary.json").read_text()))
@@ -263,7 +265,7 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
 
 
 def _whole_lines(path: pathlib.Path, expected: dict | None) -> bytes:
-    """The table; without the part of a line that a killed program left. RunError if it is not what the run wrote, or not a table."""
+    """Reads a table without the incomplete last line of a killed program. Raises RunError if it was changed, or is not a table."""
     try:
         content = path.read_bytes()
     except OSError as error:
@@ -297,39 +299,67 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
     return table
 
 
-def to_parquet(runs: Runs | dict[str, Runs], folder: str | os.PathLike, names: tuple[str, ...] = ("events", "agents", "phylogeny", "genomes")) -> list[pathlib.Path]:
-    """Replicates, or a study as read_study gives it, in a few files: FOLDER/events.parquet and so on, with the columns set, shadow, run and seed in
-    front. The folder must be new. Needs pyarrow."""
+def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.DataFrame]:
+    """Yields a table of every run of replicates, or of a study as read_study returns it, with the columns set, shadow, run and seed in front.
+
+    All frames have the same columns of the same types, so they can be written one after another into one file. A column that a run lacks,
+    such as the weights of a larger brain, is empty there. Raises RunError, naming the file, for a run without the table.
+    """
+    sets = study if isinstance(study, dict) else {study.path.name: study}
+    runs = [(label, is_shadow, run) for label, of in sets.items() for is_shadow, part in ((False, of), (True, of.shadow)) for run in part or []]
+    types: dict[str, str] = {}
+    for _, _, run in runs:
+        for column, its_type in _types(run, name).items():
+            types[column] = max(types.get(column, ""), its_type, key=("", "int64", "float64", "object").index)
+    for label, is_shadow, run in runs:
+        frame = run.table(name).reindex(columns=list(types))
+        for column, its_type in types.items():
+            frame[column] = frame[column].fillna("").astype(str) if its_type == "object" else frame[column].astype(its_type)
+        for place, (column, value, its_type) in enumerate((("set", label, "object"), ("shadow", is_shadow, "bool"), ("run", run.path.name, "object"),
+                                                           ("seed", run.seed, "uint64"))):
+            frame.insert(place, column, pandas.Series(value, index=frame.index, dtype=its_type))
+        yield frame
+
+
+def _types(run: Run, name: str) -> dict[str, str]:
+    """The type of each column of a table, the same for all runs that have it. The cells of an own table decide."""
+    if name in TABLES and name != "states":
+        path = run.path / f"{name}.csv"
+        try:
+            with path.open() as file:
+                header = file.readline().rstrip("\n").split(",")
+        except OSError as error:
+            raise RunError(f"{path}: cannot be read: {error.strerror}") from None
+        return {column: "object" if column in _TEXT else "int64" if column in _WHOLE else "float64" for column in header}
+    return {column: "object" if dtype == object else "float64" for column, dtype in run.table(name).dtypes.items()}
+
+
+def to_parquet(study: Runs | dict[str, Runs], folder: str | os.PathLike, names: tuple[str, ...] = ("events", "agents", "phylogeny", "genomes")) -> list[pathlib.Path]:
+    """Writes the tables of replicates or of a study, as study_frames yields them, into few files: FOLDER/events.parquet and so on. Returns their
+    paths. The folder must be new; it appears under its name when it is complete. Needs pyarrow."""
+    folder = pathlib.Path(folder)
+    if folder.exists():
+        raise RunError(f"{folder}: exists already; nothing is overwritten")
     try:
         import pyarrow
         import pyarrow.parquet
     except ModuleNotFoundError:
         raise RunError("to_parquet: needs the Python module pyarrow: pip install pyarrow") from None
-    folder = pathlib.Path(folder)
-    if folder.exists():
-        raise RunError(f"{folder}: exists already; nothing is overwritten")
-    study = runs if isinstance(runs, dict) else {runs.path.name: runs}
-    folder.mkdir(parents=True)
-    paths = []
+    part = folder.with_name(folder.name + ".part")
+    shutil.rmtree(part, ignore_errors=True)
+    part.mkdir(parents=True)
     for name in names:
-        path = folder / f"{name}.parquet"
         writer = None
         try:
-            for label, of in study.items():
-                for is_shadow, part in ((False, of), (True, of.shadow)):
-                    for run in part or []:
-                        frame = run.table(name)
-                        for place, (column, value) in enumerate((("set", label), ("shadow", is_shadow), ("run", run.path.name), ("seed", run.seed))):
-                            frame.insert(place, column, value)
-                        table = pyarrow.Table.from_pandas(frame, schema=writer.schema if writer else None, preserve_index=False)
-                        if writer is None:
-                            writer = pyarrow.parquet.ParquetWriter(path, table.schema)
-                        writer.write_table(table)
+            for frame in study_frames(study, name):
+                schema = pyarrow.schema([(column, pyarrow.string() if dtype == object else pyarrow.from_numpy_dtype(dtype)) for column, dtype in frame.dtypes.items()])
+                writer = writer or pyarrow.parquet.ParquetWriter(part / f"{name}.parquet", schema)
+                writer.write_table(pyarrow.Table.from_pandas(frame, schema=schema, preserve_index=False))
         finally:
             if writer is not None:
                 writer.close()
-        paths.append(path)
-    return paths
+    part.rename(folder)
+    return [folder / f"{name}.parquet" for name in names]
 
 
 def _categorised(frame: pandas.DataFrame, categories: bool) -> pandas.DataFrame:
