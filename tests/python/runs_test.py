@@ -172,10 +172,23 @@ class Runs(unittest.TestCase):
         whole = path.read_bytes()
         lines = whole.splitlines(keepends=True)
         for damaged, said in ((b"\xef\xbb\xbf" + whole, "byte order mark"), (b"", "no header"), (whole + b"1,2\n", "2 cells, the header has 16"),
-                              (b"".join([lines[0], *reversed(lines[1:])]), "tick: must be >= that of the row before")):
+                              (b"".join([lines[0], *reversed(lines[1:])]), "tick: must be >= that of the row before"),
+                              (whole.replace(b",prey,", b",wolf,", 1), "species = 'wolf': must be a species"),
+                              (b"".join([*lines[:-1], b"inf" + lines[-1][lines[-1].index(b","):]]), "time_s: must be finite numbers"),
+                              (b"".join([*lines[:-1], b"nan" + lines[-1][lines[-1].index(b","):]]), "time_s: must be finite numbers")):
             path.write_bytes(damaged)
             with self.subTest(said), self.assertRaisesRegex(runs.RunError, said):
                 runs.read_run(folder).events
+        path.unlink()
+        os.mkfifo(path)
+        with self.assertRaisesRegex(runs.RunError, "is not a regular file"):
+            runs.read_run(folder).events
+        path.unlink()
+        path.write_bytes(whole)
+        for manifest in (b"[]", b"\xff", b'{"status": "complete"}', b'{"status": 1, "seed": 1, "fingerprint": "0", "rule_table": "paper"}'):
+            (folder / "manifest.json").write_bytes(manifest)
+            with self.subTest(manifest), self.assertRaisesRegex(runs.RunError, "manifest.json: (broken|not a run's)"):
+                runs.read_run(folder)
 
     def test_runs_of_two_builds_are_a_set_only_if_that_is_accepted(self):
         folder = self.folder / "builds"

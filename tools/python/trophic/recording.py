@@ -47,6 +47,8 @@ def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None
     path = pathlib.Path(path)
     if path.is_dir():
         path = path / "replay.trp"
+    if path.exists() and not path.is_file():  # on a pipe reading would wait
+        raise RecordingError(f"{path}: is not a regular file")
     head, blocks, complete = _blocks(path, path.read_bytes())
     wanted = [(start, count, data) for start, count, data in blocks if start + count > first and (last is None or start < last)]
     robots, channels = head["robots"], 6 + head["joints"]

@@ -67,7 +67,10 @@ class Run:
         """Reads events, agents, phylogeny, genomes, senses (--senses), states (--states) or an own table; only `columns`, if given. With
         `categories`, species, events, causes and origins are categories, which take less memory."""
         file = f"{name}.csv"
-        return _categorised(_table(self.path / file, columns, self.manifest.get("tables", {}).get(file)), categories)
+        table = _table(self.path / file, columns, self.manifest.get("tables", {}).get(file))
+        if name in ("events", "agents"):
+            _check_rows(self.path / file, table, self.manifest.get("species"))
+        return _categorised(table, categories)
 
     def to_newick(self) -> str:
         """Returns the phylogeny in Newick format for ape and ggtree, one tree a line for each founder or random newcomer. Branch lengths are
@@ -213,14 +216,15 @@ class Analysis:
 def read_run(path: str | os.PathLike) -> Run:
     """Reads the run in this folder. Raises RunError if it is not one."""
     path = pathlib.Path(path)
+    if not (path / "manifest.json").exists():
+        raise RunError(f"{path}: is not a run: it has no manifest.json")
     try:
-        manifest = json.loads((path / "manifest.json").read_text())
-        if not {"status", "seed", "fingerprint", "rule_table"} <= manifest.keys():
-            raise RunError(f"{path}/manifest.json: not a run's")
-    except FileNotFoundError:
-        raise RunError(f"{path}: is not a run: it has no manifest.json") from None
-    except json.JSONDecodeError as error:
+        manifest = json.loads(_content(path / "manifest.json").decode())
+    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
         raise RunError(f"{path}/manifest.json: broken: {error}") from None
+    kinds = {"status": str, "seed": int, "fingerprint": str, "rule_table": str}
+    if not isinstance(manifest, dict) or any(type(manifest.get(key)) is not kind for key, kind in kinds.items()):
+        raise RunError(f"{path}/manifest.json: not a run's")
     return Run(path, manifest)
 
 
@@ -264,12 +268,29 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
 
-def _whole_lines(path: pathlib.Path, expected: dict | None) -> bytes:
-    """Reads a table without the incomplete last line of a killed program. Raises RunError if it was changed, or is not a table."""
+def _content(path: pathlib.Path) -> bytes:
+    """Reads a whole file. Raises RunError if it cannot be read, or if it is a pipe, on which reading would wait."""
     try:
-        content = path.read_bytes()
+        if path.exists() and not path.is_file():
+            raise RunError(f"{path}: is not a regular file")
+        return path.read_bytes()
     except OSError as error:
         raise RunError(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def _check_rows(path: pathlib.Path, table: pandas.DataFrame, species: list[str] | None) -> None:
+    """Raises RunError for a number that is not finite, and for a species that the manifest does not name."""
+    for column in table.columns if len(table) > 0 else ():
+        if column == "species" and species is not None:
+            if unknown := sorted(set(table[column]) - set(species)):
+                raise RunError(f"{path}: species = {unknown[0]!r}: must be a species of the run's manifest")
+        elif column not in _TEXT and not (pandas.api.types.is_numeric_dtype(table[column]) and table[column].abs().max() != float("inf")):
+            raise RunError(f"{path}: {column}: must be finite numbers")
+
+
+def _whole_lines(path: pathlib.Path, expected: dict | None) -> bytes:
+    """Reads a table without the incomplete last line of a killed program. Raises RunError if it was changed, or is not a table."""
+    content = _content(path)
     found = {"rows": max(0, content.count(b"\n") - 1), "crc32": zlib.crc32(content)}
     if expected is not None and found != expected:
         raise RunError(f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its manifest says; the table was cut or changed after the run")
@@ -294,7 +315,7 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
     numbers = {name: [""] for name in header if name not in texts}
     table = pandas.read_csv(io.BytesIO(content), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
                             float_precision="round_trip")  # else the last bit of a number may be another
-    if "tick" in table and not table["tick"].is_monotonic_increasing:
+    if "tick" in table and len(table) > 0 and not (pandas.api.types.is_numeric_dtype(table["tick"]) and table["tick"].is_monotonic_increasing):
         raise RunError(f"{path}: tick: must be >= that of the row before")
     return table
 
