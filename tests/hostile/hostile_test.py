@@ -3,6 +3,7 @@
 """hostile_test.py PREDATOR_PREY TROPHIC OWN_RULE_1 OWN_RULE_3 [SUITE]: damaged, linked, mixed and foreign input is noticed, never continued."""
 
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -448,15 +449,42 @@ class Foreign(Hostile):
     def test_nothing_of_a_manifest_moves_the_cursor(self):
         self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         whole = (self.folder / "run/manifest.json").read_text()
-        for key in ("rule_table", "backend", "status", "fingerprint"):
+        for key in ("rule_table", "backend", "status", "fingerprint", "trophic", "source_revision", "arena", "params"):
             for escape in ("\x1b[2J", "\u009b2J", "\x07", "\x7f", "a\nb"):
                 with self.subTest(key=key, escape=escape):
                     manifest = json.loads(whole)
-                    manifest[key] = f"{manifest[key]}{escape}"
+                    if isinstance(manifest[key], dict):
+                        manifest[key][f"key{escape}"] = 1
+                    else:
+                        manifest[key] = f"{manifest[key]}{escape}"
                     (self.folder / "run/manifest.json").write_text(json.dumps(manifest))
-                    said = self.refused(2, TROPHIC, "analyze", "run", "--out", "new")
-                    self.assertIn(key, said)
-                    self.assertNotRegex(said, "[\x00-\x1f\x7f-\x9f]")
+                    for command in (("analyze", "run", "--out", "new"), ("cite", "run")):
+                        said = self.refused(2, TROPHIC, *command)
+                        self.assertIn("without control characters", said)
+                        self.assertNotRegex(said, "[\x00-\x1f\x7f-\x9f]")
+
+    def test_nothing_of_a_list_of_replicates_moves_the_cursor(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 4, "--replicates", 2, "--out", "set")
+        listed = json.loads((self.folder / "set/replicates.json").read_text())
+        listed["replicates"][1]["folder"] = "replicate-01\x1b[2J"
+        (self.folder / "set/replicates.json").write_text(json.dumps(listed))
+        self.assertIn("without control characters", self.refused(2, TROPHIC, "analyze", "set", "--out", "new"))
+
+    def test_a_pipe_in_the_place_of_a_file_is_not_waited_for(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 8, "--replay-hz", 5, "--out", "run")
+        for name in (*FILES, "manifest.json"):
+            whole = self.folder / "run" / name
+            with self.subTest(name):
+                whole.rename(self.folder / "kept")
+                os.mkfifo(whole)
+                self.assertIn(f"run/{name}: is not a regular file", self.refused(2, TROPHIC, "analyze", "run", "--out", "new"))
+                if name in ("events.csv", "agents.csv", "replay.trp", "manifest.json"):
+                    self.assertIn(f"run/{name}: is not a regular file", self.refused(2, TROPHIC, "show", "run", "--out", "page.html"))
+                if name != "manifest.json":
+                    said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--replay-hz", 5, "--duration", 12, "--out", "run", "--resume")
+                    self.assertIn(f"run/{name}: it is not a regular file", said)
+                whole.unlink()
+                (self.folder / "kept").rename(whole)
 
 
 if __name__ == "__main__":

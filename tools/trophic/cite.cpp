@@ -67,11 +67,20 @@ namespace detail::cite {
   return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : otherwise;
 }
 
+/// Throws std::invalid_argument if it cannot be read: it is what the user named.
+[[nodiscard]] analysis::RunManifest manifest_in(const std::filesystem::path& run) {
+  try {
+    return analysis::read_manifest(run);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument{error.what()};
+  }
+}
+
 [[nodiscard]] int run(const std::string& folder) {
   std::vector<std::string> remarks;
   const auto runs = analysis::run_folders(folder, remarks);
   if (runs.empty()) throw std::invalid_argument{folder + ": no run is there"};
-  const analysis::RunManifest manifest = analysis::read_manifest(runs.front());
+  const analysis::RunManifest manifest = manifest_in(runs.front());
   const Json json = parse_json(read_whole_file(runs.front() / "manifest.json"));
   const std::string version = text(json, "trophic");
   const std::string revision = text(json, "source_revision");

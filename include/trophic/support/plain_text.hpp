@@ -36,4 +36,17 @@ namespace trophic {
   return text;
 }
 
+/// Throws std::invalid_argument if a key or a text in a value has a control character.
+inline void check_plain(const Json& value) {
+  const auto check = [](const std::string& text) {
+    if (!is_plain(text)) throw std::invalid_argument{json_text(text) + ": must be text without control characters"};
+  };
+  if (value.is_string()) check(value.get_ref<const std::string&>());
+  if (!value.is_structured()) return;
+  for (const auto& [key, inner] : value.items()) {
+    check(key);
+    check_plain(inner);
+  }
+}
+
 }  // namespace trophic

@@ -44,4 +44,7 @@ TEST_CASE("deaths by cause, in all and per window") {
   CHECK(*windows[1].value == 1.0);
   CHECK(*windows[2].value == 0.0);
   CHECK(windows[2].time_s == 600.0);
+  CHECK(analysis::deaths_per_window(events, prey, {}, 200.0).size() == 1);
+  CHECK(*analysis::deaths_per_window(events, prey, {}, 200.5)[1].value == 1.0);
+  CHECK(analysis::deaths_per_window(events, prey, {}, 1e8).size() == 500'000);
 }

@@ -69,6 +69,10 @@ TEST_CASE("read run: fault in a file -> an error with line and column") {
   CHECK(error_of_events(event_header + "0,0,birth,,prey,0,1,1,random,,0,,,,1,2\n") ==
         ":2: id = \"\": must be a whole number in range");
   CHECK(error_of_events(event_header + "nan,0,birth,0,prey,0,1,1,random,,0,,,,1,2\n") == ":2: time_s = \"nan\": must be finite");
+  for (const std::string time_s : {"-1", "1e9", "1e300"}) {
+    CHECK(error_of_events(event_header + time_s + ",0,birth,0,prey,0,1,1,random,,0,,,,1,2\n") ==
+          ":2: time_s = \"" + time_s + "\": must be >= 0 and <= 1e+08");
+  }
   CHECK(error_of_events(event_header + "0,0,birth,0,wolf,0,1,1,random,,0,,,,1,2\n") ==
         ":2: species = \"wolf\": must be a species of the run's manifest");
   CHECK(error_of_events(event_header + "0,0,birth,0,prey,0,1,2,random,,0,,,,1,2\n") == ":2: active = \"2\": must be 0 or 1");

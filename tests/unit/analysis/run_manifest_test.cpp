@@ -35,4 +35,14 @@ TEST_CASE("a manifest that is broken is refused by file and field") {
   wolf.replace(wolf.find(R"("hunter": "predator")"), 20, R"("hunter": "wolf")");
   static_cast<void>(folder.file("manifest.json", wolf));
   CHECK(refusal().find("food web: link 2 eats 0: must be < 2") != std::string::npos);
+  const auto with = [&](const std::string& text, const std::string& other) {
+    std::string changed = test::manifest("00ff", 12);
+    static_cast<void>(folder.file("manifest.json", changed.replace(changed.find(text), text.size(), other)));
+    return refusal();
+  };
+  for (const char* until_s : {"-1", "1e9", "1e300"}) {
+    CHECK(with(R"("until_s": 6000)", R"("until_s": )" + std::string{until_s}).find("clock.until_s = ") != std::string::npos);
+  }
+  CHECK(with(R"("hunter": "predator")", R"("hunter": "predator", "\u009b2J": 1)")
+            .ends_with("must be text without control characters"));
 }

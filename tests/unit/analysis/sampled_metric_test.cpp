@@ -67,3 +67,10 @@ TEST_CASE("sampled metric: a name that the run has already -> error that names t
   CHECK_THROWS_WITH_AS(sampled.finish("metric x", "runs/a", result.metrics, result.remarks),
                        doctest::Contains("metric x: trophic has a metric of this name"), std::invalid_argument);
 }
+
+TEST_CASE("sampled metric: more species and groups than there can be -> error") {
+  SampledMetric sampled{"x", "m", false};
+  for (int i = 0; i < 1000; ++i) sampled.add(std::to_string(i), "all", {}, 1.0);
+  sampled.add("7", "all", {}, 1.0);
+  CHECK_THROWS_AS(sampled.add("1000", "all", {}, 1.0), std::invalid_argument);
+}

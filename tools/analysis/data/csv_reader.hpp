@@ -15,6 +15,7 @@
 #include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -55,6 +56,7 @@ class CsvReader {
       if (cell != "0" && cell != "1") reject(column, "0 or 1");
       return cell == "1";
     } else if constexpr (std::same_as<T, std::string>) {
+      if (!is_plain(cell)) reject(column, "text without control characters");
       return std::string{cell};
     } else if constexpr (NamedEnum<T>) {
       constexpr auto names = enum_names(T{});

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 #include <trophic/support/json.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 
@@ -18,7 +19,12 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
   try {
     const auto json = parse_json(read_whole_file(list));
     for (const auto& replicate : json.at("replicates")) {
-      const std::filesystem::path name = replicate.at("folder").get<std::string>();
+      const auto folder_name = replicate.at("folder").get<std::string>();
+      if (!is_plain(folder_name)) {
+        throw std::invalid_argument{list.string() + ": folder = " + json_text(folder_name) +
+                                    ": must be text without control characters"};
+      }
+      const std::filesystem::path name = folder_name;
       if (name.has_parent_path() || name == "..") {
         throw std::invalid_argument{list.string() + ": folder = " + name.string() + ": must be the name of a folder next to it"};
       }

@@ -20,6 +20,15 @@ void remark_truncated(const CsvReader& csv, const std::filesystem::path& path, s
                     ": cut off in the middle of a line (killed run?); everything before it is used");
 }
 
+/// A run's last tick may end after its duration, by less than the longest tick.
+bool is_time(double time_s) {
+  constexpr double longest_tick_s = 3600.0;
+  return time_s >= 0.0 && time_s <= most_time_s + longest_tick_s;
+}
+std::string time_bound() {
+  return ">= 0 and <= " + number_text(most_time_s);
+}
+
 io::TableSum sum_of(const std::filesystem::path& path) {
   static_cast<void>(read_beginning(path, 0));  // says what is wrong; opening a pipe would wait
   std::ifstream file{path, std::ios::binary};
@@ -58,6 +67,7 @@ std::vector<EventRow> read_events(const std::filesystem::path& path, const FoodW
   std::vector<EventRow> rows;
   for (EventRow row; table.next(row);) {
     if (!rows.empty() && row.tick < rows.back().tick) table.reject("tick", ">= that of the row before");
+    if (!detail::is_time(row.time_s)) table.reject("time_s", detail::time_bound());
     rows.push_back(row);
   }
   detail::remark_truncated(table.csv(), path, remarks);
@@ -73,6 +83,7 @@ std::vector<AgentRow> read_agents(const std::filesystem::path& path, const FoodW
     if (row.tick % every_ticks != 0)
       table.reject("tick", "a multiple of " + std::to_string(every_ticks) + ", as its manifest says");
     if (!rows.empty() && row.tick < rows.back().tick) table.reject("tick", ">= that of the row before");
+    if (!detail::is_time(row.time_s)) table.reject("time_s", detail::time_bound());
     rows.push_back(row);
   }
   detail::remark_truncated(table.csv(), path, remarks);

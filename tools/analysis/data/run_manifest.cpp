@@ -70,7 +70,11 @@ std::string builds_text(const std::vector<std::string>& builds) {
 
 RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
   try {
-    const auto json = parse_json(text);
+    auto json = parse_json(text);
+    for (const char* unprinted : {"command_line", "error"}) {  // may quote what was typed
+      if (json.is_object()) json.erase(unprinted);
+    }
+    check_plain(json);
     RunManifest manifest;
     manifest.folder = path.parent_path();
     manifest.fingerprint = plain_text(json, "fingerprint");
@@ -83,6 +87,10 @@ RunManifest manifest_of(std::string_view text, const std::filesystem::path& path
       manifest.begins = "at " + said("at_s") + " s of " + said("run") + " (seed " + said("seed") + ")";
     }
     manifest.until_s = json.at("clock").at("until_s").get<double>();
+    if (!(manifest.until_s >= 0.0 && manifest.until_s <= most_time_s)) {
+      throw std::invalid_argument{"clock.until_s = " + number_text(manifest.until_s) +
+                                  ": must be >= 0 and <= " + number_text(most_time_s)};
+    }
     manifest.half_side_m = json.at("arena").at("half_side_m").get<double>();
     if (json.contains("agents_every_ticks")) {
       manifest.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);

@@ -16,6 +16,9 @@
 
 namespace trophic::analysis {
 
+/// The longest run that is analysed, three years of its clock: curves have a point every 200 s.
+inline constexpr double most_time_s = 1e8;
+
 /// The entries of a run's manifest that metrics need.
 struct RunManifest {
   std::filesystem::path folder;

@@ -3,6 +3,8 @@
 #include <tools/analysis/metrics/demography.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace trophic::analysis {
 
@@ -45,13 +47,13 @@ std::size_t deaths(Events events, Species species, std::optional<Cause> cause) {
 
 Series deaths_per_window(Events events, Species species, std::optional<Cause> cause, double until_s, double window_s) {
   Series series;
-  for (double end_s = window_s; end_s < until_s + window_s; end_s += window_s) {
-    const bool first = series.empty();
-    const auto inside = std::ranges::count_if(events, [&](const EventRow& row) {
-      return row.kind == observe::EventKind::death && row.species == species && (!cause || row.cause == cause) &&
-             (first || row.time_s > end_s - window_s) && row.time_s <= end_s;
-    });
-    series.push_back({end_s, static_cast<double>(inside)});
+  for (std::size_t window = 1; window_s * static_cast<double>(window) < until_s + window_s; ++window) {
+    series.push_back({window_s * static_cast<double>(window), 0.0});
+  }
+  for (const EventRow& row : events) {
+    const double window = std::max(0.0, std::ceil(row.time_s / window_s) - 1.0);
+    const bool counts = row.kind == observe::EventKind::death && row.species == species && (!cause || row.cause == cause);
+    if (counts && window < static_cast<double>(series.size())) *series[static_cast<std::size_t>(window)].value += 1.0;
   }
   return series;
 }

@@ -3,6 +3,7 @@
 #include <tools/analysis/metrics/sampled_metric.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
 namespace trophic::analysis {
@@ -10,6 +11,7 @@ namespace trophic::analysis {
 namespace {
 
 constexpr double curve_window_s = 200.0;
+constexpr std::size_t most_parts = 1000;
 
 }  // namespace
 
@@ -22,6 +24,9 @@ void SampledMetric::add(const std::string& species, const std::string& group, st
                         std::optional<double> value) {
   const auto is_its = [&](const Part& part) { return part.name.species == species && part.name.group == group; };
   auto part = std::ranges::find_if(parts_, is_its);
+  if (part == parts_.end() && parts_.size() == most_parts) {
+    throw std::invalid_argument{metric_ + ": must be of at most " + std::to_string(most_parts) + " species and groups"};
+  }
   if (part == parts_.end()) part = parts_.insert(parts_.end(), {{metric_, species, group, unit_}, WindowMean{curve_window_s}});
   part->has_times = part->has_times || time_s;
   part->mean.add(time_s.value_or(0.0), value);

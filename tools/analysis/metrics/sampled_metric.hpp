@@ -18,7 +18,8 @@ class SampledMetric {
   /// `is_one`: samples have neither species nor group, so there is a measurement even if there is no sample.
   SampledMetric(std::string metric, std::string unit, bool is_one);
 
-  /// Without a time a sample has no place in the curve; without a value it counts for nothing.
+  /// Without a time a sample has no place in the curve; without a value it counts for nothing. Throws
+  /// std::invalid_argument if there are more than 1000 species and groups.
   void add(const std::string& species, const std::string& group, std::optional<double> time_s, std::optional<double> value);
 
   /// Adds them to a run's metrics. A mean without any value gets a remark that begins with `where`. Throws

@@ -65,12 +65,12 @@ void append_short(std::string& text, std::string_view cell) {
 template <class Keep>
 std::string table_without(const std::filesystem::path& path, std::initializer_list<std::string_view> left_out,
                           std::initializer_list<std::string_view> looked_at, Keep&& keep, bool is_short = false) {
+  analysis::CsvReader csv{path, looked_at};
   std::string header;
   {
     std::ifstream file{path};
     std::getline(file, header);
   }
-  analysis::CsvReader csv{path, looked_at};
   std::vector<std::size_t> places;
   std::string text;
   for (std::size_t at = 0; at <= header.size();) {
