@@ -14,9 +14,14 @@
 #include <string_view>
 #include <support/forged_recording.hpp>
 #include <tools/analysis/data/read_run.hpp>
+#include <tools/analysis/metrics/own_column.hpp>
+#include <tools/analysis/metrics/run_metrics.hpp>
+#include <tools/trophic/convert/foreign_body.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/command/config.hpp>
+#include <trophic/command/toml_of_json.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -26,6 +31,7 @@
 #include <trophic/params/archive.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/contest/contest_plan.hpp>
 #include <trophic/run/sweep/plan_file.hpp>
 #include <trophic/run/sweep/sweep_file.hpp>
 #include <vector>
@@ -138,6 +144,55 @@ inline void read_plan(std::string_view bytes) {
   static_cast<void>(sweep::read_plan(FileInMemory{bytes}.path()));
 }
 
+/// A plan of contests, and its numbers as those of an experiment.
+inline void read_contest(std::string_view bytes) {
+  const contest::Plan plan = contest::read_plan(FileInMemory{bytes}.path());
+  FuzzedExperiment experiment;
+  read_numbers(experiment, command::toml_of(plan.params));
+  validate(experiment, "");
+}
+inline void read_outcomes(std::string_view bytes) {
+  static_cast<void>(contest::read_outcomes(FileInMemory{bytes}.path(), 2));
+}
+
+/// A body of another program, to its robot file.
+inline void read_body(std::string_view bytes) {
+  const convert::ForeignBody foreign = convert::read_foreign_body(bytes, "body");
+  body::Design design;
+  design.name = "body";
+  design.modules = foreign.modules;
+  static_cast<void>(body::build(design));
+  static_cast<void>(convert::robot_file(foreign, "body"));
+}
+
+/// A column of a table of one's own.
+inline void read_column(std::string_view bytes) {
+  const FileInMemory file{bytes};
+  const std::filesystem::path path = file.path();
+  analysis::RunData run{};
+  run.manifest.folder = path.parent_path();
+  run.manifest.until_s = 600.0;
+  analysis::RunMetrics result;
+  std::vector<std::string> remarks;
+  analysis::measure_column({.file = path.filename().string(), .column = "speed"}, run, result, remarks);
+}
+
+/// A manifest next to small tables, whose metrics it measures.
+inline void read_measured(std::string_view bytes) {
+  analysis::RunData run{};
+  run.manifest = analysis::manifest_of(bytes, "manifest.json");
+  const FileInMemory events{
+      "time_s,tick,event,id,species,body,tag,active,origin,parent_id,genome_id,cause,killer_id,victim_id,x_m,y_m\n"
+      "0,0,birth,0,prey,0,1,0,random,,0,,,,5.7,2.7\n"};
+  const FileInMemory agents{
+      "time_s,tick,body,id,species,origin,active,tag,x_m,y_m,heading_rad,target_angle_rad,adversary_id,adversary_distance_m,"
+      "hunger_ticks\n0,0,0,0,prey,random,0,-1,1.5,-2.25,0.1,0.7,,,\n"};
+  std::vector<std::string> remarks;
+  run.events = analysis::read_events(events.path(), run.manifest.web, remarks);
+  run.agents = analysis::read_agents(agents.path(), run.manifest.web, remarks);
+  static_cast<void>(analysis::measure_run(run));
+}
+
 /// A reader and the folder of its corpus.
 struct Reader {
   std::string_view name;
@@ -156,7 +211,12 @@ inline constexpr std::array readers{Reader{"robot", read_robot},
                                     Reader{"recording", read_recording},
                                     Reader{"head", read_head},
                                     Reader{"sweep", read_sweep},
-                                    Reader{"plan", read_plan}};
+                                    Reader{"plan", read_plan},
+                                    Reader{"contest", read_contest},
+                                    Reader{"outcomes", read_outcomes},
+                                    Reader{"body", read_body},
+                                    Reader{"column", read_column},
+                                    Reader{"measured", read_measured}};
 
 /// Reads arbitrary bytes. A reader may throw std::invalid_argument or std::runtime_error; any other exception
 /// propagates.

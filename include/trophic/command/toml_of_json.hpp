@@ -3,18 +3,22 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <trophic/params/toml.hpp>
 
 namespace trophic::command {
 
+/// The largest whole number of TOML; a larger one stays a number, which no whole number can be read from.
+inline constexpr std::uint64_t most_whole = std::numeric_limits<std::int64_t>::max();
+
 /// Puts a value into a table under a key. Throws Json::exception for a value that is not a number, text or switch.
 template <class Json>
 void insert_value(toml::table& table, std::string_view key, const Json& value) {
   if (value.is_boolean()) {
     table.insert(key, value.template get<bool>());
-  } else if (value.is_number_integer()) {
+  } else if (value.is_number_integer() && !(value.is_number_unsigned() && value.template get<std::uint64_t>() > most_whole)) {
     table.insert(key, value.template get<std::int64_t>());
   } else if (value.is_number()) {
     table.insert(key, value.template get<double>());
