@@ -5,7 +5,12 @@
 #include <trophic/control/locomotion/steerable.ipp>
 #include <trophic/ecology/checks.ipp>
 #include <trophic/habitat/body/build.ipp>
+#include <trophic/habitat/body/descriptors.ipp>
+#include <trophic/habitat/body/distance.ipp>
+#include <trophic/habitat/body/limits.ipp>
 #include <trophic/habitat/body/module.ipp>
+#include <trophic/habitat/body/plan.ipp>
+#include <trophic/habitat/body/variation.ipp>
 #include <trophic/habitat/gait.ipp>
 #include <trophic/habitat/ground_pose.ipp>
 #include <trophic/habitat/habitat.ipp>

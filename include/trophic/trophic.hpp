@@ -73,7 +73,12 @@
 #include <trophic/ecology/start.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/body/build.hpp>
+#include <trophic/habitat/body/descriptors.hpp>
+#include <trophic/habitat/body/distance.hpp>
+#include <trophic/habitat/body/limits.hpp>
 #include <trophic/habitat/body/module.hpp>
+#include <trophic/habitat/body/plan.hpp>
+#include <trophic/habitat/body/variation.hpp>
 #include <trophic/habitat/cpg_integration.hpp>
 #include <trophic/habitat/decision_order.hpp>
 #include <trophic/habitat/ecology_params.hpp>

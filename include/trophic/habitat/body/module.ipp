@@ -26,14 +26,15 @@ TROPHIC_INLINE std::size_t ModuleTree::attach(std::size_t parent, Face face, Mod
   if (parent >= modules_.size()) {
     throw std::invalid_argument{"parent = " + std::to_string(parent) + ": must be < " + std::to_string(modules_.size())};
   }
-  const std::string place = join_path(path(parent) == "core" ? "" : path(parent), enum_name(face));
-  if (type == ModuleType::core) throw std::invalid_argument{place + ": a robot has only one core"};
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument{join_path(parent == 0 ? "" : path(parent), enum_name(face)) + ": " + why};
+  };
+  if (type == ModuleType::core) refuse("a robot has only one core");
   const Module& on = modules_[parent];
   if (!has_face(on.type, face)) {
-    throw std::invalid_argument{place + ": a " + std::string{enum_name(on.type)} + " has no " + std::string{enum_name(face)} +
-                                " face"};
+    refuse("a " + std::string{enum_name(on.type)} + " has no " + std::string{enum_name(face)} + " face");
   }
-  if (child(parent, face)) throw std::invalid_argument{place + ": two modules on one face"};
+  if (child(parent, face)) refuse("two modules on one face");
   Module added;
   added.type = type;
   added.parent = parent;
@@ -43,7 +44,7 @@ TROPHIC_INLINE std::size_t ModuleTree::attach(std::size_t parent, Face face, Mod
   added.cell = on.cell + towards.col(0);
   added.orientation = towards * roll_rotation(added.quarter_turns);
   for (std::size_t other = 0; other < modules_.size(); ++other) {
-    if (modules_[other].cell == added.cell) throw std::invalid_argument{place + ": overlaps module " + path(other)};
+    if (modules_[other].cell == added.cell) refuse("overlaps module " + path(other));
   }
   modules_[parent].children.at(static_cast<std::size_t>(face)) = modules_.size();
   modules_.push_back(added);

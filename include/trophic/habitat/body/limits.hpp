@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Conditions that a body must satisfy before an individual is born with it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <trophic/habitat/body/module.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/linkage.hpp>
+#include <tuple>
+
+namespace trophic {
+struct RobotModel;
+}
+
+namespace trophic::body {
+
+/// Bounds on the parts of a body.
+struct Limits {
+  std::size_t most_modules = 20;
+  std::size_t fewest_hinges = 1;
+  std::size_t most_hinges = 10;
+
+  static constexpr auto fields() {
+    return std::tuple{field("most_modules", &Limits::most_modules, between(1.0, 1000.0), "modules of a body, its core included"),
+                      field("fewest_hinges", &Limits::fewest_hinges, between(0.0, 1000.0), "hinges that a body needs"),
+                      field("most_hinges", &Limits::most_hinges, between(0.0, 1000.0), "hinges that a body may have")};
+  }
+};
+
+/// The names of two links with boxes that overlap at rest (all angles 0), as "A and B"; empty if none do. Links that a hinge
+/// joins do not count: engines let them overlap, too. The grid of modules cannot show this: parts are not as long as their cells.
+[[nodiscard]] std::string overlapping_links(const RobotModel& robot);
+
+/// Whether some hinge is on the left or the right of the robot's axis: only those can a Steering rule treat differently.
+[[nodiscard]] bool has_sides(const RobotModel& robot);
+
+/// Why a body may not live, e.g. "12 hinges: must be <= 10"; none if it may. The checks, in order: number of modules, numbers of
+/// hinges, a hinge on the left or the right (if hinges are required at all), overlap of boxes.
+[[nodiscard]] std::optional<std::string> refusal(const ModuleTree& tree, const RobotModel& robot, const Limits& limits);
+
+}  // namespace trophic::body
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/habitat/body/limits.ipp>
+#endif
