@@ -12,7 +12,10 @@
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/control/brain/cognitive_network.hpp>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
+#include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/control/brain/tanh_network.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>

@@ -7,7 +7,10 @@
 #include <conformance/placement_suite.hpp>
 #include <conformance/reproduction_suite.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
+#include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
@@ -76,7 +79,9 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagC
                           perception::tag_switch::TagSampling, perception::tag_switch::FreeTags);
 TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainZeroRight,
                           control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases,
-                          control::brain::HebbianBrain);
+                          control::brain::HebbianBrain, control::brain::FeedForwardBrain, control::brain::RecurrentBrain,
+                          control::brain::Hebbian<control::brain::FeedForwardBrain>,
+                          control::brain::Hebbian<control::brain::RecurrentBrain>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::NoSteering);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights,

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/control/brain/detail/network.hpp>
 #include <trophic/control/brain/tanh_network.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
@@ -54,7 +55,7 @@ struct HebbianBrain {
     const std::size_t first = hidden * inputs.size();
     learn(inputs, before, std::span{sum}.first(first), learnt.first(first));
     learn(before, out, std::span{sum}.subspan(first), learnt.subspan(first));
-    return {.target_angle_rad = out[0] > 0.0 ? params.turn_angle_rad : -params.turn_angle_rad, .tag = out[1] > 0.0 ? 1 : -1};
+    return detail::decision_of(out, params.turn_angle_rad);
   }
 
   /// The two output neurons (target angle, tag), each in (-1, 1), before this decision's learning.
@@ -75,7 +76,7 @@ struct HebbianBrain {
     for (std::size_t row = 0; row < to.size(); ++row) {
       for (std::size_t column = 0; column < from.size(); ++column) {
         const std::size_t i = row * from.size() + column;
-        learnt[i] += params.rate * to[row] * (from[column] - to[row] * weights[i]);
+        learnt[i] += detail::oja_step(params.rate, from[column], to[row], weights[i]);
       }
     }
   }

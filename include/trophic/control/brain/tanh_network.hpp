@@ -12,6 +12,16 @@ namespace trophic::control::brain {
 
 enum class Biases { none, both_layers };
 
+/// to = tanh(W from + b). `weight` points to W row by row, then b if there are biases.
+template <std::size_t bias>
+void tanh_layer(std::span<const double> from, std::span<double> to, const double* weight) {
+  for (std::size_t row = 0; row < to.size(); ++row) {
+    double sum = bias != 0 ? weight[to.size() * from.size() + row] : 0.0;
+    for (std::size_t column = 0; column < from.size(); ++column) sum += weight[row * from.size() + column] * from[column];
+    to[row] = std::tanh(sum);
+  }
+}
+
 /// hidden = tanh(W1 in + b1), out = tanh(W2 hidden + b2); without biases b1 = b2 = 0 and the network is odd in its inputs. Any
 /// number of inputs. Weights in one row: W1 row by row, b1, W2 row by row, b2; without biases W1, W2.
 template <std::size_t Hidden, std::size_t Outputs, Biases biases>
@@ -31,19 +41,9 @@ struct TanhNetwork {
   [[nodiscard]] static Neurons neurons(std::span<const double> inputs, std::span<const double> weights) {
     assert(weights.size() == weights_size(inputs.size()));
     Neurons result;
-    layer(inputs, result.hidden, weights.data());
-    layer(result.hidden, result.out, weights.data() + Hidden * (inputs.size() + bias));
+    tanh_layer<bias>(inputs, result.hidden, weights.data());
+    tanh_layer<bias>(result.hidden, result.out, weights.data() + Hidden * (inputs.size() + bias));
     return result;
-  }
-
- private:
-  /// to = tanh(W from + b); `weight` points to W row by row, then b.
-  static void layer(std::span<const double> from, std::span<double> to, const double* weight) {
-    for (std::size_t row = 0; row < to.size(); ++row) {
-      double sum = bias != 0 ? weight[to.size() * from.size() + row] : 0.0;
-      for (std::size_t column = 0; column < from.size(); ++column) sum += weight[row * from.size() + column] * from[column];
-      to[row] = std::tanh(sum);
-    }
   }
 };
 

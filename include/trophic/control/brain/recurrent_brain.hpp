@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// A network whose hidden neurons remember the last tick.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/control/brain/detail/network.hpp>
+#include <trophic/control/brain/tanh_network.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::control::brain {
+
+/// Rule: a simple recurrent network [elman1990] of n hidden neurons: hidden(t) = tanh(W1 in(t) + R hidden(t - 1)), out = tanh(W2
+/// hidden(t)), one step a tick, hidden = 0 before the first decision of a life; decision as in CognitiveBrain. With R = 0 it is
+/// FeedForwardBrain. Genome: W1 (n rows of one weight an input), R (n x n), W2 (2 x n), row by row.
+/// Reads: the sensors, its hidden neurons of the last tick.   Random draws: 0.
+struct RecurrentBrain {
+  static constexpr std::string_view name = "recurrent_brain";
+  static constexpr std::string_view source = "not in the paper; recurrent links by [elman1990]";
+
+  struct Params {
+    std::size_t hidden = 3;
+    double turn_angle_rad = 0.7;
+    static constexpr auto fields() {
+      return std::tuple{
+          field("hidden", &Params::hidden, between(1.0, 100.0), "hidden neurons"),
+          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
+    }
+  };
+  Params params;
+
+  struct State {
+    std::vector<double> hidden;  ///< neurons of the last tick; empty before the first decision
+    static constexpr auto fields() { return std::tuple{field("hidden", &State::hidden)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
+    return params.hidden * (inputs + params.hidden + outputs);
+  }
+  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
+
+  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
+    own.hidden = next_hidden(inputs, weights, own);
+    return detail::decision_of(out_of(own.hidden, inputs.size(), weights), params.turn_angle_rad);
+  }
+
+  /// The two output neurons (target angle, tag), each in (-1, 1).
+  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs, std::span<const double> weights,
+                                                              const State& own) const {
+    return out_of(next_hidden(inputs, weights, own), inputs.size(), weights);
+  }
+
+  /// Calls `visit(weight's index, neuron before, neuron after)` for each link of the next decision; before a link of R stands the
+  /// neuron of the last tick.
+  template <class Visit>
+  void for_each_link(std::span<const double> inputs, std::span<const double> weights, const State& own,
+                     const Visit& visit) const {
+    const std::vector<double> hidden = next_hidden(inputs, weights, own);
+    std::size_t weight = 0;
+    for (const double after : hidden) {
+      for (const double before : inputs) visit(weight++, before, after);
+    }
+    for (const double after : hidden) {
+      for (std::size_t before = 0; before < params.hidden; ++before) visit(weight++, remembered(own, before), after);
+    }
+    for (const double after : out_of(hidden, inputs.size(), weights)) {
+      for (const double before : hidden) visit(weight++, before, after);
+    }
+  }
+
+ private:
+  [[nodiscard]] static double remembered(const State& own, std::size_t neuron) {
+    return own.hidden.empty() ? 0.0 : own.hidden[neuron];
+  }
+
+  [[nodiscard]] std::vector<double> next_hidden(std::span<const double> inputs, std::span<const double> weights,
+                                                const State& own) const {
+    const std::span recurrent = weights.subspan(params.hidden * inputs.size());
+    std::vector<double> next(params.hidden);
+    for (std::size_t row = 0; row < params.hidden; ++row) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < inputs.size(); ++i) sum += weights[row * inputs.size() + i] * inputs[i];
+      for (std::size_t i = 0; i < params.hidden; ++i) sum += recurrent[row * params.hidden + i] * remembered(own, i);
+      next[row] = std::tanh(sum);
+    }
+    return next;
+  }
+
+  [[nodiscard]] std::array<double, Decision::outputs> out_of(std::span<const double> hidden, std::size_t inputs,
+                                                             std::span<const double> weights) const {
+    std::array<double, Decision::outputs> out{};
+    tanh_layer<0>(hidden, out, weights.data() + params.hidden * (inputs + params.hidden));
+    return out;
+  }
+};
+static_assert(Brain<RecurrentBrain>);
+
+}  // namespace trophic::control::brain

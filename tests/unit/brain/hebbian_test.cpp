@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/hebbian.hpp>
+#include <trophic/control/brain/hebbian_brain.hpp>
+#include <trophic/control/brain/recurrent_brain.hpp>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::control::brain;
+
+TEST_CASE("hebbian: feed-forward network of 3 hidden neurons -> the hebbian brain, bit by bit") {
+  const Hebbian<FeedForwardBrain> learning{{.network = {}, .rate = 0.1}};
+  const HebbianBrain known{{.rate = 0.1}};
+  Rng rng{11, Stream::user};
+  std::vector<double> weights(15);
+  for (double& weight : weights) weight = rng.uniform(-2.0, 2.0);
+  Hebbian<FeedForwardBrain>::State own;
+  HebbianBrain::State other;
+  for (int tick = 0; tick < 30; ++tick) {
+    const std::array inputs{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+    CHECK(learning.outputs(inputs, weights, own) == known.outputs(inputs, weights, other));
+    CHECK((learning.decide(inputs, weights, own) == known.decide(inputs, weights, other)));
+    CHECK(own.learnt == other.learnt);
+  }
+}
+
+TEST_CASE("hebbian: recurrent network -> learns and remembers") {
+  const Hebbian<RecurrentBrain> learning{{.network = {.hidden = 1}, .rate = 0.1}};
+  const std::vector<double> weights{0.5, -2.0, 1.5, -0.5};
+  Hebbian<RecurrentBrain>::State own;
+  static_cast<void>(learning.decide(std::array{1.0}, weights, own));
+  const double first = std::tanh(0.5);
+  CHECK(own.network.hidden == std::vector<double>{first});
+  CHECK(own.learnt[0] == doctest::Approx(0.1 * first * (1.0 - first * 0.5)));
+  CHECK(own.learnt[1] == doctest::Approx(0.1 * first * (0.0 - first * -2.0)));
+  static_cast<void>(learning.decide(std::array{1.0}, weights, own));
+  CHECK(own.network.hidden[0] ==
+        doctest::Approx(std::tanh((0.5 + 0.1 * first * (1.0 - first * 0.5)) - (2.0 - 0.2 * first * first) * first)));
+  CHECK(learning.born({}, &own, own).network.hidden.empty());
+  CHECK(learning.born({}, &own, own).learnt.empty());
+}
+
+TEST_CASE("hebbian: names and numbers -> those of the network, nested") {
+  CHECK(Hebbian<RecurrentBrain>::name == "hebbian_recurrent_brain");
+  CHECK(Hebbian<FeedForwardBrain>{{.network = {.hidden = 5}}}.genome_size(3, 2) == 25);
+}
