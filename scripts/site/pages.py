@@ -24,7 +24,6 @@ ORDER = [  # what a reader meets in the site's tree, with their parents
     ("docs/files.md", None),
     ("docs/tables.md", "docs/files.md"),
     ("models/README.md", None),
-    ("docs/bodies.md", "models/README.md"),
     ("backends/mujoco/README.md", None),
     ("backends/ode/README.md", None),
     ("CONTRIBUTING.md", None),

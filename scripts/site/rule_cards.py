@@ -6,6 +6,7 @@ import pathlib
 import re
 
 import references
+import rule_pictures
 from documents import parse
 
 KINDS = ("perception", "control", "reproduction", "death", "initialization")
@@ -25,13 +26,19 @@ class Card:
     is_template: bool = False
 
 
-def params_of(body: str) -> list[tuple[str, str, str, str]]:
-    """Name, default, bounds and meaning of each number that fields() lists."""
+def params_of(body: str, folder: pathlib.Path | None = None) -> list[tuple[str, str, str, str]]:
+    """Name, default, bounds and meaning of each number that fields() lists; policies of a folder may share the struct that has them."""
     if "Params params;" not in body:
         return []
+    shared = re.search(r"using Params = detail::(\w+);", body)
+    if shared and folder:
+        texts = [path.read_text() for path in sorted((folder / "detail").glob("*.hpp"))]
+        body = next(text[text.index(f"struct {shared[1]} ") :] for text in texts if f"struct {shared[1]} " in text)
+        fields = body[body.find("fields()") : body.find("\n};")]
+    else:
+        fields = body[body.find("fields()") : body.find("Params params;")]
     params = []
-    fields = body[body.find("fields()") : body.find("Params params;")]
-    for name, bounds, meaning in re.findall(r'field\("(\w+)", &Params::\w+,\s*(.*?),\s*"([^"]*)"\)', fields, re.DOTALL):
+    for name, bounds, meaning in re.findall(r'field\("(\w+)", &\w+::\w+,\s*(.*?),\s*"([^"]*)"\)', fields, re.DOTALL):
         default = re.search(rf"\b{name} = ([^;]+);", body)
         params.append((name, default[1] if default else "", " ".join(bounds.split()), meaning))
     return params
@@ -65,7 +72,7 @@ def read_made_of_parts(path: pathlib.Path, include: pathlib.Path) -> Card | None
 def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
     text = path.read_text()
     header = str(path.relative_to(include))
-    struct = re.search(r"((?:^///.*\n)+)(?:template <[^\n]*>\n)?^struct (\w+) (?:final )?(?::[^{]*)?\{\n  static constexpr std::string_view name\b", text, re.M)
+    struct = re.search(r"((?:^///.*\n)+)(?:template <[^\n]*>\n)?^struct (\w+) (?:final )?(?::[^{]*)?\{\n(?:  static_assert.*\n)*  static constexpr std::string_view name\b", text, re.M)
     if not struct:
         return read_made_of_parts(path, include) or read_alias(path, include)
     doc = doc_lines(struct[1])
@@ -73,14 +80,15 @@ def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
     kind, *folders = pathlib.PurePath(header).parts[1:-1]
     name = re.search(r'string_view name = "([^"]*)"', body)
     source = re.search(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', body)
-    if not name or not source:
+    is_template = "template <" in struct[0]
+    if not source or not (name or is_template):
         return None
     prose = " ".join(doc)
     if not re.search(r"Random draws?:", prose):
         raise SystemExit(f"rule cards: {header}: the doc block of {struct[2]} does not say how many random numbers it draws")
     if not re.search(r"\bRules?\b[^:.]*:", prose):
         raise SystemExit(f"rule cards: {header}: the doc block of {struct[2]} has no 'Rule:'")
-    return Card(header, folders[0] if folders else kind, kind, struct[2], name[1], source[1].replace('\\"', '"'), doc, params_of(body), "struct State" in body, "template <" in struct[0])
+    return Card(header, folders[0] if folders else kind, kind, struct[2], name[1] if name else snake(struct[2]), source[1].replace('\\"', '"'), doc, params_of(body, path.parent), "struct State" in body, is_template)
 
 
 def tables(include: pathlib.Path) -> dict[str, list[tuple[str, str]]]:
@@ -160,6 +168,9 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
     body = re.sub(r"\s*Random draws?:\s*", "\n\n**Random draws.** ", body)
     body = re.sub(r"\b(Rules?\b[^:.]*):\s*", r"**\1.** ", body, count=1)
     lines += [body, ""]
+    picture = rule_pictures.picture_of(card)
+    if picture:
+        lines += [f"![{picture[1]}]({picture_name(card)})", ""]
     if card.source:
         lines += [f"**Source.** {escaped(card.source)}", ""]
     if card.params:
@@ -190,7 +201,11 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
     return references.linked("\n".join(lines), keys)
 
 
-def write(root: pathlib.Path, out: pathlib.Path) -> list[Card]:
+def picture_name(card: Card) -> str:
+    return f"rule_{card.slot}_{card.name}.svg"
+
+
+def write(root: pathlib.Path, out: pathlib.Path, images: pathlib.Path) -> list[Card]:
     include = root / "include"
     headers = [path for kind in KINDS for path in sorted((include / "trophic" / kind).rglob("*.hpp")) if "detail" not in path.parts]
     cards = [card for path in headers if (card := read(path, include))]
@@ -201,6 +216,8 @@ def write(root: pathlib.Path, out: pathlib.Path) -> list[Card]:
         for slot in sorted({card.slot for card in cards if card.kind == kind}):
             index += [f"**{slot}**", ""]
             for card in (card for card in cards if card.kind == kind and card.slot == slot):
+                if picture := rule_pictures.picture_of(card):
+                    (images / picture_name(card)).write_text(picture[0])
                 (out / f"card_{card.slot}_{card.name}.md").write_text(page(card, used, swapped, keys, slots_of(include)))
                 index.append(f"- @subpage card_{card.slot}_{card.name} &ndash; {escaped(first_sentence(card))}")
             index.append("")

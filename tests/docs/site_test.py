@@ -7,12 +7,14 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 ROOT, OUT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 sys.path[:0] = [str(ROOT / "scripts/site"), str(ROOT / "tests/docs")]
 
 import check_links  # noqa: E402
 import rule_cards  # noqa: E402
+import rule_pictures  # noqa: E402
 
 
 def finds_broken_links() -> None:
@@ -43,6 +45,8 @@ def cards_say_what_the_sources_say() -> None:
     card = rule_cards.read(include / "trophic/reproduction/mutation/normal_mutation.hpp", include)
     assert (card.type, card.name, card.slot) == ("NormalMutation", "normal_mutation", "mutation"), card
     assert card.params == [("sd", "0.05", "at_least(0.0)", "standard deviation")], card.params
+    crowding = rule_cards.read(include / "trophic/death/starvation/interval/delayed_crowding_interval.hpp", include)
+    assert crowding.params[0][:2] == ("base_ticks", "25"), crowding.params
     used = rule_cards.tables(include)
     assert used["NormalMutation"] == [("paper", "Mutation")] and ("released", "Mutation") in used["UniformMutation"], used
     policies = [p for kind in rule_cards.KINDS for p in (include / "trophic" / kind).rglob("*.hpp") if "string_view name" in p.read_text()]
@@ -66,7 +70,23 @@ def cards_are_used_as_they_say() -> None:
             assert len(sentence) > 12 and sum(map(sentence.count, "([")) == sum(map(sentence.count, ")]")), f"{path}: {sentence}"
 
 
+def pictures_are_drawn_from_the_headers() -> None:
+    include = ROOT / "include"
+    headers = [path for kind in rule_cards.KINDS for path in (include / "trophic" / kind).rglob("*.hpp") if "detail" not in path.parts]
+    cards = [card for path in headers if (card := rule_cards.read(path, include))]
+    drawn = {(card.slot, card.name): rule_pictures.picture_of(card) for card in cards}
+    assert set(rule_pictures.PICTURES) <= set(drawn), set(rule_pictures.PICTURES) - set(drawn)
+    for key in rule_pictures.PICTURES:
+        root = xml.etree.ElementTree.fromstring(drawn[key][0])
+        assert len(list(root)) > 4, key
+    reach = next(card for card in cards if card.name == "catch_closest")
+    assert "reach 1 m" in rule_pictures.picture_of(reach)[0]
+    reach.params = [("reach_m", "0.25", "", "")]
+    assert "reach 0.25 m" in rule_pictures.picture_of(reach)[0]
+
+
 def main() -> int:
+    pictures_are_drawn_from_the_headers()
     cards_are_used_as_they_say()
     finds_broken_links()
     refuses_a_rule_that_hides_its_draws()
