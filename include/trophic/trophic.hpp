@@ -17,6 +17,12 @@
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/control/brain/tanh_network.hpp>
+#include <trophic/control/gait/contract.hpp>
+#include <trophic/control/gait/detail/cppn.hpp>
+#include <trophic/control/gait/inherited_cpg.hpp>
+#include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/control/gait/named_gait.hpp>
+#include <trophic/control/gait/robots_gait.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
@@ -60,13 +66,18 @@
 #include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/death/starvation/procedure.hpp>
+#include <trophic/ecology/bodies.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>
+#include <trophic/ecology/choice.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/ecology/embody.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/frames.hpp>
+#include <trophic/ecology/genome_parts.hpp>
 #include <trophic/ecology/lineup.hpp>
+#include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/shipped.hpp>
@@ -74,6 +85,7 @@
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/ecology/start.hpp>
+#include <trophic/ecology/state_hooks.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/body/descriptors.hpp>
@@ -109,6 +121,9 @@
 #include <trophic/initialization/community/contract.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/community/predator_prey.hpp>
+#include <trophic/initialization/embodiment/contract.hpp>
+#include <trophic/initialization/embodiment/keeps_body.hpp>
+#include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/initialization/placement/scattered.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
@@ -183,6 +198,7 @@
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/parts.hpp>
+#include <trophic/population/phenotype.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/population/sighting.hpp>
@@ -191,6 +207,9 @@
 #include <trophic/population/state.hpp>
 #include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
+#include <trophic/reproduction/body_plan/contract.hpp>
+#include <trophic/reproduction/body_plan/named_body.hpp>
+#include <trophic/reproduction/body_plan/one_body.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/genome_source/random_or_inherited.hpp>
@@ -221,6 +240,9 @@
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
+#include <trophic/reproduction/viability/always_viable.hpp>
+#include <trophic/reproduction/viability/contract.hpp>
+#include <trophic/reproduction/viability/within_mass.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/paper.hpp>

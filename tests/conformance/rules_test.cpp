@@ -3,6 +3,7 @@
 #include <conformance/community_suite.hpp>
 #include <conformance/control_suite.hpp>
 #include <conformance/death_suite.hpp>
+#include <conformance/parts_suite.hpp>
 #include <conformance/perception_suite.hpp>
 #include <conformance/placement_suite.hpp>
 #include <conformance/reproduction_suite.hpp>
@@ -11,6 +12,10 @@
 #include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
+#include <trophic/control/gait/inherited_cpg.hpp>
+#include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/control/gait/named_gait.hpp>
+#include <trophic/control/gait/robots_gait.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
@@ -35,6 +40,7 @@
 #include <trophic/perception/visibility/all_active.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
+#include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
@@ -46,6 +52,7 @@
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
+#include <trophic/reproduction/viability/within_mass.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 
@@ -100,6 +107,10 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
                           reproduction::parent::MostEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
                           reproduction::recruitment::AfterEscapes);
+TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
+                          control::gait::InheritedCppn);
+TEST_CASE_TEMPLATE_INVOKE(trophic_body_plan_suite, reproduction::body_plan::OneBody, reproduction::body_plan::NamedBody);
+TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::AlwaysViable, reproduction::viability::WithinMass);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
                           reproduction::heredity::NothingInherited);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,

@@ -102,6 +102,9 @@ Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
       "genomes.csv",
       R"(One row per birth. If genomes are shared, a later row with the same genome_id holds the weights of all who share it from then
 on.)");
+  text += section<io::GeneRow>("genes.csv",
+                               R"(One row per gene of every newborn. Written only if individuals inherit gaits or bodies, or if
+brains grow.)");
   text += section<analysis::MetricRow>("metrics.csv",
                                        "Results of the analysis: every value and every curve of every run, one value per row.");
   text += section<analysis::MeanRow>("means.csv", "Each metric of a set next to each of its nulls, for tables of a paper.");

@@ -43,6 +43,11 @@ class AnyBackend {
   /// Throws std::logic_error if the backend has joints.
   void set_target_angle(std::size_t robot, double target_angle_rad) { bodies_->set_target_angle(robot, target_angle_rad); }
 
+  /// Whether bodies can be exchanged (Embodying).
+  [[nodiscard]] bool can_embody() const { return bodies_->can_embody(); }
+  /// Throws std::logic_error if the backend cannot exchange bodies.
+  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) { bodies_->embody(robot, model, pose); }
+
   /// The backend's State, for `restore` of the same AnyBackend.
   [[nodiscard]] std::any save() const { return bodies_->save(); }
   void restore(const std::any& state) { bodies_->restore(state); }
@@ -71,6 +76,8 @@ class AnyBackend {
     [[nodiscard]] virtual bool has_joints() const = 0;
     virtual void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) = 0;
     virtual void set_target_angle(std::size_t robot, double target_angle_rad) = 0;
+    [[nodiscard]] virtual bool can_embody() const = 0;
+    virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
     [[nodiscard]] virtual std::any save() const = 0;
     virtual void restore(const std::any& state) = 0;
     virtual void persist(Archive& archive) = 0;
@@ -105,6 +112,15 @@ class AnyBackend {
         backend.set_target_angle(robot, target_angle_rad);
       } else {
         throw std::logic_error{"backend " + std::string{B::name} + ": is driven by joint targets, not by a target angle"};
+      }
+    }
+    [[nodiscard]] bool can_embody() const override { return Embodying<B>; }
+    void embody([[maybe_unused]] std::size_t robot, [[maybe_unused]] const RobotModel& model,
+                [[maybe_unused]] const Pose& pose) override {
+      if constexpr (Embodying<B>) {
+        backend.embody(robot, model, pose);
+      } else {
+        throw std::logic_error{"backend " + std::string{B::name} + ": cannot exchange bodies"};
       }
     }
     [[nodiscard]] std::any save() const override { return backend.save(); }

@@ -39,6 +39,8 @@ class BackendChoice {
   /// One sentence for each number of `physics` without effect.
   [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const { return choice_->remarks(physics); }
   [[nodiscard]] bool has_joints() const { return choice_->has_joints(); }
+  /// Whether bodies can be exchanged (Embodying).
+  [[nodiscard]] bool can_embody() const { return choice_->can_embody(); }
   /// Its number of threads; null for a backend without threads.
   [[nodiscard]] std::size_t* threads() { return choice_->threads(); }
 
@@ -73,6 +75,7 @@ class BackendChoice {
     [[nodiscard]] virtual std::string version() const = 0;
     [[nodiscard]] virtual std::vector<std::string> remarks(const Physics& physics) const = 0;
     [[nodiscard]] virtual bool has_joints() const = 0;
+    [[nodiscard]] virtual bool can_embody() const = 0;
     [[nodiscard]] virtual std::size_t* threads() = 0;
     virtual void validate(std::string_view path) const = 0;
     virtual void append_named_params(std::string_view path, NamedParams& named_params) const = 0;
@@ -89,6 +92,7 @@ class BackendChoice {
     [[nodiscard]] std::string version() const override { return B::version(); }
     [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const override { return B::remarks(physics); }
     [[nodiscard]] bool has_joints() const override { return JointDriven<B>; }
+    [[nodiscard]] bool can_embody() const override { return Embodying<B>; }
     [[nodiscard]] std::size_t* threads() override {
       if constexpr (requires { params.threads; }) return &params.threads;
       return nullptr;

@@ -73,6 +73,17 @@ concept JointDriven = Backend<B> && requires(B backend, std::size_t robot, std::
   {backend.set_joint_targets(robot, targets_rad)};
 };
 
+/// Robots whose bodies differ. Built with one model; then `embody(robot, model, pose)` takes a robot's body away and puts this
+/// one at `pose`, joint angles 0, at rest, targets 0, without warm start. The other robots are not affected. Throws
+/// std::invalid_argument as the constructor does, and then changes nothing. `model(robot)`: returns what the robot is now.
+/// `restore` takes a state of the same models. Kinds of bodies that no robot has take no memory.
+template <class B>
+concept Embodying = JointDriven<B> &&
+    requires(B backend, const B& observed, std::size_t robot, const RobotModel& model, const Pose& pose) {
+  {backend.embody(robot, model, pose)};
+  { observed.model(robot) } -> std::same_as<const RobotModel&>;
+};
+
 /// Driven by the target angle alone (no joints): positive turns right, held until the next call.
 template <class B>
 concept SteeringDriven = Backend<B> && requires(B backend, std::size_t robot, double target_angle_rad) {

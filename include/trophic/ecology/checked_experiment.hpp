@@ -3,14 +3,19 @@
 #pragma once
 
 #include <concepts>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/genome_parts.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
+#include <trophic/rules/table.hpp>
 #include <utility>
+#include <vector>
 
 namespace trophic {
 
@@ -22,12 +27,79 @@ struct CheckedExperiment {
   Habitat habitat;
 };
 
+namespace detail {
+
+/// Calls `visit(policy)` with the policy of each species, or with the one of all.
+template <class P, class Visitor>
+void for_each_species_policy(const P& policy, const Visitor& visit) {
+  if constexpr (requires {
+                  P::count;
+                  policy.of(Species{});
+                }) {
+    for (Species species = 0; species < P::count; ++species) visit(policy.of(species));
+  } else {
+    visit(policy);
+  }
+}
+
+/// The models that the rules BodyPlan and Gait name.
+template <class Rules>
+[[nodiscard]] ModelNames named_models(const Policies<Rules>& rules) {
+  ModelNames names;
+  const auto add = [](auto& to, const std::vector<std::string>& from) { to.insert(to.end(), from.begin(), from.end()); };
+  for_each_species_policy(rules.body_plan, [&](const auto& policy) {
+    if constexpr (requires { policy.robots(); }) add(names.robots, policy.robots());
+  });
+  for_each_species_policy(rules.gait, [&](const auto& policy) {
+    if constexpr (requires { policy.gaits(); }) add(names.gaits, policy.gaits());
+  });
+  names.needs_design = !is_neutral<Rules, RuleSlot::body_plan>;
+  return names;
+}
+
+/// Throws std::invalid_argument if the backend cannot show what the rules Gait and BodyPlan give individuals, or if these do not
+/// go together.
+template <class Rules>
+void check_parts(const BackendChoice& backend) {
+  using Parts = GenomeParts<Rules>;
+  using Gaits = PolicyIn<Rules, RuleSlot::gait>;
+  using Bodies = PolicyIn<Rules, RuleSlot::body_plan>;
+  const auto refuse = [](std::string_view what, const std::string& must) {
+    throw std::invalid_argument{std::string{what} + ": must be " + must};
+  };
+  const std::string gaits = "rules.gait = " + std::string{policy_name<Gaits>()};
+  const std::string bodies = "rules.body_plan = " + std::string{policy_name<Bodies>()};
+  if constexpr (Parts::has_gaits) {
+    const std::string& differing = Parts::has_bodies ? bodies : gaits;
+    if (!backend.has_joints()) {
+      refuse(differing + " on backend " + backend.name(), "a backend with joints, which show bodies and gaits of individuals");
+    }
+  }
+  if constexpr (Parts::has_bodies) {
+    if (!backend.can_embody()) {
+      refuse(bodies + " on backend " + backend.name(), "a backend that exchanges bodies (Embodying in backend/contract.hpp)");
+    }
+    if constexpr (is_neutral<Rules, RuleSlot::embodiment>) {
+      refuse(bodies + " with rules.embodiment = keeps_body", "a rule Embodiment that sets bodies down");
+    }
+  }
+  if constexpr (Parts::has_body_genes && requires { requires AnswersForSpecies<Gaits>::fits_one_body; }) {
+    refuse(gaits + " with " + bodies, "a rule Gait that fits any body, such as inherited_cppn");
+  }
+  if constexpr (Parts::has_body_genes && is_neutral<Rules, RuleSlot::gait>) {
+    refuse(gaits + " with " + bodies, "a rule Gait that fits any body, such as inherited_cppn");
+  }
+}
+
+}  // namespace detail
+
 /// Throws std::invalid_argument naming field, value and bound, or a robot that the rules cannot steer.
 template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> checked(Experiment<Rules> params, BackendChoice backend, Habitat habitat) {
   validate(params, "");
   backend.validate("backend");
   check_fit(habitat.gait, habitat.robot);
+  detail::check_parts<Rules>(backend);
   if (backend.has_joints()) {
     locomotion::check_steerable(habitat.robot, make_policy<typename Rules::Steering>(params.rules.steering, "steering"));
   }
@@ -40,8 +112,8 @@ template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> load_checked(Experiment<Rules> params, BackendChoice backend, std::string_view installed) {
   validate(params, "");
   backend.validate("backend");
-  if constexpr (requires { load_habitat(params.ecology, installed); }) {
-    Habitat habitat = load_habitat(params.ecology, installed);
+  if constexpr (requires { load_habitat(params.ecology, ModelNames{}, installed); }) {
+    Habitat habitat = load_habitat(params.ecology, detail::named_models(make_policies<Rules>(params.rules)), installed);
     if (params.ecology.gait.empty()) params.ecology.gait = habitat.robot.gait;
     return checked(std::move(params), std::move(backend), std::move(habitat));
   } else {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/minimum_predators/contract.hpp>
@@ -21,9 +23,10 @@ namespace trophic::detail {
 /// Throws RuleError unless the hunter's species eats the victim's.
 void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex victim, Species eaten);
 
-/// Throws RuleError if the rules fix a body's new species and the parent is of another one, or if the parent's genome does not
-/// have `weights` weights.
-void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent, std::size_t weights);
+/// Throws RuleError if the rules fix a body's new species and the parent is of another one, or if the parent's genome violates
+/// `demand` (Population::misfit).
+void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent,
+                  const std::optional<std::string>& demand);
 
 /// Throws RuleError unless a body that a slot's rule named exists and has an individual.
 void check_lives(std::string_view slot, std::string_view what, BodyIndex body, std::span<const Individual> robots);
@@ -40,9 +43,9 @@ void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots);
 [[nodiscard]] std::size_t checked_spare_bodies(std::size_t spare, std::size_t robots);
 
 /// Throws RuleError unless the body of a birth without a death is spare and the parent, if any, is of the newborn's species and
-/// has a genome of `weights` weights.
+/// has a genome that violates no `demand` (Population::misfit).
 void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
-                   std::size_t weights);
+                   const std::optional<std::string>& demand);
 
 /// Throws RuleError unless a slot's rule returned one value for each robot.
 void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots);

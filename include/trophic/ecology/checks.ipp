@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <trophic/ecology/checks.hpp>
@@ -33,12 +34,9 @@ TROPHIC_INLINE void check_places(std::span<const GroundPose> places, std::size_t
 }
 
 TROPHIC_INLINE void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent,
-                                 std::size_t weights) {
+                                 const std::optional<std::string>& demand) {
   check_index("parent", "a parent of species", parent.species, web.size());
-  if (!parent.genome || parent.genome->weights.size() != weights) {
-    throw RuleError{"parent", "individual " + std::to_string(parent.id) + " as a parent: must have a genome of " +
-                                  std::to_string(weights) + " weights"};
-  }
+  if (demand) throw RuleError{"parent", "individual " + std::to_string(parent.id) + " as a parent: must have " + *demand};
   if (!vacancy.successor || parent.species == *vacancy.successor) return;
   throw RuleError{"parent", "individual " + std::to_string(parent.id) + ", a " + web.name(parent.species) +
                                 ", as the parent of a " + web.name(*vacancy.successor) + ": must be of its offspring's species"};
@@ -82,7 +80,7 @@ TROPHIC_INLINE std::size_t checked_spare_bodies(std::size_t spare, std::size_t r
 }
 
 TROPHIC_INLINE void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
-                                  std::size_t weights) {
+                                  const std::optional<std::string>& demand) {
   check_index("recruitment", "body", recruit.body, robots.size());
   check_index("recruitment", "species", recruit.species, web.size());
   if (robots[recruit.body].lives()) {
@@ -92,8 +90,7 @@ TROPHIC_INLINE void check_recruit(const FoodWeb& web, const reproduction::Recrui
   const Ancestor& parent = *recruit.parent;
   const std::string who = "individual " + std::to_string(parent.id) + " as a parent: must ";
   if (parent.species != recruit.species) throw RuleError{"recruitment", who + "be of the newborn's species"};
-  if (parent.genome && parent.genome->weights.size() == weights) return;
-  throw RuleError{"recruitment", who + "have a genome of " + std::to_string(weights) + " weights"};
+  if (demand) throw RuleError{"recruitment", who + "have " + *demand};
 }
 
 }  // namespace trophic::detail

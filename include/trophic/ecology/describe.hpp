@@ -6,6 +6,7 @@
 #include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/experiment.hpp>
+#include <trophic/ecology/genome_parts.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/named_params.hpp>
@@ -51,6 +52,11 @@ template <class Rules>
   } else {
     for_each_rule<Rules>(add);
   }
+  using Parts = GenomeParts<Rules>;
+  run.brains_grow = Parts::is_growing;
+  run.bodies_differ = Parts::has_bodies;
+  run.inherits_bodies = Parts::has_body_genes;
+  run.has_more_genes = Parts::is_growing || Parts::has_body_genes || Parts::has_gait_genes;
   run.fingerprint = observe::fingerprint(run, numbers_text(habitat));
   return run;
 }

@@ -11,25 +11,24 @@
 #include <string_view>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/control/locomotion/locomotion.hpp>
+#include <trophic/ecology/bodies.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>
+#include <trophic/ecology/choice.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/simulation.hpp>
-#include <trophic/ecology/standing_poses.hpp>
 #include <trophic/ecology/start.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/installed_models.hpp>
 #include <trophic/io/state_columns.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/sighting.hpp>
+#include <trophic/population/phenotype.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
@@ -62,20 +61,13 @@ class Ecology final : public Simulation {
   Ecology(Params params, BackendChoice backend, Habitat habitat)
       : Ecology{checked(std::move(params), std::move(backend), std::move(habitat))} {}
 
-  void persist(Archive& archive) override {
-    auto rhythms = locomotion_.save();
-    archive(tick_, started_, poses_, starvation_clock_, population_, rhythms, backend_);
-    if (!archive.reads()) return;
-    detail::check_saved_poses(poses_, population_.individuals().size());
-    locomotion_.restore(rhythms);
-    population_.stand_at(poses_);
-  }
+  void persist(Archive& archive) override { archive(tick_, started_, starvation_clock_, population_, bodies_); }
 
   [[nodiscard]] double time_s() const override { return clock_s(tick_, params_.ecology.tick_s); }
   [[nodiscard]] std::int64_t tick() const override { return tick_; }
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }
-  [[nodiscard]] const AnyBackend& backend() const { return backend_; }
+  [[nodiscard]] const AnyBackend& backend() const { return bodies_.backend(); }
   [[nodiscard]] const RuleStates<Rules>& states() const { return population_.states(); }  ///< the states of rules with a State
 
   [[nodiscard]] View view() const override {
@@ -86,9 +78,11 @@ class Ecology final : public Simulation {
             .web = web_,
             .arena = habitat_.arena,
             .robots = population_.individuals(),
-            .poses = poses_,
-            .tree = poses_.size() >= tree_from_robots ? population_.tree() : nullptr,
-            .members = population_.members()};
+            .poses = bodies_.poses(),
+            .tree = population_.individuals().size() >= tree_from_robots ? population_.tree() : nullptr,
+            .members = population_.members(),
+            .refused_bodies = population_.refused_bodies(),
+            .phenotypes = population_.phenotypes()};
   }
 
   [[nodiscard]] observe::RunDescription describe(double until_s) const override {
@@ -100,7 +94,7 @@ class Ecology final : public Simulation {
   [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
 
  private:
-  using SensorValues = typename Population<Rules>::Sensors::Values;
+  static constexpr bool differ = Population<Rules>::differ;  ///< whether individuals have bodies or gaits of their own
 
   explicit Ecology(CheckedExperiment<Rules> from)
       : params_{std::move(from.params)},
@@ -111,18 +105,10 @@ class Ecology final : public Simulation {
                .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
-        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), params_.shadow},
-        poses_{places_of(params_, rules_, habitat_)},
-        backend_{choice_.build(habitat_.robot, habitat_.arena, standing_poses(poses_, habitat_.robot), params_.physics)},
-        locomotion_{habitat_.robot,
-                    habitat_.gait,
-                    rules_.steering,
-                    params_.ecology.robots,
-                    params_.ecology.control_hz,
-                    params_.ecology.cpg_integration,
-                    static_cast<std::int64_t>(params_.ecology.idle_control_steps)} {
-    population_.stand_at(poses_);
+        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), params_.shadow, &habitat_},
+        bodies_{params_, choice_, habitat_, rules_, population_} {
     if (!params_.lineup.empty()) population_.enlist(params_.lineup);
+    bodies_.embody_founders();
   }
 
   void run(double until_s, observe::Audience& audience) override {
@@ -130,8 +116,9 @@ class Ecology final : public Simulation {
       audience.start(describe(until_s), view());
       if (!started_) {
         started_ = true;
-        if (audience.wants_frame(times_, 0)) show_frame(audience, KeptFrame::of(backend_, 0), habitat_, times_, time_s());
-        for (BodyIndex body = 0; body < poses_.size(); ++body)
+        if (audience.wants_frame(times_, 0))
+          show_frame(audience, bodies_.frame(), habitat_, population_.phenotypes(), times_, time_s());
+        for (BodyIndex body = 0; body < population_.individuals().size(); ++body)
           if (population_[body].lives()) emit(audience, observe::EventKind::birth, body);
         starvation_clock_ = death::ask::start(rules_.starvation, view());
         tick(audience);
@@ -156,20 +143,21 @@ class Ecology final : public Simulation {
 
   /// Moves the bodies through a tick. Returns false, with everything as before, if an observer cancelled it.
   [[nodiscard]] bool move(observe::Audience& audience) {
-    target_angles_rad_.clear();
-    for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
-    if (!advance_or_return(audience, locomotion_, backend_, target_angles_rad_, habitat_, times_, time_s())) return false;
-    poses_before_ = poses_;
-    for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      const Pose root = backend_.pose(body);
-      poses_[body] = {.x_m = root.position_m.x(),
-                      .y_m = root.position_m.y(),
-                      .heading_rad = rules_.heading.heading_rad(root, habitat_.robot.forward_rad)};
-    }
-    population_.stand_at(poses_);
+    const auto end = [&](BodyIndex body) { end_diverged(audience, body); };
+    if (!bodies_.move(audience, times_, time_s(), end)) return false;
     ++tick_;
-    population_.walk(poses_before_, view());
+    population_.walk(bodies_.poses_before(), view());
     return true;
+  }
+
+  /// The individual dies; a random one of its species follows. A spare body stands up again.
+  void end_diverged(observe::Audience& audience, BodyIndex body) {
+    const Individual& self = population_[body];
+    if (!self.lives()) return bodies_.embody(body, population_.individuals().size());
+    const Species species = self.species;
+    emit_death(audience, {.body = body, .cause = Cause::diverged, .killer = {}, .successor = species});
+    population_.replace(body, species, {}, view());
+    begin_life(audience, body);
   }
 
   void tick(observe::Audience& audience) {
@@ -187,7 +175,7 @@ class Ecology final : public Simulation {
   }
 
   void activate(observe::Audience& audience) {
-    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
       if (population_[body].active || !population_[body].lives()) continue;
       const auto activates = death::ask::activates(rules_.activation, states().activation[body], body, view());
       if (activates == death::Activates::no) continue;
@@ -217,7 +205,7 @@ class Ecology final : public Simulation {
   }
 
   void age(observe::Audience& audience) {
-    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
       const Individual& individual = population_[body];
       if (!individual.lives()) continue;
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
@@ -228,7 +216,9 @@ class Ecology final : public Simulation {
 
   void starve(observe::Audience& audience) {
     const View now = view();
-    const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); };
+    const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) {
+      return sees(rules_, population_, params_.seed, self, other, now);
+    };
     const auto hungry = states().starvation.all();
     const death::Starving starving = death::ask::starving(rules_.starvation, hungry, starvation_clock_, now, perceives);
     const IndividualId first_newborn = population_.next_id();
@@ -262,7 +252,8 @@ class Ecology final : public Simulation {
       Rng rng{params_.seed, Stream::recruitment, 0, static_cast<std::uint64_t>(tick_)};
       const auto recruiting = states().recruitment.all();
       for (const auto& recruit : reproduction::ask::recruits(rules_.recruitment, recruiting, view(), rng)) {
-        detail::check_recruit(web_, recruit, population_.individuals(), population_.genome_size());
+        const auto demand = recruit.parent ? population_.misfit(recruit.parent->genome.get()) : std::nullopt;
+        detail::check_recruit(web_, recruit, population_.individuals(), demand);
         const auto descent = recruit.parent ? reproduction::Descent::of_parent : reproduction::Descent::random;
         population_.replace(recruit.body, recruit.species, {.descent = descent, .parent = recruit.parent}, view());
         begin_life(audience, recruit.body);
@@ -286,7 +277,11 @@ class Ecology final : public Simulation {
   }
 
   void begin_life(observe::Audience& audience, BodyIndex body) {
-    if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) locomotion_.reset(body);
+    if constexpr (differ) {
+      bodies_.embody(body, population_.individuals().size());
+    } else if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) {
+      bodies_.restart(body);
+    }
     emit(audience, observe::EventKind::birth, body);
   }
 
@@ -295,7 +290,9 @@ class Ecology final : public Simulation {
   void reproduce_into(observe::Audience& audience, const Vacancy& vacancy) {
     const Parentage parentage = population_.parentage(vacancy, view());
     const Species dead = population_[vacancy.body].species;
-    if (parentage.parent) detail::check_parent(web_, vacancy, *parentage.parent, population_.genome_size());
+    if (parentage.parent) {
+      detail::check_parent(web_, vacancy, *parentage.parent, population_.misfit(parentage.parent->genome.get()));
+    }
     auto successor = vacancy.successor;
     if (!successor) successor = parentage.parent ? parentage.parent->species : web_.first_victim(dead).value_or(dead);
     emit_death(audience, vacancy);
@@ -306,48 +303,23 @@ class Ecology final : public Simulation {
   /// Perception, decisions, and their effects. Unless robots decide in turn, all perceive the same moment: all decisions are
   /// made before the first tag changes.
   void decide(observe::Audience& audience) {
-    const SensorValues common = rules_.sensors.sense_common(view());
+    const View now = view();
+    const auto common = rules_.sensors.sense_common(now);
+    const bool keeps_decision = params_.ecology.without_target == WithoutTarget::keeps_decision;
     choices_.clear();
     const bool is_observed = audience.wants_decisions();
     const bool in_turn = params_.ecology.decision_order == DecisionOrder::in_turn;
-    for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      choices_.push_back(population_[body].lives() ? choice(body, common, is_observed) : Choice{});
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
+      choices_.push_back(population_[body].lives()
+                             ? choice_of(rules_, population_, params_.seed, body, now, common, keeps_decision, is_observed)
+                             : Choice<Rules>{});
       if (in_turn) act(audience, body, choices_[body]);
     }
     if (in_turn) return;
-    for (BodyIndex body = 0; body < poses_.size(); ++body) act(audience, body, choices_[body]);
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) act(audience, body, choices_[body]);
   }
 
-  /// The Visibility rule.
-  [[nodiscard]] bool sees(BodyIndex self, BodyIndex other, const View& now) const {
-    Rng rng{params_.seed, Stream::visibility, population_[self].id, static_cast<std::uint64_t>(tick_), population_[other].id};
-    return perception::ask::perceives(rules_.visibility, states().visibility[self], self, other, now, rng);
-  }
-
-  /// A robot's sighting and its brain's decision; no decision if a robot without a target keeps its last one.
-  struct Choice {
-    std::optional<Sighting> sighting;
-    std::optional<control::Decision> decision;
-    SensorValues inputs{};
-    typename Population<Rules>::Outputs outputs{};  ///< only if an observer wants decision records
-  };
-
-  [[nodiscard]] Choice choice(BodyIndex body, const SensorValues& common, bool is_observed) {
-    const View now = view();
-    const auto sighting = perception::adversary(
-        body, now, [&](BodyIndex self, BodyIndex other) { return sees(self, other, now); },
-        perception::ask::horizon(rules_.visibility, population_[body]));
-    Choice choice{.sighting = sighting, .decision = std::nullopt};
-    if (!sighting && params_.ecology.without_target == WithoutTarget::keeps_decision) return choice;
-    choice.inputs = rules_.sensors.sense(states().sensors[body], body, sighting, now, common, [&](std::size_t sensor) {
-      return Rng{params_.seed, Stream::sensors, population_[body].id, static_cast<std::uint64_t>(tick_), sensor};
-    });
-    if (is_observed) choice.outputs = population_.outputs(body, choice.inputs);
-    choice.decision = population_.decide(body, choice.inputs);
-    return choice;
-  }
-
-  void act(observe::Audience& audience, BodyIndex body, const Choice& choice) {
+  void act(observe::Audience& audience, BodyIndex body, const Choice<Rules>& choice) {
     if (!population_[body].lives()) return;
     population_.sight(body, choice.sighting, view());
     if (!choice.decision) return;
@@ -376,9 +348,6 @@ class Ecology final : public Simulation {
     if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }
 
-  /// From this number of robots on, a tree finds the closest robot faster than a visit to each; both give the same result.
-  static constexpr std::size_t tree_from_robots = 64;
-
   Params params_;
   BackendChoice choice_;
   Habitat habitat_;
@@ -386,15 +355,11 @@ class Ecology final : public Simulation {
   Policies<Rules> rules_;
   FoodWeb web_;
   Population<Rules> population_;
-  std::vector<GroundPose> poses_;
-  AnyBackend backend_;
-  locomotion::Locomotion<typename Rules::Steering> locomotion_;
+  Bodies<Rules> bodies_;
   death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;
   std::int64_t tick_ = 0;
   bool started_ = false;
-  std::vector<double> target_angles_rad_;
-  std::vector<Choice> choices_;
-  std::vector<GroundPose> poses_before_;
+  std::vector<Choice<Rules>> choices_;
 };
 
 }  // namespace trophic

@@ -15,6 +15,8 @@ namespace trophic {
 struct Contestant {
   Species species = 0;
   std::vector<double> weights;  ///< of its genome
+  std::vector<double> gait = {};
+  std::vector<double> body = {};
 };
 
 /// One individual for each body.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,14 +13,16 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/ecology/genome_parts.hpp>
 #include <trophic/ecology/lineup.hpp>
+#include <trophic/ecology/phenotypes.hpp>
+#include <trophic/ecology/state_hooks.hpp>
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/phenotype.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
-#include <trophic/reproduction/initial_genome/contract.hpp>
-#include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
@@ -63,10 +64,16 @@ class Population {
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// A body for which `founders` has no_species starts spare; the id of every founder is the number of its body.
   /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
-  /// later births. `shadow`: the heredity rule is not applied, and every inherited genome is drawn anew.
+  /// later births. `shadow`: the heredity rule is not applied, and every inherited genome is drawn anew. `habitat` outlives the
+  /// population; a table whose bodies or gaits differ needs it.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders,
-             bool shadow = false)
-      : rules_{rules}, web_{web}, seed_{seed}, is_shadow_{shadow}, tags_{rules.brain.tags()} {
+             bool shadow = false, const Habitat* habitat = nullptr)
+      : rules_{rules},
+        web_{web},
+        seed_{seed},
+        is_shadow_{shadow},
+        tags_{rules.brain.tags()},
+        parts_{rules, Sensors::size, seed, habitat} {
     check_tags(tags_);
     for (const Species species : founders)
       if (species != no_species) check_index("community", "species", species, web.size());
@@ -76,12 +83,14 @@ class Population {
       if (species == no_species) {
         for_each_state(rules_, states_, [&]<class P>(const P&, BodyStates<P>& states) { states.push_back({}); });
         individuals_.push_back(spare_body(born.tag, 0.0));
+        if constexpr (differ) phenotypes_.add_spare();
         continue;
       }
       for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
         states.push_back(for_species(policy, born.species).born(born, nullptr, StateOf<P>{}));
       });
       born.genome = drawn_genome(born);
+      if constexpr (differ) phenotypes_.express(individuals_.size(), born, parts_);
       ++members_[species];
       if constexpr (has_states) bodies_[born.id] = individuals_.size();
       individuals_.push_back(std::move(born));
@@ -107,6 +116,10 @@ class Population {
     Archive::require(there == keepers, "rules with other states");
     archive(next_id_, next_genome_id_, individuals_);
     for_each_state(rules_, states_, [&](const auto&, auto& states) { archive(states); });
+    if constexpr (differ) {
+      archive(parts_);
+      phenotypes_.persist(archive, web_.size(), parts_);
+    }
     if (!archive.reads()) return;
     Archive::require(individuals_.size() == bodies, "another number of robots");
     for (const Individual& individual : individuals_) check_saved(individual);
@@ -134,12 +147,21 @@ class Population {
   /// brain does not take.
   void enlist(std::span<const Contestant> lineup) {
     for (BodyIndex body = 0; body < individuals_.size(); ++body) {
-      const std::vector<double>& weights = lineup[body].weights;
-      if (weights.size() != genome_size()) {
-        throw std::invalid_argument{"a contest of genomes of " + std::to_string(weights.size()) + " weights: must have " +
-                                    std::to_string(genome_size()) + ", those of the table's brain"};
+      const Genome given{.id = individuals_[body].genome->id, .weights = lineup[body].weights};
+      if (const auto demand = parts_.misfit(&given)) {
+        throw std::invalid_argument{"a contest of genomes of " + std::to_string(given.weights.size()) + " weights: must have " +
+                                    *demand + ", as the table's brain takes it"};
       }
-      individuals_[body].genome->weights = weights;
+      Genome& genome = *individuals_[body].genome;
+      genome.weights = given.weights;
+      if constexpr (differ) {
+        if (genome.gait.empty() != lineup[body].gait.empty() || genome.body.empty() != lineup[body].body.empty()) {
+          throw std::invalid_argument{"a contest of genomes without genes of gait or body: must have those that the table's do"};
+        }
+        genome.gait = lineup[body].gait;
+        genome.body = lineup[body].body;
+        phenotypes_.express(body, individuals_[body], parts_);
+      }
       individuals_[body].active = true;
       mark(body);
     }
@@ -153,44 +175,16 @@ class Population {
   }
 
   /// Notes that all bodies have moved, from `before`.
-  void walk(std::span<const GroundPose> before, const View& view) {
-    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      if constexpr (requires { for_species(policy, Species{}).on_walk(states[0], BodyIndex{}, 0.0, view); }) {
-        for (BodyIndex body = 0; body < individuals_.size(); ++body) {
-          if (!individuals_[body].lives()) continue;
-          const double walked_m = distance_m(before[body], view.poses[body]);
-          for_species(policy, individuals_[body].species).on_walk(states[body], body, walked_m, view);
-        }
-      }
-    });
-  }
+  void walk(std::span<const GroundPose> before, const View& view) { notify_walk(rules_, states_, before, view); }
 
   /// Feeds the hunter. Its victim is still there; `replace` removes it.
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
     individuals_[hunter].fed_tick = view.tick;
-    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      const auto& of_hunter = for_species(policy, individuals_[hunter].species);
-      if constexpr (requires { of_hunter.on_catch(states[hunter], hunter, victim, view); }) {
-        of_hunter.on_catch(states[hunter], hunter, victim, view);
-      }
-      const auto& of_victim = for_species(policy, individuals_[victim].species);
-      if constexpr (requires { of_victim.on_caught(states[victim], victim, hunter, view); }) {
-        of_victim.on_caught(states[victim], victim, hunter, view);
-      }
-    });
+    notify_catch(rules_, states_, hunter, victim, view);
   }
 
   /// Notifies the rules of all others of a death. The dying individual is still there; `replace` or `vacate` removes it.
-  void note_death(const Vacancy& death, const View& view) {
-    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      if constexpr (requires { for_species(policy, Species{}).on_other_death(states[0], BodyIndex{}, death, view); }) {
-        for (BodyIndex body = 0; body < individuals_.size(); ++body) {
-          if (body == death.body || !individuals_[body].lives()) continue;
-          for_species(policy, individuals_[body].species).on_other_death(states[body], body, death, view);
-        }
-      }
-    });
-  }
+  void note_death(const Vacancy& death, const View& view) { notify_death(rules_, states_, death, view); }
 
   /// Notes an individual's adversary at this tick, if it perceives one.
   void sight(BodyIndex body, const std::optional<Sighting>& sighting, const View& view) {
@@ -239,8 +233,15 @@ class Population {
     return result;
   }
 
-  /// The number of weights of every genome.
-  [[nodiscard]] std::size_t genome_size() const { return rules_.brain.genome_size(Sensors::size, control::Decision::outputs); }
+  /// The demand of the table's brain that a genome violates, "a genome of 15 weights"; none if it fits.
+  [[nodiscard]] std::optional<std::string> misfit(const Genome* genome) const { return parts_.misfit(genome); }
+
+  /// Whether individuals have bodies or gaits of their own.
+  static constexpr bool differ = GenomeParts<Rules>::has_bodies || GenomeParts<Rules>::has_gaits;
+  /// The body and the gait in each body, also a spare one; empty if all have the habitat's.
+  [[nodiscard]] std::span<const Phenotype> phenotypes() const { return phenotypes_.all(); }
+  /// The number of mutations of bodies that were refused.
+  [[nodiscard]] std::uint64_t refused_bodies() const { return parts_.refused(); }
 
   /// Takes the individual out of a body, which is spare from then on.
   void vacate(BodyIndex body) {
@@ -252,14 +253,15 @@ class Population {
   /// Replaces the body's occupant by an offspring or a random newcomer of `species`, in the same place; fills a spare body.
   void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
+    std::vector<double> before;  // a heredity may share the parent's genome and change it
+    if (parentage.parent) before = parentage.parent->genome->weights;
     auto genome = parentage.parent && !is_shadow_ ? rules_.heredity.inherit(parentage.parent->genome) : nullptr;
-    if (genome && genome->weights.size() != genome_size()) {
-      throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " +
-                                      std::to_string(genome_size())};
+    if (const auto demand = genome && !genome->weights.empty() ? parts_.misfit(genome.get()) : std::nullopt) {
+      throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     }
     create_states(born, body, genome ? body_of(parentage.parent->id) : std::nullopt);
     if (parentage.parent) {
-      descend(born, body, *parentage.parent, std::move(genome));
+      descend(born, body, *parentage.parent, std::move(genome), before);
     } else {
       born.genome = drawn_genome(born);
       if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
@@ -267,9 +269,11 @@ class Population {
     remove(body);
     ++members_[species];
     if constexpr (has_states) bodies_[born.id] = body;
+    if constexpr (differ) phenotypes_.express(body, born, parts_);
     individuals_[body] = std::move(born);
     mark(body);
-    if (parentage.parent) note_offspring(parentage.parent->id, body, view);
+    if (!parentage.parent) return;
+    if (const auto parent = body_of(parentage.parent->id)) notify_offspring(rules_, states_, *parent, body, view);
   }
 
  private:
@@ -282,14 +286,13 @@ class Population {
 
   /// Throws std::invalid_argument for an individual that cannot exist under these rules.
   void check_saved(const Individual& individual) const {
-    const std::size_t size = genome_size();
     const bool has_tag = std::ranges::count(tags_, individual.tag) == 1;
     if (!individual.lives()) {
       if (individual.id == no_individual && !individual.genome && !individual.active && !individual.adversary && has_tag) return;
       throw std::invalid_argument{"a spare body of other rules"};
     }
     const bool sound = individual.id < next_id_ && individual.species < web_.size() && individual.genome &&
-                       individual.genome->weights.size() == size && has_tag &&
+                       !parts_.misfit(individual.genome.get()) && has_tag &&
                        individual.adversary.value_or(0) < individuals_.size();
     if (!sound) throw std::invalid_argument{"an individual of other rules"};
   }
@@ -315,18 +318,6 @@ class Population {
     if constexpr (has_states) bodies_.erase(individuals_[body].id);
   }
 
-  /// Notifies the rules of a parent, if it lives, of its offspring.
-  void note_offspring(IndividualId parent, BodyIndex newborn, const View& view) {
-    const std::optional<BodyIndex> self = body_of(parent);
-    if (!self) return;
-    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      const auto& rule = for_species(policy, individuals_[*self].species);
-      if constexpr (requires { rule.on_offspring(states[*self], *self, newborn, view); }) {
-        rule.on_offspring(states[*self], *self, newborn, view);
-      }
-    });
-  }
-
   /// A newborn without its genome. `previous` is the body's last occupant, none for a founder.
   [[nodiscard]] Individual newborn(Species species, double time_s, std::int64_t tick, const Individual* previous) {
     Individual born;
@@ -343,31 +334,31 @@ class Population {
   }
 
   [[nodiscard]] std::shared_ptr<Genome> drawn_genome(const Individual& born) {
-    auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = std::vector<double>(genome_size())});
-    Rng rng{seed_, Stream::initial_genome, born.id};
-    reproduction::ask::draw(rules_.initial_genome, genome->weights, born, rng);
+    auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = {}});
+    parts_.draw_weights(*genome, born);
+    if constexpr (differ) parts_.draw_or_mutate(*genome, born);
     return genome;
   }
 
-  /// Sets origin, parent and genome of a newborn with a parent. `genome` is the inherited one, mutated here; if null, a genome
-  /// is drawn.
-  void descend(Individual& born, BodyIndex body, const Ancestor& parent, std::shared_ptr<Genome> genome) {
+  /// Sets origin, parent and genome of a newborn with a parent. `genome` is the inherited one, mutated here, with parts that are
+  /// empty drawn; if null, a genome is drawn. `before`: the parent's weights before all this.
+  void descend(Individual& born, BodyIndex body, const Ancestor& parent, std::shared_ptr<Genome> genome,
+               const std::vector<double>& before) {
     born.origin = Origin::inherited;
     born.parent = parent.id;
-    const std::vector<double> before = parent.genome->weights;
     if (!genome) {
       born.genome = drawn_genome(born);
     } else {
       if (genome != parent.genome) genome->id = next_genome_id_++;
-      Rng rng{seed_, Stream::mutation, born.id};
-      auto& own = states_.mutation[body];
-      reproduction::ask::mutate(rules_.mutation, own, std::span{genome->weights}, born, rng);
+      if (genome->weights.empty()) {
+        parts_.draw_weights(*genome, born);
+      } else {
+        parts_.mutate_weights(*genome, states_.mutation[body], born);
+      }
+      if constexpr (differ) parts_.draw_or_mutate(*genome, born);
       born.genome = std::move(genome);
     }
-    double sum = 0.0;
-    for (std::size_t i = 0; i < before.size(); ++i)
-      sum += (born.genome->weights[i] - before[i]) * (born.genome->weights[i] - before[i]);
-    born.mutation_distance = std::sqrt(sum);
+    born.mutation_distance = parts_.distance(before, born.genome->weights);
   }
 
   static constexpr bool has_states = detail::has_states<Rules>();
@@ -377,6 +368,8 @@ class Population {
   std::uint64_t seed_;
   bool is_shadow_;
   std::vector<int> tags_;
+  GenomeParts<Rules> parts_;
+  Phenotypes<Rules> phenotypes_;
   IndividualId next_id_ = 0;
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;

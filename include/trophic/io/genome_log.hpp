@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// genomes.csv: the weights of every individual at birth.
+// genomes.csv and genes.csv: the genome of every individual at birth.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <utility>
+#include <vector>
 
 namespace trophic::io {
 
@@ -20,10 +23,12 @@ class GenomeLog {
     if (opening == Opening::resumed) file_.emplace(path_, opening);
   }
 
+  void on_start(const observe::RunDescription& run, const View&) { brains_grow_ = run.brains_grow; }
   void on_event(const observe::Event& event, const View& view) {
     if (event.kind != observe::EventKind::birth) return;
     const Genome& genome = *event.individual.genome;
-    const GenomeRow row{.id = event.individual.id, .genome = genome.id, .time_s = view.time_s, .weights = genome.weights};
+    GenomeRow row{.id = event.individual.id, .genome = genome.id, .time_s = view.time_s, .weights = genome.weights};
+    if (brains_grow_) row.weights.clear();
     if (!file_) file_.emplace(path_, row);
     file_->write(row);
   }
@@ -43,6 +48,37 @@ class GenomeLog {
  private:
   std::filesystem::path path_;
   std::optional<CsvFile<GenomeRow>> file_;
+  bool brains_grow_ = false;
+};
+
+/// Writes a GeneRow per gene of a newborn: of its gait, its body and, if brains grow, its brain.
+class GeneLog {
+ public:
+  static constexpr std::string_view file_name = "genes.csv";
+
+  GeneLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
+
+  void on_start(const observe::RunDescription& run, const View&) { brains_grow_ = run.brains_grow; }
+  void on_event(const observe::Event& event, const View&) {
+    if (event.kind != observe::EventKind::birth) return;
+    const Genome& genome = *event.individual.genome;
+    if (brains_grow_) write(event.individual.id, GenomePart::brain, genome.weights);
+    write(event.individual.id, GenomePart::gait, genome.gait);
+    write(event.individual.id, GenomePart::body, genome.body);
+  }
+  void on_tick(const View&) { file_.flush(); }
+  void on_end(const View&) { file_.finish(); }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  void write(IndividualId id, GenomePart part, const std::vector<double>& genes) {
+    for (std::size_t i = 0; i < genes.size(); ++i) file_.write({.id = id, .part = part, .index = i, .value = genes[i]});
+  }
+
+  CsvFile<GeneRow> file_;
+  bool brains_grow_ = false;
 };
 
 }  // namespace trophic::io

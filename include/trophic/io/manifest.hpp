@@ -44,7 +44,10 @@ class Manifest {
 
   void on_start(const observe::RunDescription& run, const View& view);
   void on_event(const observe::Event& event, const View& view) { tally_.on_event(event, view); }
-  void on_tick(const View& view) { reached_s_ = view.time_s; }
+  void on_tick(const View& view) {
+    reached_s_ = view.time_s;
+    refused_bodies_ = view.refused_bodies;
+  }
   void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
   void on_failure(std::string_view what);
 
@@ -85,6 +88,8 @@ class Manifest {
   std::int64_t agents_every_ticks_ = 1;
   double until_s_ = 0.0;
   double reached_s_ = 0.0;
+  bool inherits_bodies_ = false;
+  std::uint64_t refused_bodies_ = 0;  ///< mutations, up to the last tick
 };
 
 }  // namespace trophic::io

@@ -101,6 +101,7 @@ TROPHIC_INLINE void Manifest::set_recording(std::uint64_t frames, std::uint32_t 
 
 TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const View& view) {
   until_s_ = run.until_s;
+  inherits_bodies_ = run.inherits_bodies;
   content_->change([&](Json& json) {
     json["trophic"] = version;
     json["status"] = "running";
@@ -154,8 +155,11 @@ TROPHIC_INLINE void Manifest::finish(std::string_view status) {
     result["births"] = tally_.births();
     result["deaths"] = tally_.deaths();
     for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
-      result[std::string{enum_name(static_cast<Cause>(cause))}] = tally_.deaths(static_cast<Cause>(cause));
+      const std::size_t deaths = tally_.deaths(static_cast<Cause>(cause));
+      if (deaths == 0 && static_cast<Cause>(cause) == Cause::diverged) continue;
+      result[std::string{enum_name(static_cast<Cause>(cause))}] = deaths;
     }
+    if (inherits_bodies_) result["refused_bodies"] = refused_bodies_;
   });
   write();
 }

@@ -26,6 +26,7 @@ namespace recording {
 /// first frames.
 inline constexpr std::size_t most_robots = 0xFFFF'FFFF;
 inline constexpr std::size_t most_nodes = 0xFFFF'FFFF;  ///< of a height field, along one side
+inline constexpr std::size_t most_channels = 1'000'000;
 inline constexpr std::int64_t most_steps_per_tick = 1'000'000'000;
 inline constexpr std::size_t largest_head = std::size_t{64} << 20U;
 
@@ -90,10 +91,11 @@ inline constexpr std::size_t largest_head = std::size_t{64} << 20U;
 /// The run of a head.
 TROPHIC_INLINE void read_run(const Json& json, RecordingHead& head) {
   if (json.at("format") != "trophic recording") throw std::runtime_error{"its format is " + json_text(json.at("format"))};
-  if (json.at("version") != version) {
+  if (json.at("version") != version && json.at("version") != version_of_bodies) {
     throw std::runtime_error{"version " + json_text(json.at("version")) + " of the format; this program reads " +
-                             std::to_string(version)};
+                             std::to_string(version) + " and " + std::to_string(version_of_bodies)};
   }
+  head.bodies_differ = json.at("version") == version_of_bodies;
   head.fingerprint = plain_text(json, "fingerprint");
   head.seed = whole_number<std::uint64_t>(json, "seed");
   head.rule_table = plain_text(json, "rule_table");
@@ -120,7 +122,7 @@ TROPHIC_INLINE void read_run(const Json& json, RecordingHead& head) {
   head.robot = robot_of(json.at("robot"));
   head.arena = arena_of(json.at("arena"));
   if (!(head.times.tick_s > 0.0)) throw std::runtime_error{"tick_s = " + number_text(head.times.tick_s) + ": must be > 0"};
-  if (head.joints != 0 && head.joints != head.robot.hinges.size()) {
+  if (!head.bodies_differ && head.joints != 0 && head.joints != head.robot.hinges.size()) {
     throw std::runtime_error{"joints = " + std::to_string(head.joints) + ": must be 0 or " +
                              std::to_string(head.robot.hinges.size()) + ", as its robot has"};
   }
@@ -154,7 +156,8 @@ TROPHIC_INLINE void RecordingReader::scan() {
     const std::size_t size = recording::u32_at({front.data(), front.size()}, 0);
     const std::string_view kind{front.data() + 4, 4};
     // Of frames only their numbers are kept here; a head is short.
-    const std::size_t most_kept = kind == recording::head_kind ? recording::largest_head : 16;
+    const bool is_kept = kind == recording::head_kind || kind == recording::body_kind || kind == recording::who_kind;
+    const std::size_t most_kept = is_kept ? recording::largest_head : 16;
     std::uint32_t sum = checksum(kind);
     std::string data;
     for (std::size_t left = size; file && left > 0;) {
@@ -179,17 +182,27 @@ TROPHIC_INLINE void RecordingReader::scan() {
       return std::runtime_error{name + ": damaged, " + what + " at byte " + std::to_string(at)};
     };
     if (sum != recording::u32_at({written_sum.data(), written_sum.size()}, 0)) throw damaged("a wrong checksum of the block");
-    if (kind == recording::head_kind && size > recording::largest_head) throw damaged("a head that is too long");
+    if (is_kept && size > recording::largest_head) throw damaged("a head that is too long");
     if (head_.robots == 0) {
       if (kind != recording::head_kind) throw damaged("no head");
       read_head(data);
     } else if (kind == recording::head_kind) {
       read_head(data);
-    } else if (kind == recording::frames_kind && size > 8) {
-      const Block block{
-          .first_frame = recording::u32_at(data, 0), .frames = recording::u32_at(data, 4), .at = at + 16, .bytes = size - 8};
+    } else if (kind == recording::body_kind && head_.bodies_differ) {
+      read_body(data);
+    } else if (kind == recording::who_kind && head_.bodies_differ) {
+      if (!read_set_down(data)) throw damaged("a block of other robots or bodies");
+    } else if (kind == recording::frames_kind && size > (head_.bodies_differ ? 12 : 8)) {
+      const std::size_t front_bytes = head_.bodies_differ ? 12 : 8;
+      const Block block{.first_frame = recording::u32_at(data, 0),
+                        .frames = recording::u32_at(data, 4),
+                        .at = at + 8 + static_cast<std::streamoff>(front_bytes),
+                        .bytes = size - front_bytes,
+                        .channels = head_.bodies_differ ? recording::u32_at(data, 8) : recording::pose_channels + head_.joints};
+      if (block.channels < recording::pose_channels || block.channels > recording::most_channels)
+        throw damaged("a block of other channels");
       if (block.first_frame != frames_ || block.frames == 0) throw damaged("a block of other frames");
-      if (block.frames > recording::most_values(block.bytes) / columns())
+      if (block.frames > recording::most_values(block.bytes) / (block.channels * head_.robots))
         throw damaged("a block of more frames than it can hold");
       blocks_.push_back(block);
       frames_ += block.frames;
@@ -214,6 +227,55 @@ TROPHIC_INLINE void RecordingReader::read_head(const std::string& text) {
   } catch (const std::exception& error) {
     throw std::runtime_error{path_.string() + ": its head cannot be read: " + error.what()};
   }
+}
+
+TROPHIC_INLINE void RecordingReader::read_body(const std::string& text) {
+  try {
+    bodies_.push_back(recording::robot_of(parse_json(text)));
+  } catch (const std::exception& error) {
+    throw std::runtime_error{path_.string() + ": a body cannot be read: " + error.what()};
+  }
+}
+
+TROPHIC_INLINE bool RecordingReader::read_set_down(const std::string& data) {
+  if (data.size() % 8 != 4 || recording::u32_at(data, 0) < frames_) return false;
+  const std::size_t frame = recording::u32_at(data, 0);
+  if (head_.robots > data.size() && set_down_.empty()) return false;  // the first one names every robot
+  set_down_.resize(head_.robots);
+  for (std::size_t at = 4; at < data.size(); at += 8) {
+    const std::size_t robot = recording::u32_at(data, at);
+    const std::size_t body = recording::u32_at(data, at + 4);
+    if (robot >= head_.robots || body >= bodies_.size()) return false;
+    if (!set_down_[robot].empty() && set_down_[robot].back().frame > frame) return false;
+    set_down_[robot].push_back({.frame = frame, .body = body});
+  }
+  return true;
+}
+
+TROPHIC_INLINE std::span<const RobotModel> RecordingReader::bodies() const {
+  return head_.bodies_differ ? std::span<const RobotModel>{bodies_} : std::span{&head_.robot, 1};
+}
+
+TROPHIC_INLINE std::size_t RecordingReader::body(std::size_t frame, std::size_t robot) const {
+  if (frame >= frames_ || robot >= head_.robots) {
+    throw std::out_of_range{"frame " + std::to_string(frame) + ", robot " + std::to_string(robot) + ": must be < " +
+                            std::to_string(frames_) + ", " + std::to_string(head_.robots)};
+  }
+  if (!head_.bodies_differ) return 0;
+  if (robot >= set_down_.size()) throw std::runtime_error{path_.string() + ": names no body of robot " + std::to_string(robot)};
+  const auto& own = set_down_[robot];
+  const auto after = std::ranges::upper_bound(own, frame, {}, &SetDown::frame);
+  if (after == own.begin()) throw std::runtime_error{path_.string() + ": names no body of robot " + std::to_string(robot)};
+  return std::prev(after)->body;
+}
+
+TROPHIC_INLINE const RobotModel& RecordingReader::robot(std::size_t frame, std::size_t robot) const {
+  return bodies()[body(frame, robot)];
+}
+
+TROPHIC_INLINE bool RecordingReader::is_set_down(std::size_t frame, std::size_t robot) const {
+  if (robot >= set_down_.size() || frame == 0) return false;
+  return std::ranges::binary_search(set_down_[robot], frame, {}, &SetDown::frame);
 }
 
 TROPHIC_INLINE double RecordingReader::time_s(std::size_t frame) const {
@@ -243,8 +305,8 @@ TROPHIC_INLINE Pose RecordingReader::root(std::size_t frame, std::size_t robot) 
 }
 
 TROPHIC_INLINE double RecordingReader::joint_angle_rad(std::size_t frame, std::size_t robot, std::size_t joint) const {
-  if (joint >= head_.joints)
-    throw std::out_of_range{"joint " + std::to_string(joint) + ": must be < " + std::to_string(head_.joints)};
+  const std::size_t joints = head_.bodies_differ ? this->robot(frame, robot).hinges.size() : head_.joints;
+  if (joint >= joints) throw std::out_of_range{"joint " + std::to_string(joint) + ": must be < " + std::to_string(joints)};
   return head_.units.joint_rad * value(frame, robot, recording::pose_channels + joint);
 }
 
@@ -254,6 +316,7 @@ TROPHIC_INLINE std::int16_t RecordingReader::value(std::size_t frame, std::size_
     throw std::out_of_range{"robot " + std::to_string(robot) + ": must be < " + std::to_string(head_.robots)};
   const auto after = std::ranges::upper_bound(blocks_, frame, {}, &Block::first_frame);
   const auto block = static_cast<std::size_t>(after - blocks_.begin()) - 1;
+  if (channel >= blocks_[block].channels) return 0;
   if (unpacked_.empty() || unpacked_[block].empty()) unpack(block);
   return unpacked_[block][(channel * head_.robots + robot) * blocks_[block].frames + frame - blocks_[block].first_frame];
 }
@@ -270,7 +333,7 @@ TROPHIC_INLINE void RecordingReader::unpack(std::size_t number) const {
   if (!file) throw damaged();
   unpacked_.resize(blocks_.size());
   try {
-    unpacked_[number] = recording::unpacked(bytes, columns(), block.frames);
+    unpacked_[number] = recording::unpacked(bytes, block.channels * head_.robots, block.frames);
   } catch (const std::invalid_argument&) {
     throw damaged();
   }

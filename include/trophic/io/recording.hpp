@@ -56,6 +56,7 @@ class Recording {
   struct File;
 
   void write_head(const observe::Frame& frame);
+  void write_bodies(const observe::Frame& frame);
   void write_block(std::string_view kind, std::string_view data);
   void write_frames();
   [[nodiscard]] std::string waiting() const;
@@ -63,13 +64,16 @@ class Recording {
   double hz_;
   std::unique_ptr<File> file_;
   recording::Units units_;
-  std::size_t channels_ = 0;
+  std::size_t channels_ = 0;  ///< of each robot; in a run whose bodies differ, of the one with most joints so far
   std::size_t robots_ = 0;
   std::size_t block_frames_ = 0;
-  std::string fingerprint_;           ///< of the run that the last head names
-  std::uint64_t seed_ = 0;            ///< of that run
-  std::uint32_t frames_ = 0;          ///< written or waiting
-  std::vector<std::int16_t> values_;  ///< of the frames that wait: frame by frame, robot by robot, channel by channel
+  std::string fingerprint_;   ///< of the run that the last head names
+  std::uint64_t seed_ = 0;    ///< of that run
+  std::uint32_t frames_ = 0;  ///< written or waiting
+  bool bodies_differ_ = false;
+  std::vector<std::string> bodies_;        ///< hashes of the BODY blocks
+  std::vector<std::uint64_t> individual_;  ///< for which each robot's body was last set down
+  std::vector<std::int16_t> values_;       ///< of the frames that wait: frame by frame, robot by robot, channel by channel
 };
 
 }  // namespace trophic::io

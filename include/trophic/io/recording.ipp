@@ -2,7 +2,10 @@
 // Definitions of recording.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <trophic/io/recording.hpp>
@@ -84,9 +87,11 @@ TROPHIC_INLINE void Recording::on_start(const observe::RunDescription& run, cons
   const bool is_same_run = fingerprint_ == run.fingerprint && seed_ == run.seed;
   fingerprint_ = run.fingerprint;
   seed_ = run.seed;
+  bodies_differ_ = run.bodies_differ;
   auto& head = file_->head;
-  head = {{"format", "trophic recording"}, {"version", recording::version}, {"fingerprint", run.fingerprint}, {"seed", run.seed},
-          {"rule_table", run.rules},       {"backend", run.backend},        {"species", Json::array()}};
+  const int version = bodies_differ_ ? recording::version_of_bodies : recording::version;
+  head = {{"format", "trophic recording"}, {"version", version},     {"fingerprint", run.fingerprint}, {"seed", run.seed},
+          {"rule_table", run.rules},       {"backend", run.backend}, {"species", Json::array()}};
   for (Species species = 0; species < view.web.size(); ++species) head["species"].push_back(view.web.name(species));
   if (channels_ > 0 && !is_same_run) write_block(recording::head_kind, json_text(head));
 }
@@ -94,7 +99,8 @@ TROPHIC_INLINE void Recording::on_start(const observe::RunDescription& run, cons
 TROPHIC_INLINE void Recording::write_head(const observe::Frame& frame) {
   units_ = recording::Units::for_extent(frame.arena.extent_m);
   robots_ = frame.roots.size();
-  const std::size_t joints = frame.joint_angles_rad.size() / robots_;
+  std::size_t joints = 0;
+  for (std::size_t robot = 0; robot < robots_; ++robot) joints = std::max(joints, frame.joint_angles(robot).size());
   channels_ = recording::pose_channels + joints;
   const std::int64_t per_tick = frame.times.per_tick(hz_);
   const double simulated_s = frame.times.tick_s * frame.times.clock_scale;
@@ -121,19 +127,51 @@ TROPHIC_INLINE void Recording::write_head(const observe::Frame& frame) {
 TROPHIC_INLINE void Recording::on_frame(const observe::Frame& frame) {
   if (!file_) return;
   if (channels_ == 0) write_head(frame);
+  if (bodies_differ_) write_bodies(frame);
   const std::size_t joints = channels_ - recording::pose_channels;
-  if (frame.roots.size() != robots_ || frame.joint_angles_rad.size() / robots_ != joints) {
+  if (frame.roots.size() != robots_ || (!bodies_differ_ && frame.joint_angles_rad.size() / robots_ != joints)) {
     throw std::runtime_error{"recording: a frame of other robots or joints than its head has"};
   }
   for (std::size_t robot = 0; robot < robots_; ++robot) {
     const auto pose = recording::whole(frame.roots[robot], units_);
     values_.insert(values_.end(), pose.begin(), pose.end());
-    for (std::size_t joint = 0; joint < joints; ++joint) {
-      values_.push_back(recording::whole(frame.joint_angles_rad[robot * joints + joint], units_.joint_rad));
-    }
+    const std::span<const double> angles_rad = frame.joint_angles(robot);
+    for (const double angle_rad : angles_rad) values_.push_back(recording::whole(angle_rad, units_.joint_rad));
+    values_.resize(values_.size() + joints - angles_rad.size());
   }
   ++frames_;
-  if (frames_ % block_frames_ == 0) write_frames();
+  if (values_.size() / (channels_ * robots_) >= block_frames_) write_frames();
+}
+
+/// The bodies that were set down since the last frame. A body with more joints than all before begins a block.
+TROPHIC_INLINE void Recording::write_bodies(const observe::Frame& frame) {
+  std::string who;
+  recording::append_u32(who, frames_);
+  std::size_t most = channels_;
+  constexpr std::uint64_t nobody = std::numeric_limits<std::uint64_t>::max();
+  individual_.resize(robots_, nobody);
+  std::string blocks;
+  for (std::size_t robot = 0; robot < robots_; ++robot) {
+    if (individual_[robot] == frame.phenotypes[robot].individual) continue;
+    individual_[robot] = frame.phenotypes[robot].individual;
+    const std::string text = json_text(recording::json_of(frame.model(robot)));
+    const std::string hash = hash_text(text);
+    const auto found = std::ranges::find(bodies_, hash);
+    const auto number = static_cast<std::uint32_t>(found - bodies_.begin());
+    if (found == bodies_.end()) {
+      bodies_.push_back(hash);
+      blocks += recording::block(recording::body_kind, text);
+    }
+    recording::append_u32(who, static_cast<std::uint32_t>(robot));
+    recording::append_u32(who, number);
+    most = std::max(most, recording::pose_channels + frame.joint_angles(robot).size());
+  }
+  if (who.size() == 4) return;
+  if (most > channels_) {
+    write_frames();
+    channels_ = most;
+  }
+  file_->file.append(blocks + recording::block(recording::who_kind, who));
 }
 
 TROPHIC_INLINE void Recording::on_end(const View&) {
@@ -175,6 +213,7 @@ TROPHIC_INLINE void Recording::write_frames() {
   std::string data;
   recording::append_u32(data, frames_ - frames);
   recording::append_u32(data, frames);
+  if (bodies_differ_) recording::append_u32(data, static_cast<std::uint32_t>(channels_));
   data.append(waiting());
   values_.clear();
   write_block(recording::frames_kind, data);
@@ -185,7 +224,10 @@ TROPHIC_INLINE void Recording::persist(Archive& archive) {
   Archive::require((hz_ > 0.0) == (file_ != nullptr), "a recording of another rate, or none where there was one");
   if (!file_) return;
   archive(file_->file, units_, channels_, robots_, block_frames_, fingerprint_, seed_, frames_);
+  archive(bodies_differ_, bodies_, individual_);
   std::string bytes = values_.empty() ? std::string{} : waiting();
+  std::uint64_t waiting_frames = channels_ * robots_ == 0 ? 0 : values_.size() / (channels_ * robots_);
+  if (bodies_differ_) archive(waiting_frames);
   archive(bytes);
   if (!archive.reads()) return;
   values_.clear();
@@ -193,9 +235,10 @@ TROPHIC_INLINE void Recording::persist(Archive& archive) {
   Archive::require(channels_ >= recording::pose_channels && robots_ > 0 && block_frames_ > 0, "a recording without channels");
   Archive::require(block_frames_ == 1 || block_frames_ <= most_block_values / channels_ / robots_, "a recording of large blocks");
   if (bytes.empty()) return;
-  const std::size_t frames = frames_ % block_frames_;
   const std::size_t most = recording::most_values(bytes.size());
-  Archive::require(frames > 0 && frames <= most / channels_ / robots_, "more frames of a recording than their bytes can hold");
+  const std::size_t frames = bodies_differ_ ? waiting_frames : frames_ % block_frames_;
+  Archive::require(frames > 0 && frames < block_frames_ && frames <= most / channels_ / robots_,
+                   "more frames of a recording than their bytes can hold");
   const std::size_t columns = channels_ * robots_;
   const std::vector<std::int16_t> ordered = recording::unpacked(bytes, columns, frames);
   values_.resize(ordered.size());

@@ -18,12 +18,16 @@ namespace trophic::io::recording {
 /// The first bytes of every recording. As in PNG: not text, and damaged by a conversion of line ends.
 inline constexpr std::string_view magic{"\x89TRP\r\n\x1a\n", 8};
 inline constexpr int version = 1;
+inline constexpr int version_of_bodies = 2;  ///< of a run whose bodies differ: it has BODY and WHO blocks
 
 /// After the magic come blocks: length of the data (4 bytes), kind (4 letters), data, CRC-32 of kind and data. Whole numbers are
 /// unsigned, 4 bytes, little-endian.
-inline constexpr std::string_view head_kind = "HEAD";    ///< JSON: what is recorded and in which units; later ones: of which run
-inline constexpr std::string_view frames_kind = "POSE";  ///< first frame, number of frames, then zlib: see `channels`
-inline constexpr std::string_view end_kind = "DONE";     ///< the number of frames: the run ended; a run that was killed has none
+inline constexpr std::string_view head_kind = "HEAD";  ///< JSON: what is recorded and in which units; later ones: of which run
+inline constexpr std::string_view frames_kind =
+    "POSE";  ///< first frame, number of frames, in version 2 number of channels, then zlib
+inline constexpr std::string_view body_kind = "BODY";  ///< JSON: a body; bodies are numbered from 0 in the order of these blocks
+inline constexpr std::string_view who_kind = "WHO ";   ///< a frame, then for each body set down before it: robot, body
+inline constexpr std::string_view end_kind = "DONE";   ///< the number of frames: the run ended; a run that was killed has none
 
 inline void append_u32(std::string& bytes, std::uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>((value >> shift) & 0xFFU));

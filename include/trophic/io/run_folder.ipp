@@ -56,6 +56,7 @@ struct RunFolder::Tables {
   GenomeLog genomes;
   std::optional<SenseLog> senses;
   std::optional<StateLog> states;
+  std::optional<GeneLog> genes;
 
   [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const {
     std::vector<std::pair<std::string, TableSum>> all{{"events.csv", events.sum()},
@@ -64,6 +65,7 @@ struct RunFolder::Tables {
                                                       {"genomes.csv", genomes.sum()}};
     if (senses) all.emplace_back(SenseLog::file_name, senses->sum());
     if (states) all.emplace_back(StateLog::file_name, states->sum());
+    if (genes) all.emplace_back(GeneLog::file_name, genes->sum());
     return all;
   }
 };
@@ -78,7 +80,8 @@ TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenanc
                                               .phylogeny = Phylogeny{path_ / "phylogeny.csv", opening},
                                               .genomes = GenomeLog{path_ / "genomes.csv", opening},
                                               .senses = std::nullopt,
-                                              .states = std::nullopt})},
+                                              .states = std::nullopt,
+                                              .genes = std::nullopt})},
       manifest_{path_ / "manifest.json", std::move(provenance)},
       recording_{path_ / "replay.trp", output.replay_hz, opening} {
   if (opening == Opening::created) open_more(output.senses, output.states, opening);
@@ -92,10 +95,13 @@ TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   archive(tables_->events, tables_->agents, tables_->phylogeny, tables_->genomes, manifest_, recording_);
   bool senses = tables_->senses.has_value();
   bool states = tables_->states.has_value();
-  archive(senses, states);
+  bool genes = tables_->genes.has_value();
+  archive(senses, states, genes);
   if (archive.reads()) open_more(senses, states, Opening::resumed);
+  if (archive.reads() && genes) tables_->genes.emplace(path_ / GeneLog::file_name, Opening::resumed);
   if (senses) archive(*tables_->senses);
   if (states) archive(*tables_->states);
+  if (genes) archive(*tables_->genes);
   for (const auto& table : own_tables_) {
     std::string name = table->file_name();
     archive(name);
@@ -122,6 +128,9 @@ TROPHIC_INLINE void RunFolder::on_start(const observe::RunDescription& run, cons
     tables_->senses->on_start(run, view);
     manifest_.set_inputs(run.inputs);
   }
+  if (run.has_more_genes && !tables_->genes) tables_->genes.emplace(path_ / GeneLog::file_name, Opening::created);
+  if (tables_->genes) tables_->genes->on_start(run, view);
+  tables_->genomes.on_start(run, view);
   manifest_.on_start(run, view);
   recording_.on_start(run, view);
   for (const auto& table : own_tables_) table->observer().start(run, view);
@@ -131,6 +140,7 @@ TROPHIC_INLINE void RunFolder::on_event(const observe::Event& event, const View&
   tables_->events.on_event(event, view);
   tables_->phylogeny.on_event(event, view);
   tables_->genomes.on_event(event, view);
+  if (tables_->genes) tables_->genes->on_event(event, view);
   manifest_.on_event(event, view);
   for (const auto& table : own_tables_) table->observer().event(event, view);
 }
@@ -174,6 +184,7 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
   tables_->agents.on_tick(view);
   tables_->phylogeny.on_tick(view);
   tables_->genomes.on_tick(view);
+  if (tables_->genes) tables_->genes->on_tick(view);
   if (tables_->senses) tables_->senses->on_tick(view);
   if (tables_->states) tables_->states->on_tick(view);
   manifest_.on_tick(view);
@@ -186,6 +197,7 @@ TROPHIC_INLINE void RunFolder::on_end(const View& view) {
   tables_->agents.on_end(view);
   tables_->phylogeny.on_end(view);
   tables_->genomes.on_end(view);
+  if (tables_->genes) tables_->genes->on_end(view);
   for (const auto& table : own_tables_) table->observer().end(view);
   recording_.on_end(view);
   manifest_.set_tables(sums());

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -67,9 +68,15 @@ class SenseLog {
   [[nodiscard]] double frame_hz() const { return once_a_tick_hz; }
   void on_frame(const observe::Frame& frame) {
     if (frame.joint_angles_rad.empty()) return;
+    robots_.clear();
+    for (std::size_t body = 0; body < frame.phenotypes.size(); ++body) robots_.push_back(frame.phenotypes[body].robot);
     if (!robot_) robot_ = frame.robot;
     roots_.assign(frame.roots.begin(), frame.roots.end());
-    joint_angles_rad_.assign(frame.joint_angles_rad.begin(), frame.joint_angles_rad.end());
+    joint_angles_rad_.clear();
+    for (std::size_t body = 0; body < roots_.size(); ++body) {
+      const auto own = frame.joint_angles(body);
+      joint_angles_rad_.emplace_back(own.begin(), own.end());
+    }
   }
 
   void on_tick(const View& view) {
@@ -111,14 +118,19 @@ class SenseLog {
     file_->flush();
   }
 
+  [[nodiscard]] const RobotModel& robot_in(BodyIndex body) const {
+    return robots_.empty() || !robots_[body] ? *robot_ : *robots_[body];
+  }
+
   void look_at_bodies(const View& view) {
     if (!robot_ || roots_.size() != view.robots.size()) return;
-    const std::size_t joints = robot_->hinges.size();
+    double largest_m = 0.0;
     std::vector<std::vector<PlacedBox>> bodies;
     std::vector<GroundPose> centres;
     for (BodyIndex body = 0; body < roots_.size(); ++body) {
       const Pose& root = roots_[body];
-      bodies.push_back(placed_boxes(*robot_, root, std::span{joint_angles_rad_}.subspan(body * joints, joints)));
+      bodies.push_back(placed_boxes(robot_in(body), root, joint_angles_rad_[body]));
+      largest_m = std::max(largest_m, robot_in(body).bounding_radius_m);
       centres.push_back({.x_m = root.position_m.x(), .y_m = root.position_m.y()});
       const double upright = (root.orientation.normalized() * Eigen::Vector3d::UnitZ()).z();
       rows_[body].height_m = root.position_m.z();
@@ -128,11 +140,12 @@ class SenseLog {
     }
     const SpatialGrid grid{centres};
     for (BodyIndex body = 0; body < bodies.size(); ++body) {
-      grid.for_each_near(centres[body].x_m, centres[body].y_m, 2.0 * robot_->bounding_radius_m, [&](BodyIndex other) {
-        if (other <= body || !touch(bodies[body], bodies[other])) return;
-        ++*rows_[body].robots_touched;
-        ++*rows_[other].robots_touched;
-      });
+      grid.for_each_near(centres[body].x_m, centres[body].y_m, robot_in(body).bounding_radius_m + largest_m,
+                         [&](BodyIndex other) {
+                           if (other <= body || !touch(bodies[body], bodies[other])) return;
+                           ++*rows_[body].robots_touched;
+                           ++*rows_[other].robots_touched;
+                         });
     }
   }
 
@@ -144,7 +157,8 @@ class SenseLog {
   std::vector<std::optional<IndividualId>> exempt_;  ///< the exempt individual of each body
   std::optional<RobotModel> robot_;                  ///< none on a backend without joints
   std::vector<Pose> roots_;
-  std::vector<double> joint_angles_rad_;
+  std::vector<std::vector<double>> joint_angles_rad_;
+  std::vector<std::shared_ptr<const RobotModel>> robots_;  ///< of each body, if they differ
 };
 
 }  // namespace trophic::io

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -195,7 +196,28 @@ struct GenomeRow {
     return std::tuple{column("id", &GenomeRow::id, "", "the newborn individual"),
                       column("genome_id", &GenomeRow::genome, "", "its genome"),
                       column("time_s", &GenomeRow::time_s, "s", "the ecology's clock", seconds),
-                      list_columns("w", &GenomeRow::weights, "", "the weights that it was born with")};
+                      list_columns("w", &GenomeRow::weights, "", "the weights that it was born with; none if brains grow")};
+  }
+};
+
+/// The parts of a genome.
+enum class GenomePart { brain, gait, body };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(GenomePart) {
+  return {"brain", "gait", "body"};
+}
+
+/// genes.csv: one row per gene of every newborn, of the parts that are not in genomes.csv.
+struct GeneRow {
+  IndividualId id = 0;
+  GenomePart part = GenomePart::brain;
+  std::size_t index = 0;
+  double value = 0.0;
+
+  static constexpr auto columns() {
+    return std::tuple{column("id", &GeneRow::id, "", "the newborn individual"),
+                      column("part", &GeneRow::part, "", "the part of its genome"),
+                      column("index", &GeneRow::index, "", "number of the gene in that part, from 0"),
+                      column("value", &GeneRow::value, "", "the gene that it was born with")};
   }
 };
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
+#include <trophic/population/phenotype.hpp>
 
 namespace trophic::observe {
 
@@ -47,8 +49,21 @@ struct Frame {
   FrameTimes times;                          ///< of every tick of the run
   std::span<const Pose> roots;               ///< of each robot's root link
   std::span<const double> joint_angles_rad;  ///< robot by robot, in the order of the model's hinges; empty without joints
-  const RobotModel& robot;
+  const RobotModel& robot;                   ///< of all, unless `phenotypes` has one for each
   const Arena& arena;
+  std::span<const Phenotype> phenotypes = {};     ///< of each robot; empty if all have the same body
+  std::span<const std::size_t> first_angle = {};  ///< of each robot in the joint angles; empty: all have as many
+
+  /// The model of a robot, and its joint angles.
+  [[nodiscard]] const RobotModel& model(std::size_t index) const {
+    return phenotypes.empty() || !phenotypes[index].robot ? robot : *phenotypes[index].robot;
+  }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t index) const {
+    const std::size_t each = joint_angles_rad.size() / roots.size();
+    if (first_angle.empty()) return joint_angles_rad.subspan(index * each, each);
+    const std::size_t end = index + 1 < first_angle.size() ? first_angle[index + 1] : joint_angles_rad.size();
+    return joint_angles_rad.subspan(first_angle[index], end - first_angle[index]);
+  }
 };
 
 }  // namespace trophic::observe

@@ -52,6 +52,7 @@ TROPHIC_INLINE void Progress::summary(std::ostream& out, const View& view) const
       << tally_.births(Origin::inherited) << " inherited)\n";
   out << "deaths  " << tally_.deaths();
   for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+    if (tally_.deaths(static_cast<Cause>(cause)) == 0 && static_cast<Cause>(cause) == Cause::diverged) continue;
     out << (cause == 0 ? " (" : ", ") << tally_.deaths(static_cast<Cause>(cause)) << " " << enum_name(static_cast<Cause>(cause));
   }
   out << ")\nalive  ";

@@ -28,6 +28,10 @@ struct RunDescription {
   double until_s = 0.0;          ///< the end of this run, ecology seconds
   std::string fingerprint;       ///< see `fingerprint`
   std::size_t spare_bodies = 0;  ///< bodies that start without an individual
+  bool brains_grow = false;      ///< whether the number of a brain's genes may change
+  bool bodies_differ = false;    ///< whether robots have bodies of their own
+  bool inherits_bodies = false;  ///< whether these are inherited
+  bool has_more_genes = false;   ///< whether genomes have a gait or a body, or brains grow
 };
 
 /// Two runs may be pooled as replicates if this is equal: 16 hexadecimal digits of rules, numbers, models and backend, not of

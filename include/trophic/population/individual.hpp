@@ -31,17 +31,20 @@ enum class Origin { random, inherited };
   return {"random", "inherited"};
 }
 
-/// Why an individual died.
-enum class Cause { caught, starved, sacrificed, senescence };
-[[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Cause) {
-  return {"caught", "starved", "sacrificed", "senescence"};
+/// Why an individual died. `diverged`: the engine could not compute the motion of its body.
+enum class Cause { caught, starved, sacrificed, senescence, diverged };
+[[nodiscard]] constexpr std::array<std::string_view, 5> enum_names(Cause) {
+  return {"caught", "starved", "sacrificed", "senescence", "diverged"};
 }
 
-/// The weights of a brain. Held by shared_ptr: the Heredity rule decides whether parent and offspring share one genome.
+/// The numbers that an individual is made of, in parts; one slot's policy defines the meaning of each part. A part that a table
+/// does not evolve is empty. Held by shared_ptr: the Heredity rule decides whether parent and offspring share one genome.
 struct Genome {
-  std::uint64_t id = 0;  ///< unique in a run; a shared genome keeps its id through mutations
-  std::vector<double> weights;
-  static constexpr auto saved() { return std::tuple{&Genome::id, &Genome::weights}; }
+  std::uint64_t id = 0;              ///< unique in a run; a shared genome keeps its id through mutations
+  std::vector<double> weights = {};  ///< of the brain
+  std::vector<double> gait = {};     ///< of the rule Gait
+  std::vector<double> body = {};     ///< of the rule BodyPlan
+  static constexpr auto saved() { return std::tuple{&Genome::id, &Genome::weights, &Genome::gait, &Genome::body}; }
 };
 
 /// An individual that offspring can descend from, possibly dead.

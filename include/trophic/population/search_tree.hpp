@@ -15,6 +15,9 @@
 
 namespace trophic {
 
+/// From this number of robots on, a tree finds the closest robot faster than a visit to each; both give the same result.
+inline constexpr std::size_t tree_from_robots = 64;
+
 /// A grid of robots under squares of two times two cells, four times four, ..., each of which holds the marks of the robots in
 /// it. A search visits the nearest squares first and skips those that are too far or lack the marks: its cost grows with the
 /// logarithm of the number of robots. It gives exactly the result of visiting every robot, ties included. Positions are stored

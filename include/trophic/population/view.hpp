@@ -11,6 +11,7 @@
 #include <trophic/habitat/arena.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/phenotype.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/support/clock.hpp>
@@ -31,8 +32,10 @@ struct View {
   const Arena& arena;
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
-  const SearchTree* tree = nullptr;           ///< over the poses; without one, searches visit every robot
-  std::span<const std::size_t> members = {};  ///< of each species; if empty, they are counted
+  const SearchTree* tree = nullptr;            ///< over the poses; without one, searches visit every robot
+  std::span<const std::size_t> members = {};   ///< of each species; if empty, they are counted
+  std::uint64_t refused_bodies = 0;            ///< mutations of bodies so far that the rules refused
+  std::span<const Phenotype> phenotypes = {};  ///< of each body; empty if all have the habitat's robot and gait
 
   [[nodiscard]] std::size_t count(Species species) const {
     if (!members.empty()) return species < members.size() ? members[species] : 0;

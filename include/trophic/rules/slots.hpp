@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string_view>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/control/gait/contract.hpp>
+#include <trophic/control/gait/robots_gait.hpp>
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/contract.hpp>
@@ -20,6 +22,8 @@
 #include <trophic/death/starvation/contract.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/initialization/community/contract.hpp>
+#include <trophic/initialization/embodiment/contract.hpp>
+#include <trophic/initialization/embodiment/keeps_body.hpp>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/perception/heading/contract.hpp>
 #include <trophic/perception/newborn_tag/contract.hpp>
@@ -28,6 +32,8 @@
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/all_active.hpp>
 #include <trophic/perception/visibility/contract.hpp>
+#include <trophic/reproduction/body_plan/contract.hpp>
+#include <trophic/reproduction/body_plan/one_body.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
@@ -38,6 +44,8 @@
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
+#include <trophic/reproduction/viability/always_viable.hpp>
+#include <trophic/reproduction/viability/contract.hpp>
 #include <utility>
 
 /// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). Tables, numbers,
@@ -50,6 +58,7 @@
 #define TROPHIC_RULE_SLOTS(SLOT)                                                                                     \
   SLOT(Community, community, initialization, Community, detail::NoPolicy, false)                                     \
   SLOT(Placement, placement, initialization, Placement, detail::NoPolicy, false)                                     \
+  SLOT(Embodiment, embodiment, initialization, Embodiment, initialization::embodiment::KeepsBody, false)             \
   SLOT(Heading, heading, perception, Heading, detail::NoPolicy, false)                                               \
   SLOT(Visibility, visibility, perception, Visibility, perception::visibility::AllActive, true)                      \
   SLOT(Sensors, sensors, perception, SensorList, detail::NoPolicy, false)                                            \
@@ -57,11 +66,14 @@
   SLOT(TagSwitch, tag_switch, perception, TagSwitch, perception::tag_switch::FreeTags, true)                         \
   SLOT(Brain, brain, control, Brain, detail::NoPolicy, false)                                                        \
   SLOT(Steering, steering, control, Steering, detail::NoPolicy, false)                                               \
+  SLOT(Gait, gait, control, GaitRule, control::gait::RobotsGait, true)                                               \
   SLOT(InitialGenome, initial_genome, reproduction, InitialGenome, detail::NoPolicy, true)                           \
   SLOT(GenomeSource, genome_source, reproduction, GenomeSource, reproduction::genome_source::AlwaysInherited, false) \
   SLOT(Parent, parent, reproduction, Parent, reproduction::parent::NoParent, true)                                   \
   SLOT(Heredity, heredity, reproduction, Heredity, detail::NoPolicy, false)                                          \
   SLOT(Mutation, mutation, reproduction, Mutation, reproduction::mutation::NoMutation, true)                         \
+  SLOT(BodyPlan, body_plan, reproduction, BodyPlan, reproduction::body_plan::OneBody, true)                          \
+  SLOT(Viability, viability, reproduction, Viability, reproduction::viability::AlwaysViable, true)                   \
   SLOT(Recruitment, recruitment, reproduction, Recruitment, reproduction::recruitment::NoRecruitment, false)         \
   SLOT(Activation, activation, death, Activation, death::activation::AlwaysActive, true)                             \
   SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, false)                                       \

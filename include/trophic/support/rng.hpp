@@ -33,6 +33,12 @@ enum class Stream : std::uint64_t {
   sensors,
   recruitment,
   contest,
+  brain_structure,
+  brain_growth,
+  gait_genes,
+  gait_mutation,
+  body_genes,
+  body_mutation,
   user = 1'000'000,  ///< first number for rules of users
 };
 

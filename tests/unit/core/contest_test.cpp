@@ -66,7 +66,7 @@ TEST_CASE("contest: genomes of another size -> error that names both sizes") {
   plan.teams[0].genomes[3].push_back(0.0);
   const auto make = contests_of<rules::Paper>({}, backend::Kinematic::Params{});
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
-        "a contest of genomes of 16 weights: must have 15, those of the table's brain");
+        "a contest of genomes of 16 weights: must have a genome of 15 weights, as the table's brain takes it");
 }
 
 TEST_CASE("contest: same places -> same outcome, others -> another, reach of the arena -> contact at once") {

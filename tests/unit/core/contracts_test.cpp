@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/exemption/contract.hpp>
 #include <trophic/death/starvation/interval/contract.hpp>
@@ -81,6 +82,13 @@ TROPHIC_REFUSES(heredity, reproduction::Heredity, TROPHIC_ALONE, std::shared_ptr
 TROPHIC_REFUSES(parent, reproduction::Parent, TROPHIC_ALONE, std::optional<Ancestor>, parent, const reproduction::Vacancy&,
                 const View&, Rng&)
 
+TROPHIC_REFUSES(gait, control::GaitRule, TROPHIC_ALONE, Gait, express, std::span<const double>, const RobotModel&, const Habitat&)
+TROPHIC_REFUSES(body_plan, reproduction::BodyPlan, TROPHIC_ALONE, body::Design, grow, std::span<const double>, Species,
+                const Habitat&)
+TROPHIC_REFUSES(viability, reproduction::Viability, TROPHIC_AND(std::size_t attempts() const), std::optional<std::string>,
+                refusal, const body::Design&, const RobotModel&)
+TROPHIC_REFUSES(embodiment, initialization::Embodiment, TROPHIC_ALONE, Pose, set_down, const GroundPose&, const RobotModel&,
+                const Arena&, std::span<const PlacedBox>)
 TROPHIC_REFUSES(recruitment, reproduction::Recruitment,
                 TROPHIC_AND(std::size_t spare_bodies() const; bool leaves_spare(const Vacancy&, const View&) const),
                 std::vector<reproduction::Recruit>, recruits, const View&, Rng&)

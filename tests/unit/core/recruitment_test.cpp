@@ -31,7 +31,7 @@ namespace {
 using Recruiting = with_recruitment<rules::Paper, AfterEscapes>;
 
 /// Follows who lives in which body, by events alone, and compares with the view.
-struct Bodies {
+struct Occupants {
   void on_event(const observe::Event& event, const View&) {
     if (event.kind == observe::EventKind::birth) {
       CHECK(!occupants.contains(event.body));
@@ -158,7 +158,7 @@ TEST_CASE("recruitment: spare bodies -> founders in the other ones, births witho
     CHECK(start.robots[body].lives() == (body < 24));
     CHECK(start.robots[body].id == (body < 24 ? body : no_individual));
   }
-  Bodies bodies;
+  Occupants bodies;
   ecology.run_until(3000.0, bodies);
   CHECK(bodies.recruits > 10);
   CHECK(bodies.most > 24);

@@ -253,7 +253,7 @@ TEST_CASE("rules: visit of slots -> each one that is not neutral, once, in order
   std::vector<std::pair<std::string, std::string>> slots;
   for_each_rule<rules::Paper>([&](std::string_view slot, std::string_view policy) { slots.emplace_back(slot, policy); });
   REQUIRE(slots.size() == 19);
-  CHECK(rules::slot_names.size() == 21);  // Paper leaves out recruitment and senescence
+  CHECK(rules::slot_names.size() == 25);  // Paper leaves out those of bodies and gaits, recruitment and senescence
   CHECK(slots.front() == std::pair<std::string, std::string>{"community", "predator_prey"});
   CHECK(slots.back() == std::pair<std::string, std::string>{"minimum_predators", "sacrifice_random_victim"});
   for (std::size_t i = 0; i < slots.size(); ++i) {

@@ -51,7 +51,7 @@ void measure_deaths(Events events, const FoodWeb& web, double until_s, RunMetric
       result.curves.push_back({metric, "", events.empty() ? Series{} : deaths_per_window(events, species, cause, until_s)});
     };
     add("all", std::nullopt);
-    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
+    for (std::size_t cause = 0; cause < static_cast<std::size_t>(Cause::diverged); ++cause) {  // those of rules
       add(enum_names(Cause{})[cause], static_cast<Cause>(cause));
     }
   }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <trophic/population/state.hpp>
+#include <trophic/support/rng.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -27,15 +28,35 @@ struct Decision {
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
+/// A brain whose number of genes may change. `first(inputs, outputs, rng)`: returns the genes of an individual without a parent,
+/// with any weights. `weights_of(genes)`: returns those genes that are weights, which InitialGenome draws and Mutation changes.
+/// `mutate_structure(genes, inputs, outputs, rng)`: changes the structure of an inherited genome after Mutation. `fits(genes,
+/// inputs, outputs)`: returns whether `decide` takes these genes. Optional: `double distance(std::span<const double> a,
+/// std::span<const double> b) const`, for mutation_distance; without it missing genes count as 0.
+template <class P>
+concept GrowingBrain = requires(const P policy, std::size_t inputs, std::vector<double>& genes, std::span<const double> fixed,
+                                std::span<double> open, Rng& rng) {
+  { policy.first(inputs, Decision::outputs, rng) } -> std::same_as<std::vector<double>>;
+  { policy.weights_of(open) } -> std::same_as<std::span<double>>;
+  { policy.mutate_structure(genes, inputs, Decision::outputs, rng) } -> std::same_as<void>;
+  { policy.fits(fixed, inputs, Decision::outputs) } -> std::same_as<bool>;
+};
+
+/// A brain with the same number of weights in every individual.
+template <class P>
+concept BrainOfOneSize = requires(const P policy, std::size_t inputs) {
+  { policy.genome_size(inputs, Decision::outputs) } -> std::same_as<std::size_t>;
+};
+
 /// `genome_size(inputs, outputs)`: returns the number of weights for this number of inputs, which the table's sensors give, and
 /// of outputs (`Decision::outputs`). `tags()`: returns every tag that the brain may choose. `decide(inputs, weights)`: a pure
 /// function of both and, with a State, of `own`, which it may change; called at most once in a tick. The weights are the
-/// genome's, which only births change. A brain that shows its output neurons to observers has `std::array<double,
+/// genome's, which only births change. Instead of `genome_size` a brain may have the functions of a GrowingBrain. A brain that
+/// shows its output neurons to observers has `std::array<double,
 /// Decision::outputs> outputs(inputs, weights) const` (with a State also `const State& own`): the outputs behind decide's
 /// decision. A brain for one number of inputs only declares it: `static constexpr std::size_t inputs = 3;`.
 template <class P>
-concept Brain = requires(const P policy, std::size_t inputs) {
-  { policy.genome_size(inputs, Decision::outputs) } -> std::same_as<std::size_t>;
+concept Brain = (BrainOfOneSize<P> || GrowingBrain<P>)&&requires(const P policy) {
   { policy.tags() } -> std::same_as<std::vector<int>>;
 }
 &&(

@@ -15,14 +15,15 @@
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/habitat/sides.hpp>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace trophic::locomotion {
 
 /// Moves all robots of a backend. Every robot has its own copy of the gait's CPG, which keeps running when the occupant of the
-/// body changes (Sec. "Targeted Steering"). At each control step the CPG takes one step, its outputs are steered and become
-/// servo targets (which the servos clip), and the backend advances to the end of the step. Simulated time is counted in whole
-/// control steps.
+/// body changes (Sec. "Targeted Steering"), unless robots walk by gaits of their own. At each control step the CPG takes one
+/// step, its outputs are steered and become servo targets (which the servos clip), and the backend advances to the end of the
+/// step. Simulated time is counted in whole control steps.
 template <control::Steering SteeringRule>
 class Locomotion {
  public:
@@ -32,7 +33,8 @@ class Locomotion {
              CpgIntegration integration, std::int64_t idle_steps = 0)
       : steering_{std::move(steering)},
         sides_{sides_of(robot)},
-        cpg_{gait, {.integration = integration, .step_s = 1.0 / control_hz}},
+        cpg_params_{.integration = integration, .step_s = 1.0 / control_hz},
+        cpg_{gait, cpg_params_},
         states_{cpg_.initial_states(robots)},
         targets_rad_(robot.hinges.size()),
         control_hz_{control_hz},
@@ -63,7 +65,26 @@ class Locomotion {
   }
 
   /// Restarts one robot's CPG.
-  void reset(std::size_t robot) { states_.col(static_cast<Eigen::Index>(robot)) = cpg_.initial_states(); }
+  void reset(std::size_t robot) {
+    if (own_.empty()) {
+      states_.col(static_cast<Eigen::Index>(robot)) = cpg_.initial_states();
+    } else {
+      own_[robot].states = own_[robot].cpg.initial_states();
+    }
+  }
+
+  /// Gives each robot its own body and gait from here on, all with that of the constructor at first.
+  void separate() {
+    for (Eigen::Index robot = 0; robot < states_.cols(); ++robot) {
+      own_.push_back({.sides = sides_, .cpg = cpg_, .states = states_.col(robot)});
+    }
+  }
+  /// Replaces one robot's body and gait and starts its CPG. After `separate`.
+  void walk_by(std::size_t robot, const RobotModel& model, const Gait& gait) {
+    Cpg cpg{gait, cpg_params_};
+    Eigen::MatrixXd states = cpg.initial_states();
+    own_.at(robot) = {.sides = sides_of(model), .cpg = std::move(cpg), .states = std::move(states)};
+  }
 
   /// Simulated time of the control steps so far.
   [[nodiscard]] double time_s() const { return static_cast<double>(taken_) / control_hz_; }
@@ -74,14 +95,26 @@ class Locomotion {
     std::int64_t taken = 0;
     static constexpr auto saved() { return std::tuple{&State::cpg, &State::taken}; }
   };
-  [[nodiscard]] State save() const { return {.cpg = {states_.data(), states_.data() + states_.size()}, .taken = taken_}; }
-  /// Throws std::invalid_argument for a state with another number of robots or another gait.
+  [[nodiscard]] State save() const {
+    State state{.cpg = {}, .taken = taken_};
+    for_each_states(
+        [&](const Eigen::MatrixXd& states) { state.cpg.insert(state.cpg.end(), states.data(), states.data() + states.size()); });
+    return state;
+  }
+  /// Throws std::invalid_argument for a state with another number of robots or other gaits.
   void restore(const State& state) {
-    if (state.cpg.size() != static_cast<std::size_t>(states_.size())) {
-      throw std::invalid_argument{"state.cpg.size() = " + std::to_string(state.cpg.size()) + ": must be " +
-                                  std::to_string(states_.size())};
+    Eigen::Index size = 0;
+    for_each_states([&](const Eigen::MatrixXd& states) { size += states.size(); });
+    if (state.cpg.size() != static_cast<std::size_t>(size)) {
+      throw std::invalid_argument{"state.cpg.size() = " + std::to_string(state.cpg.size()) + ": must be " + std::to_string(size)};
     }
-    std::ranges::copy(state.cpg, states_.data());
+    const double* from = state.cpg.data();
+    const auto read = [&](Eigen::MatrixXd& states) {
+      std::copy_n(from, states.size(), states.data());
+      from += states.size();
+    };
+    if (own_.empty()) read(states_);
+    for (Own& own : own_) read(own.states);
     taken_ = state.taken;
   }
 
@@ -95,11 +128,10 @@ class Locomotion {
         wait(backend, 1);
         continue;
       }
-      cpg_.step(states_);
-      for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
-        cpg_.outputs(states_, robot, targets_rad_);
-        steering_.steer(target_angles_rad[robot], sides_, targets_rad_);
-        backend.set_joint_targets(robot, targets_rad_);
+      if (own_.empty()) {
+        step_together(backend, target_angles_rad);
+      } else {
+        step_apart(backend, target_angles_rad);
       }
       ++taken_;
       backend.advance_to(time_s());
@@ -107,9 +139,46 @@ class Locomotion {
     return true;
   }
 
+  template <class Bodies>
+  void step_together(Bodies& backend, std::span<const double> target_angles_rad) {
+    cpg_.step(states_);
+    for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
+      cpg_.outputs(states_, robot, targets_rad_);
+      steering_.steer(target_angles_rad[robot], sides_, targets_rad_);
+      backend.set_joint_targets(robot, targets_rad_);
+    }
+  }
+
+  template <class Bodies>
+  void step_apart(Bodies& backend, std::span<const double> target_angles_rad) {
+    for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
+      Own& own = own_[robot];
+      own.cpg.step(own.states);
+      targets_rad_.resize(own.sides.size());
+      own.cpg.outputs(own.states, 0, targets_rad_);
+      steering_.steer(target_angles_rad[robot], own.sides, targets_rad_);
+      backend.set_joint_targets(robot, targets_rad_);
+    }
+  }
+
+  template <class Visitor>
+  void for_each_states(const Visitor& visit) const {
+    if (own_.empty()) visit(states_);
+    for (const Own& own : own_) visit(own.states);
+  }
+
+  /// A robot with a gait of its own.
+  struct Own {
+    std::vector<Side> sides;
+    Cpg cpg;
+    Eigen::MatrixXd states;  ///< 2n x 1
+  };
+
   SteeringRule steering_;
   std::vector<Side> sides_;
+  Cpg::Params cpg_params_;
   Cpg cpg_;
+  std::vector<Own> own_;  ///< of each robot, if they differ
   Eigen::MatrixXd states_;
   std::vector<double> targets_rad_;
   double control_hz_;

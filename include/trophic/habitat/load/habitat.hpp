@@ -14,6 +14,9 @@ namespace trophic {
 /// or whose content does not fit.
 [[nodiscard]] Habitat load_habitat(const EcologyParams& ecology, std::string_view installed = TROPHIC_MODEL_DIR);
 
+/// The same with the models that rules name.
+[[nodiscard]] Habitat load_habitat(const EcologyParams& ecology, const ModelNames& names, std::string_view installed);
+
 }  // namespace trophic
 
 #if TROPHIC_HEADER_ONLY

@@ -18,13 +18,14 @@
 
 namespace trophic::reproduction::parent {
 
-/// Rule: the parent is chosen by the rule for this cause of death; a cause without a rule has no parent. A number is set by its
-/// cause: `rules.parent.starved.range_m`. `with_parent_after<Rules, Cause::starved, Policy>` (rules/with_part.hpp) swaps one
-/// rule.   Reads: what the rule for the cause reads.   Random draws: those of that rule.
+/// Rule: the parent is chosen by the rule for this cause of death; a cause without a rule, and a body that diverges, has no
+/// parent. A number is set by its cause: `rules.parent.starved.range_m`. `with_parent_after<Rules, Cause::starved, Policy>`
+/// (rules/with_part.hpp) swaps one rule.   Reads: what the rule for the cause reads.   Random draws: those of that rule.
 template <class Caught, class Starved = NoParent, class Sacrificed = NoParent, class Senescence = NoParent>
 struct ByCause : Parts<Caught, Starved, Sacrificed, Senescence> {
   struct Names {
-    static constexpr std::array part_names = enum_names(Cause{});
+    static constexpr std::array<std::string_view, 4> part_names{enum_names(Cause{})[0], enum_names(Cause{})[1],
+                                                                enum_names(Cause{})[2], enum_names(Cause{})[3]};
   };
   static constexpr auto& part_names = Names::part_names;
   static constexpr bool parts_fit = Parent<AnswersForSpecies<Caught>> && Parent<AnswersForSpecies<Starved>> &&
@@ -63,6 +64,8 @@ struct ByCause : Parts<Caught, Starved, Sacrificed, Senescence> {
         return asked.template operator()<Cause::starved>();
       case Cause::sacrificed:
         return asked.template operator()<Cause::sacrificed>();
+      case Cause::diverged:
+        return std::nullopt;
       case Cause::senescence:
         break;
     }

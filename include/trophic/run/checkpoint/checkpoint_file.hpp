@@ -15,7 +15,7 @@
 namespace trophic::checkpoint {
 
 /// Of what a checkpoint file holds and how. Another number: another format.
-inline constexpr std::uint32_t format_version = 4;
+inline constexpr std::uint32_t format_version = 5;
 
 inline constexpr std::string_view file_name = "checkpoint.bin";
 /// The previous checkpoint, in case that the last one cannot be read.

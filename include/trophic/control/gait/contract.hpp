@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: the gait by which an individual walks.
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/population/individual.hpp>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+#define TROPHIC_SENTENCE_GaitRule \
+  "Gait express(std::span<const double> genes, const RobotModel&, const Habitat&) const; see trophic/control/gait/contract.hpp"
+
+namespace trophic::control {
+
+/// `express(genes, robot, habitat)`: returns the gait of this robot, a pure function. Throws std::invalid_argument for genes or
+/// a robot that it cannot give a gait. A policy whose gaits are inherited also satisfies InheritedGait; `genes` is empty for
+/// others.
+template <class P>
+concept GaitRule = requires(const P policy, std::span<const double> genes, const RobotModel& robot, const Habitat& habitat) {
+  { policy.express(genes, robot, habitat) } -> std::same_as<Gait>;
+};
+
+/// A gait with genes of its own, the genome's part `gait`. `draw(robot, habitat, rng)`: returns those of an individual without a
+/// parent, at least one. `mutate(genes, offspring, rng)`: changes inherited genes in place, also their number; the body may have
+/// changed, so `express` takes the genes for any robot.
+template <class P>
+concept InheritedGait = GaitRule<P> && requires(const P policy, const RobotModel& robot, const Habitat& habitat,
+                                                std::vector<double>& genes, const Individual& offspring, Rng& rng) {
+  { policy.draw(robot, habitat, rng) } -> std::same_as<std::vector<double>>;
+  { policy.mutate(genes, offspring, rng) } -> std::same_as<void>;
+};
+
+}  // namespace trophic::control

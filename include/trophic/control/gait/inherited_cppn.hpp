@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// One inherited network writes a gait for any body.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <trophic/control/gait/contract.hpp>
+#include <trophic/control/gait/detail/cppn.hpp>
+#include <trophic/control/gait/inherited_cpg.hpp>
+#include <trophic/params/params.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::control::gait {
+
+/// Rule: the genes are a CPPN that grows (control/gait/detail/cppn.hpp). With the grid cells of the hinges, w_i is CPPN(i, i)
+/// and c_ij of two neighbours i < j is CPPN(i, j) (Sec. "Targeted Steering"). `first = robots`: the sum of that and of the own
+/// gait of `ecology.robot`, for hinges of the same path from the core, and a network without a parent has small weights; random:
+/// CPPN alone. Without a parent each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a
+/// mutation 1 to 3 per link, 2 for growth, 2 more for each part that grows.
+struct InheritedCppn {
+  static constexpr std::string_view name = "inherited_cppn";
+  static constexpr std::string_view source = "not in the paper; networks as in [stanley2007]";
+
+  struct Params {
+    FirstGait first = FirstGait::robots;
+    double first_limit = 0.05;
+    double weight_probability = 0.8;
+    double weight_sd = 0.02;
+    double weight_limit = 8.0;
+    double link_probability = 0.1;
+    double node_probability = 0.05;
+    static constexpr auto fields() {
+      return std::tuple{
+          field("first", &Params::first, "what the network is added to: robots (the robot's own gait) or random (nothing)"),
+          field("first_limit", &Params::first_limit, at_least(0.0), "weights without a parent and of new links: within +- this"),
+          field("weight_probability", &Params::weight_probability, between(0.0, 1.0), "that a weight mutates"),
+          field("weight_sd", &Params::weight_sd, at_least(0.0), "standard deviation of that"),
+          field("weight_limit", &Params::weight_limit, above(0.0), "weights stay within +- this"),
+          field("link_probability", &Params::link_probability, between(0.0, 1.0), "that an offspring has a new link"),
+          field("node_probability", &Params::node_probability, between(0.0, 1.0), "that a node splits one of its links")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<double> draw(const RobotModel&, const Habitat&, Rng& rng) const {
+    detail::Cppn network;
+    for (std::size_t input = 0; input < detail::Cppn::inputs; ++input) {
+      network.links.push_back(
+          {.from = input, .to = network.output(), .weight = rng.uniform(-params.first_limit, params.first_limit)});
+    }
+    return network.genes();
+  }
+
+  void mutate(std::vector<double>& genes, const Individual&, Rng& rng) const {
+    auto network = detail::Cppn::of(genes);
+    for (auto& link : network.links) {
+      if (!rng.chance(params.weight_probability)) continue;
+      link.weight = std::clamp(link.weight + rng.normal(0.0, params.weight_sd), -params.weight_limit, params.weight_limit);
+    }
+    if (rng.chance(params.link_probability)) network.add_link(params.first_limit, rng);
+    if (rng.chance(params.node_probability)) network.split_link(rng);
+    genes = network.genes();
+  }
+
+  [[nodiscard]] Gait express(std::span<const double> genes, const RobotModel& robot, const Habitat& habitat) const {
+    const auto network = detail::Cppn::of(genes);
+    const auto n = static_cast<Eigen::Index>(robot.hinges.size());
+    Gait gait{.name = "inherited",
+              .robot = robot.name,
+              .provenance = "inherited",
+              .hinges = {},
+              .internal = Eigen::VectorXd::Zero(n),
+              .coupling = Eigen::MatrixXd::Zero(n, n)};
+    std::vector<Eigen::Index> old;  // of each hinge in the habitat's gait, -1 for none
+    for (const Hinge& hinge : robot.hinges) {
+      gait.hinges.push_back(hinge.name);
+      old.push_back(params.first == FirstGait::robots ? place_in(habitat.gait, hinge.name) : -1);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto& cell = robot.hinges[static_cast<std::size_t>(i)].grid_position;
+      const Eigen::Index was = old[static_cast<std::size_t>(i)];
+      gait.internal[i] = network(cell, cell) + (was < 0 ? 0.0 : habitat.gait.internal[was]);
+      for (const std::size_t other : robot.hinge_neighbours[static_cast<std::size_t>(i)]) {
+        const auto j = static_cast<Eigen::Index>(other);
+        if (j <= i) continue;
+        const Eigen::Index there = old[other];
+        gait.coupling(i, j) =
+            network(cell, robot.hinges[other].grid_position) + (was < 0 || there < 0 ? 0.0 : habitat.gait.coupling(was, there));
+        gait.coupling(j, i) = -gait.coupling(i, j);
+      }
+    }
+    return gait;
+  }
+
+ private:
+  [[nodiscard]] static Eigen::Index place_in(const Gait& gait, std::string_view hinge) {
+    const auto found = std::ranges::find(gait.hinges, hinge);
+    return found == gait.hinges.end() ? -1 : static_cast<Eigen::Index>(found - gait.hinges.begin());
+  }
+};
+static_assert(InheritedGait<InheritedCppn>);
+
+}  // namespace trophic::control::gait

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: whether an individual may be born with a body.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <trophic/habitat/body/build.hpp>
+#include <trophic/habitat/robot_model.hpp>
+
+#define TROPHIC_SENTENCE_Viability                                                                                          \
+  "std::optional<std::string> refusal(const body::Design&, const RobotModel&) const and std::size_t attempts() const; see " \
+  "trophic/reproduction/viability/contract.hpp"
+
+namespace trophic::reproduction {
+
+/// `refusal(design, robot)`: returns why no individual may be born with this body, "12 hinges: must be <= 10", or nothing. A pure
+/// function. `attempts()`: how often a refused mutation is repeated from the parent's genes, at least 1; after that the offspring
+/// has its parent's body. Bodies without hinges and those that cannot be built are refused by every table.
+template <class P>
+concept Viability = requires(const P policy, const body::Design& design, const RobotModel& robot) {
+  { policy.refusal(design, robot) } -> std::same_as<std::optional<std::string>>;
+  { policy.attempts() } -> std::same_as<std::size_t>;
+};
+
+}  // namespace trophic::reproduction

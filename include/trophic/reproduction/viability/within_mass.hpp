@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Bodies that their servos can carry.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/viability/contract.hpp>
+#include <tuple>
+
+namespace trophic::reproduction::viability {
+
+/// Rule: a body of at most `most_kg` may be born; a heavier one is tried again, `attempts` times in all.   Reads: the mass.
+/// Random draws: 0.
+struct WithinMass {
+  static constexpr std::string_view name = "within_mass";
+  static constexpr std::string_view source = "not in the paper";
+
+  struct Params {
+    double most_kg = 2.0;
+    std::size_t attempts = 10;
+    static constexpr auto fields() {
+      return std::tuple{field("most_kg", &Params::most_kg, above(0.0), "the largest mass of a body"),
+                        field("attempts", &Params::attempts, between(1.0, 1000.0), "mutations of a body that are tried")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::optional<std::string> refusal(const body::Design&, const RobotModel& robot) const {
+    if (robot.mass_kg() <= params.most_kg) return std::nullopt;
+    return number_text(robot.mass_kg()) + " kg: must be <= " + number_text(params.most_kg);
+  }
+  [[nodiscard]] std::size_t attempts() const { return params.attempts; }
+};
+static_assert(Viability<WithinMass>);
+
+}  // namespace trophic::reproduction::viability
