@@ -3,10 +3,16 @@
 #include <doctest/doctest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
+#include <trophic/control/gait/inherited_cpg.hpp>
+#include <trophic/initialization/embodiment/stands_up.hpp>
+#include <trophic/reproduction/body_plan/named_body.hpp>
+#include <trophic/rules/by_species.hpp>
 #include <trophic/rules/released.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
@@ -25,6 +31,24 @@ Experiment<rules::Released> crowd(const std::string& arena, double half_extent_m
   experiment.rules.community.predators = 3;
   experiment.rules.placement.half_extent_m = half_extent_m;
   return experiment;
+}
+
+/// The same with spiders as predators and geckos as prey, whose gaits are inherited.
+using Mixed = with_gait<with_embodiment<with_body_plan<rules::Released, rules::by_species<reproduction::body_plan::NamedBody>>,
+                                        initialization::embodiment::StandsUp>,
+                        control::gait::InheritedCpg>;
+
+template <class BackendParams>
+void check_mixed(const BackendParams& backend, double duration_s, double every_s, std::int64_t cut) {
+  const auto uniform = crowd("walled_square", 0.8, duration_s);
+  Experiment<Mixed> mixed{.seed = uniform.seed, .ecology = uniform.ecology};
+  mixed.rules.community.predators = 3;
+  mixed.rules.placement.half_extent_m = 0.8;
+  mixed.rules.body_plan.get<test::prey>().robot = "gecko";
+  const TemporaryFolder folder;
+  check_resumed(mixed, backend, folder.path(), {cut}, every_s,
+                [](std::size_t part, auto& numbers) { numbers.threads = part % 2 == 0 ? 2 : 1; });
+  CHECK(content(folder.path() / "whole" / "events.csv").find(",death,") != std::string::npos);
 }
 
 constexpr auto other_threads = [](std::size_t part, auto& backend) { backend.threads = part % 2 == 0 ? 2 : 1; };
@@ -50,4 +74,8 @@ TEST_CASE("resume: MuJoCo, fast, slopes of a height field -> the same bytes") {
 TEST_CASE("resume: ODE, robots that touch, another number of threads -> the same bytes") {
   const TemporaryFolder folder;
   check_resumed(crowd("walled_square", 0.8, 10.0), backend::Ode::Params{}, folder.path(), {3}, 2.0, other_threads);
+}
+
+TEST_CASE("resume: ODE, spiders and geckos that touch, inherited gaits -> the same bytes") {
+  check_mixed(backend::Ode::Params{}, 30.0, 8.0, 9);
 }

@@ -19,10 +19,10 @@
 
 namespace trophic::backend {
 
-/// ODE as a backend. Satisfies JointDriven. Steps are semi-implicit Euler on velocities, for any integrator in Physics (ODE has
-/// no other; `remarks` reports it), with servos, contacts, friction and joint limits solved implicitly within the step. Boxes
-/// touch the floor, the walls or the height field, other robots, and links of their own robot that no hinge joins to theirs.
-/// Links are free bodies joined by constraints, so a hinge's anchor drifts by micrometres under load.
+/// ODE as a backend. Satisfies JointDriven and Embodying. Steps are semi-implicit Euler on velocities, for any integrator in
+/// Physics (ODE has no other; `remarks` reports it), with servos, contacts, friction and joint limits solved implicitly within
+/// the step. Boxes touch the floor, the walls or the height field, other robots, and links of their own robot that no hinge joins
+/// to theirs. Links are free bodies joined by constraints, so a hinge's anchor drifts by micrometres under load.
 ///
 /// Numbers: SI units. No random draws from the library's streams. Results do not depend on `Params::threads`, bitwise. Errors:
 /// std::invalid_argument on construction; Diverged if ODE reports an error or a robot leaves the arena or is unphysically fast:
@@ -51,6 +51,10 @@ class Ode {
   [[nodiscard]] Pose pose(std::size_t robot) const;
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const;
 
+  /// Exchanges a robot's body: see Embodying. Throws std::invalid_argument as the constructor does.
+  void embody(std::size_t robot, const RobotModel& model, const Pose& pose);
+  [[nodiscard]] const RobotModel& model(std::size_t robot) const;
+
   /// Throws std::invalid_argument unless there is one finite target per hinge.
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad);
 
@@ -63,7 +67,7 @@ class Ode {
   class Simulation;
   std::unique_ptr<Simulation> simulation_;
 };
-static_assert(JointDriven<Ode>);
+static_assert(Embodying<Ode>);
 
 }  // namespace trophic::backend
 

@@ -26,8 +26,13 @@ class Ode::Simulation {
  public:
   Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
              const Params& params)
-      : setup_{std::make_unique<ode::Setup>(ode::Setup{.robot = robot, .arena = arena, .physics = physics, .params = params})} {
-    check(*setup_, starts);
+      : setup_{std::make_unique<ode::Setup>(ode::Setup{.arena = arena, .physics = physics, .params = params})} {
+    trophic::validate(physics, "physics");
+    trophic::validate(params, "ode");
+    check_model(robot);
+    if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
+    for (std::size_t i = 0; i < starts.size(); ++i) check_start(i, starts[i]);
+    bodies_ = std::make_unique<ode::Bodies>(robot, starts.size());
     for (const Pose& start : starts) ode::append_at_rest(robot, start, state_.links);
     state_.angles_rad.assign(starts.size() * robot.hinges.size(), 0.0);
     state_.targets_rad.assign(starts.size() * robot.hinges.size(), 0.0);
@@ -38,33 +43,51 @@ class Ode::Simulation {
     while (this->time_s() < time_s - slack_s) {
       next_ = state_;
       ++next_.steps;
-      if (const auto failure = groups_->step(next_)) {
+      if (const auto failure = groups_->step(*bodies_, next_)) {
         throw Diverged{static_cast<double>(next_.steps) * setup_->physics.timestep_s, failure->robot, failure->what};
       }
       std::swap(state_, next_);
     }
   }
 
-  [[nodiscard]] std::size_t robots() const { return state_.links.size() / setup_->robot.links.size(); }
+  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
+    static_cast<void>(checked(robot));
+    check_model(model);
+    check_start(robot, pose);
+    const auto replace = [](auto& all, std::size_t first, std::size_t count, const auto& own) {
+      const auto place = all.begin() + static_cast<std::ptrdiff_t>(first);
+      all.insert(all.erase(place, place + static_cast<std::ptrdiff_t>(count)), own.begin(), own.end());
+    };
+    std::vector<ode::LinkState> links;
+    ode::append_at_rest(model, pose, links);
+    const std::vector<double> angles_rad(model.hinges.size());
+    replace(state_.links, bodies_->first_link(robot), bodies_->links(robot), links);
+    replace(state_.angles_rad, bodies_->first_hinge(robot), bodies_->hinges(robot), angles_rad);
+    replace(state_.targets_rad, bodies_->first_hinge(robot), bodies_->hinges(robot), angles_rad);
+    bodies_->replace(robot, model);
+    groups_->forget_scenes();
+  }
+  [[nodiscard]] const RobotModel& model(std::size_t robot) const { return bodies_->model(checked(robot)); }
+
+  [[nodiscard]] std::size_t robots() const { return bodies_->size(); }
   [[nodiscard]] double time_s() const { return static_cast<double>(state_.steps) * setup_->physics.timestep_s; }
 
   [[nodiscard]] Pose pose(std::size_t robot) const {
-    return ode::link_frame(state_.links.at(robot * setup_->robot.links.size()), setup_->robot.links[0]);
+    return ode::link_frame(state_.links[bodies_->first_link(checked(robot))], bodies_->model(robot).links[0]);
   }
 
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
-    const std::size_t hinges = setup_->robot.hinges.size();
-    return std::span{state_.angles_rad}.subspan(checked(robot) * hinges, hinges);
+    return std::span{state_.angles_rad}.subspan(bodies_->first_hinge(checked(robot)), bodies_->hinges(robot));
   }
 
   /// Throws std::invalid_argument unless there is one finite target per hinge.
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
-    const auto& hinges = setup_->robot.hinges;
+    const auto& hinges = bodies_->model(checked(robot)).hinges;
     if (targets_rad.size() != hinges.size()) {
       throw std::invalid_argument{"targets_rad.size() = " + std::to_string(targets_rad.size()) + ": must be " +
                                   std::to_string(hinges.size())};
     }
-    const auto own = std::span{state_.targets_rad}.subspan(checked(robot) * hinges.size(), hinges.size());
+    const auto own = std::span{state_.targets_rad}.subspan(bodies_->first_hinge(robot), hinges.size());
     for (std::size_t i = 0; i < hinges.size(); ++i) {
       if (!std::isfinite(targets_rad[i])) {
         throw std::invalid_argument{"targets_rad[" + std::to_string(i) + "] = " + number_text(targets_rad[i]) +
@@ -97,29 +120,26 @@ class Ode::Simulation {
   /// Tolerance for rounding, below which no step is taken.
   static constexpr double slack_s = 1e-9;
 
-  static void check(const ode::Setup& setup, std::span<const Pose> starts) {
-    trophic::validate(setup.physics, "physics");
-    trophic::validate(setup.params, "ode");
-    trophic::validate(setup.robot);
-    for (const Hinge& hinge : setup.robot.hinges) {
+  static void check_model(const RobotModel& robot) {
+    trophic::validate(robot);
+    for (const Hinge& hinge : robot.hinges) {
       if (hinge.range_rad > ode::Robot::largest_range_rad) {
-        throw std::invalid_argument{"robot " + setup.robot.name + ": hinge \"" + hinge.name +
+        throw std::invalid_argument{"robot " + robot.name + ": hinge \"" + hinge.name +
                                     "\" range_rad = " + number_text(hinge.range_rad) +
                                     ": must be <= " + number_text(ode::Robot::largest_range_rad) + " for ODE"};
       }
     }
-    if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      const Eigen::Vector3d& at = starts[i].position_m;
-      const double norm = starts[i].orientation.norm();
-      const bool inside =
-          std::max(std::abs(at.x()), std::abs(at.y())) <= setup.arena.half_side_m && std::abs(at.z()) <= setup.arena.extent_m;
-      if (!inside || !(norm > 0.5 && norm < 2.0)) {
-        throw std::invalid_argument{"start pose " + std::to_string(i) + " at (" + number_text(at.x()) + ", " +
-                                    number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +
-                                    number_text(setup.arena.half_side_m)};
-      }
-    }
+  }
+
+  void check_start(std::size_t robot, const Pose& start) const {
+    const Arena& arena = setup_->arena;
+    const Eigen::Vector3d& at = start.position_m;
+    const double norm = start.orientation.norm();
+    const bool inside = std::max(std::abs(at.x()), std::abs(at.y())) <= arena.half_side_m && std::abs(at.z()) <= arena.extent_m;
+    if (inside && norm > 0.5 && norm < 2.0) return;
+    throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(at.x()) + ", " +
+                                number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +
+                                number_text(arena.half_side_m)};
   }
 
   [[nodiscard]] std::size_t checked(std::size_t robot) const {
@@ -130,6 +150,7 @@ class Ode::Simulation {
   }
 
   std::unique_ptr<ode::Setup> setup_;
+  std::unique_ptr<ode::Bodies> bodies_;
   std::unique_ptr<ode::Groups> groups_;
   ode::State state_;
   ode::State next_;
@@ -153,6 +174,12 @@ TROPHIC_INLINE Ode::~Ode() = default;
 
 TROPHIC_INLINE void Ode::advance_to(double time_s) {
   simulation_->advance_to(time_s);
+}
+TROPHIC_INLINE void Ode::embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
+  simulation_->embody(robot, model, pose);
+}
+TROPHIC_INLINE const RobotModel& Ode::model(std::size_t robot) const {
+  return simulation_->model(robot);
 }
 TROPHIC_INLINE std::size_t Ode::robots() const {
   return simulation_->robots();

@@ -12,6 +12,7 @@
 #include <string>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/contract.hpp>
+#include <trophic/backend/ode/bodies.hpp>
 #include <trophic/backend/ode/engine.hpp>
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/scene.hpp>
@@ -19,13 +20,13 @@
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/thread_pool.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::backend::ode {
 
 /// The constructor arguments of a backend.
 struct Setup {
-  RobotModel robot;
   Arena arena;
   Physics physics;
   Params params;
@@ -42,23 +43,19 @@ struct Failure {
 /// calls.
 class Groups {
  public:
-  explicit Groups(const Setup& setup)
-      : setup_{setup},
-        reach_m_{setup.robot.bounding_radius_m + setup.robot.links[0].centre_of_mass_m.norm() + drift_m},
-        pool_{setup.params.threads},
-        scenes_(setup.params.threads) {}
+  explicit Groups(const Setup& setup) : setup_{setup}, pool_{setup.params.threads}, scenes_(setup.params.threads) {}
 
-  /// Steps `state`. Returns the failure of the first robot, if any; `state` is then invalid.
-  [[nodiscard]] std::optional<Failure> step(State& state) {
-    const std::size_t links = setup_.robot.links.size();
+  /// Steps `state` of these robots. Returns the failure of the first robot, if any; `state` is then invalid.
+  [[nodiscard]] std::optional<Failure> step(const Bodies& bodies, State& state) {
     discs_.clear();
-    for (std::size_t i = 0; i < state.links.size(); i += links) {
-      const auto& at_m = state.links[i].position_m;
-      discs_.push_back({.x_m = at_m[0], .y_m = at_m[1], .radius_m = reach_m_});
+    for (std::size_t robot = 0; robot < bodies.size(); ++robot) {
+      const auto& at_m = state.links[bodies.first_link(robot)].position_m;
+      discs_.push_back({.x_m = at_m[0], .y_m = at_m[1], .radius_m = bodies.kind(robot)->reach_m + drift_m});
     }
     const std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
     std::vector<std::optional<Failure>> failures(groups.size());
-    pool_.run(groups.size(), [&](std::size_t i, std::size_t thread) { failures[i] = step_group(groups[i], thread, state); });
+    pool_.run(groups.size(),
+              [&](std::size_t i, std::size_t thread) { failures[i] = step_group(groups[i], thread, bodies, state); });
     std::optional<Failure> first;
     for (std::optional<Failure>& failure : failures) {
       if (failure && (!first || failure->robot < first->robot)) first = std::move(failure);
@@ -66,50 +63,62 @@ class Groups {
     return first;
   }
 
+  /// Forgets the scenes with bodies that no robot has any longer.
+  void forget_scenes() {
+    const EngineGuard guard;
+    for (Scenes& scenes : scenes_) scenes.clear();
+  }
+
  private:
+  /// Scenes by the kinds of their robots, in the order of the robots.
+  using Scenes = std::map<std::vector<KindPtr>, std::unique_ptr<Scene>>;
+
+  /// A scene takes a few kilobytes a robot and is quickly made; a crowd of many kinds makes many.
+  static constexpr std::size_t most_scenes = 256;
   /// Larger than the separation of hinges under load.
   static constexpr double drift_m = 0.005;
   /// No timestep resolves faster motion.
   static constexpr double most_m_s = 1e3;
   static constexpr double most_rad_s = 1e4;
 
-  [[nodiscard]] std::optional<Failure> step_group(std::span<const std::size_t> members, std::size_t thread, State& state) {
+  [[nodiscard]] std::optional<Failure> step_group(std::span<const std::size_t> members, std::size_t thread, const Bodies& bodies,
+                                                  State& state) {
     const EngineGuard guard;
-    std::unique_ptr<Scene>& scene = scenes_[thread][members.size()];
+    std::vector<KindPtr> kinds;
+    for (const std::size_t robot : members) kinds.push_back(bodies.kind(robot));
+    if (scenes_[thread].size() > most_scenes) scenes_[thread].clear();
+    std::unique_ptr<Scene>& scene = scenes_[thread][kinds];
     try {
-      if (!scene) {
-        scene = std::make_unique<Scene>(setup_.robot, setup_.arena, setup_.physics, setup_.params, members.size());
-      }
-      scene->step(members, state);
+      if (!scene) scene = std::make_unique<Scene>(std::move(kinds), setup_.arena, setup_.physics, setup_.params);
+      scene->step(members, bodies, state);
     } catch (const EngineError& error) {
       static_cast<void>(scene.release());  // ODE cannot destroy a world in which it was interrupted
       return Failure{.robot = members[0], .what = std::string{"ODE: "} + error.what()};
     }
     for (const std::size_t robot : members) {
-      const std::size_t links = setup_.robot.links.size();
-      for (std::size_t link = 0; link < links; ++link) {
-        const std::string_view what = trouble(state.links[robot * links + link]);
-        if (!what.empty()) return Failure{robot, "link \"" + setup_.robot.links[link].name + "\" " + std::string{what}};
+      for (std::size_t link = 0; link < bodies.links(robot); ++link) {
+        const std::string_view what =
+            trouble(state.links[bodies.first_link(robot) + link], bodies.kind(robot)->reach_m + drift_m);
+        if (!what.empty()) return Failure{robot, "link \"" + bodies.model(robot).links[link].name + "\" " + std::string{what}};
       }
     }
     return std::nullopt;
   }
 
-  [[nodiscard]] std::string_view trouble(const LinkState& link) const {
+  [[nodiscard]] std::string_view trouble(const LinkState& link, double reach_m) const {
     const auto within = [](const auto& values, double most) {
       return std::ranges::all_of(values, [most](double value) { return std::abs(value) <= most; });
     };
     if (!within(link.rotation, 1.1)) return "has no finite rotation";
     if (!within(link.velocity_m_s, most_m_s)) return "is faster than 1 km/s";
     if (!within(link.spin_rad_s, most_rad_s)) return "spins faster than 1e4 rad/s";
-    if (!within(link.position_m, setup_.arena.extent_m + reach_m_)) return "left the arena";
+    if (!within(link.position_m, setup_.arena.extent_m + reach_m)) return "left the arena";
     return {};
   }
 
   const Setup& setup_;
-  double reach_m_;
   ThreadPool pool_;
-  std::vector<std::map<std::size_t, std::unique_ptr<Scene>>> scenes_;  ///< of each thread, by number of robots
+  std::vector<Scenes> scenes_;  ///< of each thread
   std::vector<Disc> discs_;
 };
 

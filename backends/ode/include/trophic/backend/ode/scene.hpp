@@ -9,6 +9,7 @@
 #include <mutex>
 #include <span>
 #include <trophic/backend/contract.hpp>
+#include <trophic/backend/ode/bodies.hpp>
 #include <trophic/backend/ode/contacts.hpp>
 #include <trophic/backend/ode/engine.hpp>
 #include <trophic/backend/ode/ground.hpp>
@@ -17,6 +18,7 @@
 #include <trophic/backend/ode/state.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::backend::ode {
@@ -26,11 +28,12 @@ namespace trophic::backend::ode {
 /// its input states.
 class Scene {
  public:
-  Scene(const RobotModel& model, const Arena& arena, const Physics& physics, const Params& params, std::size_t robots)
-      : model_{model},
+  /// `kinds`: of each robot in it.
+  Scene(std::vector<KindPtr> kinds, const Arena& arena, const Physics& physics, const Params& params)
+      : kinds_{std::move(kinds)},
         params_{params},
         timestep_s_{physics.timestep_s},
-        ground_friction_{std::max(model.friction, arena.friction)},
+        arena_friction_{arena.friction},
         law_{params, physics.timestep_s},
         threading_{dThreadingAllocateSelfThreadedImplementation()},
         world_{dWorldCreate()},
@@ -40,44 +43,51 @@ class Scene {
     dWorldSetGravity(world_.get(), 0.0, 0.0, -physics.gravity_m_s2);
     dWorldSetAutoDisableFlag(world_.get(), 0);
     dWorldSetQuickStepNumIterations(world_.get(), params.sweeps);
-    robots_.reserve(robots);
-    for (std::size_t i = 0; i < robots; ++i) robots_.emplace_back(world_.get(), model, params, physics.timestep_s);
+    robots_.reserve(kinds_.size());
+    for (const KindPtr& kind : kinds_) robots_.emplace_back(world_.get(), kind->model, params, physics.timestep_s);
   }
 
-  /// One step of the robots `members` of a whole backend's state. After an EngineError the scene must not be used again.
-  void step(std::span<const std::size_t> members, State& state) {
-    const std::size_t links = model_.links.size();
-    const std::size_t hinges = model_.hinges.size();
+  /// One step of the robots `members` of a whole backend's state; `bodies`: of all robots. After an EngineError the scene must
+  /// not be used again.
+  void step(std::span<const std::size_t> members, const Bodies& bodies, State& state) {
+    const auto links_of = [&](std::size_t robot) {
+      return std::span{state.links}.subspan(bodies.first_link(robot), bodies.links(robot));
+    };
+    const auto hinges_of = [&](std::vector<double>& numbers, std::size_t robot) {
+      return std::span{numbers}.subspan(bodies.first_hinge(robot), bodies.hinges(robot));
+    };
     for (std::size_t i = 0; i < members.size(); ++i) {
-      robots_[i].load(std::span{state.links}.subspan(members[i] * links, links));
-      robots_[i].set_servos(std::span{state.angles_rad}.subspan(members[i] * hinges, hinges),
-                            std::span{state.targets_rad}.subspan(members[i] * hinges, hinges));
+      robots_[i].load(links_of(members[i]));
+      robots_[i].set_servos(hinges_of(state.angles_rad, members[i]), hinges_of(state.targets_rad, members[i]));
     }
     find_contacts();
     solve();
     dJointGroupEmpty(contacts_.get());
     for (std::size_t i = 0; i < members.size(); ++i) {
-      robots_[i].store(std::span{state.links}.subspan(members[i] * links, links),
-                       std::span{state.angles_rad}.subspan(members[i] * hinges, hinges));
+      robots_[i].store(links_of(members[i]), hinges_of(state.angles_rad, members[i]));
     }
   }
 
  private:
   void find_contacts() {
-    for (const Robot& robot : robots_) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const Robot& robot = robots_[i];
+      const double friction = kinds_[i]->model.friction;
+      const double ground_friction = std::max(friction, arena_friction_);
       for (const Robot::Geom& box : robot.geoms()) {
         ground_.for_each_near(dGeomGetPosition(box.geom.get()), box.radius_m, [&](dGeomID ground) {
-          law_.touch(world_.get(), contacts_.get(), ground, box.geom.get(), ground_friction_);
+          law_.touch(world_.get(), contacts_.get(), ground, box.geom.get(), ground_friction);
         });
       }
-      for (const auto& [a, b] : robot.self_pairs()) touch(robot.geoms()[a], robot.geoms()[b]);
+      for (const auto& [a, b] : robot.self_pairs()) touch(robot.geoms()[a], robot.geoms()[b], friction);
     }
     for (std::size_t a = 0; a < robots_.size(); ++a) {
       for (std::size_t b = a + 1; b < robots_.size(); ++b) {
-        const double reach_m = 2.0 * (model_.bounding_radius_m + model_.links[0].centre_of_mass_m.norm());
+        const double reach_m = kinds_[a]->reach_m + kinds_[b]->reach_m;
+        const double friction = std::max(kinds_[a]->model.friction, kinds_[b]->model.friction);
         if (!near(dBodyGetPosition(robots_[a].bodies()[0]), dBodyGetPosition(robots_[b].bodies()[0]), reach_m)) continue;
         for (const Robot::Geom& own : robots_[a].geoms()) {
-          for (const Robot::Geom& other : robots_[b].geoms()) touch(own, other);
+          for (const Robot::Geom& other : robots_[b].geoms()) touch(own, other, friction);
         }
       }
     }
@@ -90,9 +100,9 @@ class Scene {
     return dx * dx + dy * dy + dz * dz < reach_m * reach_m;
   }
 
-  void touch(const Robot::Geom& a, const Robot::Geom& b) {
+  void touch(const Robot::Geom& a, const Robot::Geom& b, double friction) {
     if (!near(dGeomGetPosition(a.geom.get()), dGeomGetPosition(b.geom.get()), a.radius_m + b.radius_m)) return;
-    law_.touch(world_.get(), contacts_.get(), a.geom.get(), b.geom.get(), model_.friction);
+    law_.touch(world_.get(), contacts_.get(), a.geom.get(), b.geom.get(), friction);
   }
 
   void solve() {
@@ -107,10 +117,10 @@ class Scene {
     }
   }
 
-  const RobotModel& model_;
+  std::vector<KindPtr> kinds_;
   const Params& params_;
   double timestep_s_;
-  double ground_friction_;
+  double arena_friction_;
   ContactLaw law_;
   ThreadingPtr threading_;
   WorldPtr world_;

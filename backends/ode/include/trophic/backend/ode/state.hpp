@@ -25,9 +25,9 @@ struct LinkState {
 /// and nothing sleeps: there is no other state.
 struct State {
   std::uint64_t steps = 0;
-  std::vector<LinkState> links;     ///< robots x links
-  std::vector<double> angles_rad;   ///< robots x hinges
-  std::vector<double> targets_rad;  ///< robots x hinges, clipped
+  std::vector<LinkState> links;     ///< robot by robot
+  std::vector<double> angles_rad;   ///< robot by robot
+  std::vector<double> targets_rad;  ///< robot by robot, clipped
   bool operator==(const State&) const = default;
   static constexpr auto saved() { return std::tuple{&State::steps, &State::links, &State::angles_rad, &State::targets_rad}; }
 };
