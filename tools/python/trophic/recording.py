@@ -14,6 +14,7 @@ import numpy
 
 MAGIC = b"\x89TRP\r\n\x1a\n"
 VERSION = 1
+VERSION_OF_BODIES = 2  # of a run whose bodies differ
 
 
 class RecordingError(ValueError):
@@ -33,9 +34,15 @@ class Recording:
     orientation: numpy.ndarray
     """(F, R, 4): from the root's frame to the world, unit quaternions w, x, y, z."""
     joint_rad: numpy.ndarray
-    """(F, R, J): in the order of the robot's hinges."""
+    """(F, R, J): in the order of the robot's hinges; NaN where a body has fewer than the one with most."""
     complete: bool
     """Whether the file has its end: a run that was killed leaves none."""
+    bodies: list[dict]
+    """The bodies of the robots, as head["robot"]; one unless they differ."""
+    body: numpy.ndarray
+    """(F, R): the number in `bodies` of each robot's body."""
+    set_down: numpy.ndarray
+    """(F, R): whether a newborn's body was set down before this frame, so that nothing moved from the one before to it."""
 
 
 def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None) -> Recording:
@@ -49,22 +56,25 @@ def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None
         path = path / "replay.trp"
     if path.exists() and not path.is_file():  # on a pipe reading would wait
         raise RecordingError(f"{path}: is not a regular file")
-    head, blocks, complete = _blocks(path, path.read_bytes())
-    wanted = [(start, count, data) for start, count, data in blocks if start + count > first and (last is None or start < last)]
-    robots, channels = head["robots"], 6 + head["joints"]
+    head, blocks, bodies, complete = _blocks(path, path.read_bytes())
+    wanted = [block for block in blocks if block[0] + block[1] > first and (last is None or block[0] < last)]
+    robots = head["robots"]
+    channels = max((block[2] for block in wanted), default=6 + head["joints"])
     parts = [numpy.zeros((channels, robots, 0))]
-    for start, count, data in wanted:
-        values = _unpack(path, start, data, (channels, robots, count))
+    for start, count, own, data in wanted:
+        values = _unpack(path, start, data, (own, robots, count))
+        values = numpy.concatenate([values, numpy.zeros((channels - own, robots, count))])
         parts.append(values[..., max(0, first - start) : None if last is None else last - start])
     values = numpy.concatenate(parts, axis=-1).transpose(2, 1, 0)
     begin = max(first, wanted[0][0]) if wanted else 0
-    return _recording(head, numpy.arange(begin, begin + len(values)), values, complete)
+    return _recording(head, numpy.arange(begin, begin + len(values)), values, complete, bodies)
 
 
 def _blocks(path, content):
     if content[:8] != MAGIC:
         raise RecordingError(f"{path}: is not a trophic recording")
     head, blocks, frames, at = None, [], 0, 8
+    bodies = ([], [])  # the bodies, and (frame, robot, body) of each that was set down
     while at + 12 <= len(content):
         (size,) = struct.unpack_from("<I", content, at)
         if at + 12 + size > len(content):
@@ -78,17 +88,37 @@ def _blocks(path, content):
         elif kind == b"HEAD":
             head = _head(path, kind, head, data)
         elif kind == b"POSE":
-            start, count = struct.unpack_from("<II", data) if size > 8 else (0, 0)
-            if start != frames or count == 0:
+            differ = head["version"] == VERSION_OF_BODIES
+            front = 12 if differ else 8
+            start, count = struct.unpack_from("<II", data) if size > front else (0, 0)
+            channels = struct.unpack_from("<I", data, 8)[0] if differ and size > front else 6 + head["joints"]
+            if start != frames or count == 0 or not 6 <= channels <= 10**6:
                 raise RecordingError(f"{path}: damaged, a block of other frames at byte {at}")
-            blocks.append((start, count, data[8:]))
+            blocks.append((start, count, channels, data[front:]))
             frames += count
+        elif kind == b"BODY" and head["version"] == VERSION_OF_BODIES:
+            bodies[0].append(_body(path, data))
+        elif kind == b"WHO " and head["version"] == VERSION_OF_BODIES:
+            numbers = struct.unpack(f"<{size // 4}I", data) if size % 8 == 4 else (0, head["robots"], 0)
+            known = [number < head["robots"] for number in numbers[1::2]] + [number < len(bodies[0]) for number in numbers[2::2]]
+            if not all(known) or numbers[0] < frames:
+                raise RecordingError(f"{path}: damaged, a block of other robots or bodies at byte {at}")
+            bodies[1].extend((numbers[0], robot, body) for robot, body in zip(numbers[1::2], numbers[2::2]))
         elif kind == b"DONE":
-            return head, blocks, True
+            return head, blocks, bodies, True
         at += 12 + size
     if head is None or not blocks:
         raise RecordingError(f"{path}: ends before its first frames")
-    return head, blocks, False
+    return head, blocks, bodies, False
+
+
+def _body(path, data):
+    try:
+        body = json.loads(data)
+        hinges = [link["hinge"] for link in body["links"][1:]]
+    except (KeyError, TypeError, ValueError, RecursionError) as reason:
+        raise RecordingError(f"{path}: a body cannot be read: {reason!r}") from None
+    return {**body, "hinges": len(hinges)}
 
 
 def _head(path, kind, before, data):
@@ -99,8 +129,8 @@ def _head(path, kind, before, data):
         numbers = {**head["units"], **numbers, "first_time_s": head["first_time_s"], "tick_s": head["tick_s"]}
     except (KeyError, TypeError, ValueError, RecursionError) as reason:
         raise RecordingError(f"{path}: its head cannot be read: {reason!r}") from None
-    if version != VERSION:
-        raise RecordingError(f"{path}: version {version!r} of the format; this program reads {VERSION}")
+    if version not in (VERSION, VERSION_OF_BODIES):
+        raise RecordingError(f"{path}: version {version!r} of the format; this program reads {VERSION} and {VERSION_OF_BODIES}")
     for name, number in numbers.items():
         least = {"robots": 1, "joints": 0, "frames_per_tick": 1, "steps_per_tick": 1}.get(name)
         if type(number) not in ((int, float) if least is None else (int,)) or not abs(number) < 2**32:
@@ -124,7 +154,16 @@ def _unpack(path, start, data, shape):
     return numpy.cumsum((folded >> 1) ^ (0 - (folded & 1)), axis=-1, dtype=numpy.uint16).astype(numpy.int16)
 
 
-def _recording(head, frames, values, complete):
+def _bodies_at(head, frames, bodies):
+    body = numpy.zeros((len(frames), head["robots"]), dtype=int)
+    set_down = numpy.zeros(body.shape, dtype=bool)
+    for frame, robot, number in bodies[1]:
+        body[frames >= frame, robot] = number
+        set_down[frames == frame, robot] = frame > 0
+    return body, set_down
+
+
+def _recording(head, frames, values, complete, bodies):
     units, per_tick, steps = head["units"], head["frames_per_tick"], head["steps_per_tick"]
     step = -(-(frames % per_tick) * steps // per_tick)
     half_yaw = 0.5 * units["yaw_rad"] * values[..., 3]
@@ -134,11 +173,19 @@ def _recording(head, frames, values, complete):
     x, y = share * tilt[..., 0], share * tilt[..., 1]
     cos, sin = numpy.cos(half_yaw), numpy.sin(half_yaw)
     orientation = numpy.stack([cos * w, cos * x - sin * y, cos * y + sin * x, sin * w], axis=-1)
+    joints = units["joint_rad"] * values[..., 6:]
+    body, set_down = _bodies_at(head, frames, bodies)
+    if bodies[0]:
+        hinges = numpy.array([one.pop("hinges") for one in bodies[0]])
+        joints = numpy.where(numpy.arange(joints.shape[-1]) < hinges[body][..., None], joints, numpy.nan)
     return Recording(
         head=head,
         time_s=head["first_time_s"] + (frames // per_tick + step / steps) * head["tick_s"],
         position_m=units["position_m"] * values[..., :3],
         orientation=orientation / numpy.linalg.norm(orientation, axis=-1, keepdims=True),
-        joint_rad=units["joint_rad"] * values[..., 6:],
+        joint_rad=joints,
         complete=complete,
+        bodies=bodies[0] or [head["robot"]],
+        body=body,
+        set_down=set_down,
     )

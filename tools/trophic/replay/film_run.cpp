@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -58,14 +59,20 @@ class RecordedFootage {
   }
 
   [[nodiscard]] std::span<const io::AgentRow> rows_at(double time_s) const { return agents_.at(time_s); }
+  [[nodiscard]] std::shared_ptr<const RobotModel> body_of_robot(double time_s, std::size_t body) const {
+    if (!recording_.head().bodies_differ) return nullptr;
+    return {std::shared_ptr<void>{}, &recording_.robot(recording_.frame_at(time_s), body)};  // the recording owns it
+  }
   [[nodiscard]] Pose root(double time_s, std::size_t body) const {
-    const auto [before, after, part] = around(time_s);
+    const auto [before, after, part] = around(time_s, body);
     return drawing::between(recording_.root(before, body), recording_.root(after, body), part);
   }
   [[nodiscard]] std::vector<double> joint_angles_rad(double time_s, std::size_t body) const {
-    const auto [before, after, part] = around(time_s);
+    const auto [before, after, part] = around(time_s, body);
+    const auto& head = recording_.head();
+    const std::size_t joints = head.bodies_differ ? recording_.robot(before, body).hinges.size() : head.joints;
     std::vector<double> angles;
-    for (std::size_t joint = 0; joint < recording_.head().joints; ++joint) {
+    for (std::size_t joint = 0; joint < joints; ++joint) {
       const double a = recording_.joint_angle_rad(before, body, joint);
       angles.push_back(a + part * (recording_.joint_angle_rad(after, body, joint) - a));
     }
@@ -101,10 +108,11 @@ class RecordedFootage {
     }
   }
 
-  /// The frames before and after a moment, and how far it is between them.
-  [[nodiscard]] std::tuple<std::size_t, std::size_t, double> around(double time_s) const {
+  /// The frames before and after a moment, and how far it is between them; the same one before a newborn's body is set down.
+  [[nodiscard]] std::tuple<std::size_t, std::size_t, double> around(double time_s, std::size_t body) const {
     const std::size_t before = recording_.frame_at(time_s);
-    const std::size_t after = std::min(before + 1, recording_.frames() - 1);
+    const std::size_t next = std::min(before + 1, recording_.frames() - 1);
+    const std::size_t after = recording_.is_set_down(next, body) ? before : next;
     const double gap_s = recording_.time_s(after) - recording_.time_s(before);
     return {before, after, gap_s > 0.0 ? (time_s - recording_.time_s(before)) / gap_s : 0.0};
   }

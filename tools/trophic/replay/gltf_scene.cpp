@@ -116,8 +116,10 @@ const io::AgentRow& GltfScene::row_at(std::size_t frame, std::size_t body) const
 
 void GltfScene::add_individual(std::size_t body, const io::AgentRow& row, std::size_t from, std::size_t next) {
   ++individuals_;
+  // A newborn's own body is set down after the frame of its birth.
+  if (from < std::min(next, last_) && recording_.is_set_down(from + 1, body)) ++from;
   const std::size_t to = std::min(next, last_);
-  const auto& robot = recording_.head().robot;
+  const RobotModel& robot = recording_.robot(from, body);
   const Pose start = recording_.root(from, body);
   const std::size_t root =
       file_.add_node(GltfFile::upright(), "robot " + std::to_string(row.id), start.position_m, start.orientation);
@@ -138,10 +140,10 @@ void GltfScene::add_individual(std::size_t body, const io::AgentRow& row, std::s
 }
 
 Eigen::Quaterniond GltfScene::turned(std::size_t link, std::size_t frame, std::size_t body) const {
-  const auto& head = recording_.head();
-  if (head.joints == 0) return head.robot.links[link].rotation;
+  const RobotModel& robot = recording_.robot(frame, body);
+  if (recording_.head().joints == 0) return robot.links[link].rotation;
   const double angle_rad = recording_.joint_angle_rad(frame, body, link - 1);
-  return (head.robot.links[link].rotation * Eigen::AngleAxisd{angle_rad, head.robot.hinges[link - 1].axis}).normalized();
+  return (robot.links[link].rotation * Eigen::AngleAxisd{angle_rad, robot.hinges[link - 1].axis}).normalized();
 }
 
 void GltfScene::add_motion(std::size_t body, const std::vector<std::size_t>& links, std::size_t from, std::size_t to) {

@@ -96,6 +96,9 @@ std::string table_without(const std::filesystem::path& path, std::initializer_li
 /// The bytes of a recording, only of the blocks that a window touches.
 std::string recording_bytes(const RecordedRun& run, const Window& window) {
   const std::filesystem::path path = run.folder / "replay.trp";
+  if (run.recording.head().bodies_differ) {
+    throw std::invalid_argument{path.string() + ": has robots with bodies of their own: must be shown by trophic film or export"};
+  }
   std::ifstream file{path, std::ios::binary};
   std::string all{std::istreambuf_iterator<char>{file}, {}};
   if (!window.from_s && !window.to_s) return all;

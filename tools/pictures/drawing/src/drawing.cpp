@@ -221,7 +221,7 @@ class Drawing::Scene {
     }
     const Eigen::Quaterniond& q = look.root.orientation;
     const double yaw = std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
-    const double heading = yaw + robot_.forward_rad;
+    const double heading = yaw + (look.body ? *look.body : robot_).forward_rad;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd{heading + std::numbers::pi / 4, Eigen::Vector3d::UnitZ()}.toRotationMatrix();
     const double tip = 0.3 * ring_m_;
     const Eigen::Vector3d at{x + 1.08 * ring_m_ * std::cos(heading), y + 1.08 * ring_m_ * std::sin(heading), 4e-3};
@@ -244,10 +244,11 @@ class Drawing::Scene {
   }
 
   void add_body(const RobotLook& look) {
-    const std::vector<Eigen::Isometry3d> frames = link_frames(robot_, look.root, look.joint_angles_rad);
+    const RobotModel& robot = look.body ? *look.body : robot_;
+    const std::vector<Eigen::Isometry3d> frames = link_frames(robot, look.root, look.joint_angles_rad);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Colour colour = i == 0 ? look.colour : limb_colour(look.colour);
-      for (const Box& box : robot_.links[i].boxes) {
+      for (const Box& box : robot.links[i].boxes) {
         const Eigen::Isometry3d frame = frames[i] * Eigen::Translation3d{box.centre_m} * box.orientation;
         add(mjGEOM_BOX, box.half_extents_m, frame.translation(), frame.linear(), colour, 1.0F)->category = mjCAT_DYNAMIC;
         if (!arena_.height_field) add_shadow(box, frame);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
@@ -18,8 +19,9 @@ struct RobotLook {
   Pose root;
   std::vector<double> joint_angles_rad;  ///< in the order of the hinges; empty: all 0
   Colour colour{};
-  bool filled = false;     ///< the ring's inside
-  bool is_marked = false;  ///< a second, dark ring round the first
+  bool filled = false;                          ///< the ring's inside
+  bool is_marked = false;                       ///< a second, dark ring round the first
+  std::shared_ptr<const RobotModel> body = {};  ///< its own; null: that of the drawing
 };
 
 /// A line on the floor.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <deque>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/pictures/drawing/footage.hpp>
+#include <trophic/population/phenotype.hpp>
 #include <trophic/population/view.hpp>
 #include <vector>
 
@@ -45,9 +47,14 @@ class LiveFootage {
       robot_ = frame.robot;
       arena_ = frame.arena;
     }
-    frames_.push_back({.time_s = frame.time_s,
-                       .roots = {frame.roots.begin(), frame.roots.end()},
-                       .angles_rad = {frame.joint_angles_rad.begin(), frame.joint_angles_rad.end()}});
+    Moment& moment = frames_.emplace_back();
+    moment.time_s = frame.time_s;
+    moment.roots.assign(frame.roots.begin(), frame.roots.end());
+    moment.bodies.assign(frame.phenotypes.begin(), frame.phenotypes.end());
+    for (std::size_t body = 0; body < frame.roots.size(); ++body) {
+      const auto own = frame.joint_angles(body);
+      moment.angles_rad.emplace_back(own.begin(), own.end());
+    }
   }
   void add_death(const View& view, BodyIndex body, bool is_catch) {
     deaths_.push_back({.time_s = view.time_s, .x_m = view.poses[body].x_m, .y_m = view.poses[body].y_m, .is_catch = is_catch});
@@ -79,18 +86,20 @@ class LiveFootage {
   [[nodiscard]] std::span<const io::AgentRow> rows_at(double time_s) const { return tick_at(time_s).rows; }
   [[nodiscard]] const Ancestry& ancestry(double time_s, std::size_t body) const { return tick_at(time_s).ancestries.at(body); }
   [[nodiscard]] Pose root(double time_s, std::size_t body) const {
-    const auto [before, after] = frames_at(time_s);
+    const auto [before, after] = frames_at(time_s, body);
     return drawing::between(before->roots[body], after->roots[body], part(*before, *after, time_s));
   }
   [[nodiscard]] std::vector<double> joint_angles_rad(double time_s, std::size_t body) const {
-    const auto [before, after] = frames_at(time_s);
+    const auto [before, after] = frames_at(time_s, body);
     const double way = part(*before, *after, time_s);
-    const std::size_t joints = before->angles_rad.size() / before->roots.size();
-    std::vector<double> angles;
-    for (std::size_t i = body * joints; i < (body + 1) * joints; ++i) {
-      angles.push_back(std::lerp(before->angles_rad[i], after->angles_rad[i], way));
-    }
+    std::vector<double> angles = before->angles_rad[body];
+    for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = std::lerp(angles[i], after->angles_rad[body][i], way);
     return angles;
+  }
+  /// A robot's own body; null if all have the same.
+  [[nodiscard]] std::shared_ptr<const RobotModel> body_of_robot(double time_s, std::size_t body) const {
+    const Moment& moment = *frames_at(time_s, body).first;
+    return moment.bodies.empty() ? nullptr : moment.bodies[body].robot;
   }
   [[nodiscard]] std::span<const drawing::Death> deaths() const { return deaths_; }
   [[nodiscard]] const RobotModel& robot() const { return *robot_; }
@@ -107,7 +116,8 @@ class LiveFootage {
   struct Moment {
     double time_s = 0.0;
     std::vector<Pose> roots;
-    std::vector<double> angles_rad;
+    std::vector<std::vector<double>> angles_rad;  ///< of each robot
+    std::vector<Phenotype> bodies;                ///< of each robot, if they differ
   };
   struct Tick {
     double time_s = 0.0;
@@ -119,12 +129,14 @@ class LiveFootage {
     const auto after = std::ranges::upper_bound(ticks_, time_s + 1e-9, {}, &Tick::time_s);
     return after == ticks_.begin() ? ticks_.front() : *std::prev(after);
   }
-  /// The frames before and after a moment; the same one outside of the kept frames.
-  [[nodiscard]] std::pair<const Moment*, const Moment*> frames_at(double time_s) const {
+  /// The frames before and after a moment; the same one outside of the kept frames, and before a newborn's body is set down.
+  [[nodiscard]] std::pair<const Moment*, const Moment*> frames_at(double time_s, std::size_t body) const {
     const auto after = std::ranges::upper_bound(frames_, time_s, {}, &Moment::time_s);
     if (after == frames_.begin()) return {&frames_.front(), &frames_.front()};
     if (after == frames_.end()) return {&frames_.back(), &frames_.back()};
-    return {&*std::prev(after), &*after};
+    const auto before = std::prev(after);
+    const bool jumps = !before->bodies.empty() && before->bodies[body].individual != after->bodies[body].individual;
+    return {&*before, jumps ? &*before : &*after};
   }
   [[nodiscard]] static double part(const Moment& before, const Moment& after, double time_s) {
     const double gap_s = after.time_s - before.time_s;
