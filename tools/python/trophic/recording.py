@@ -59,6 +59,8 @@ def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None
     head, blocks, bodies, complete = _blocks(path, path.read_bytes())
     wanted = [block for block in blocks if block[0] + block[1] > first and (last is None or block[0] < last)]
     robots = head["robots"]
+    if head["version"] == VERSION_OF_BODIES and len({robot for _, robot, _ in bodies[1]}) != robots:
+        raise RecordingError(f"{path}: damaged, it does not name the body of every robot")
     channels = max((block[2] for block in wanted), default=6 + head["joints"])
     parts = [numpy.zeros((channels, robots, 0))]
     for start, count, own, data in wanted:
