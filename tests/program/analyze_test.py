@@ -338,9 +338,10 @@ class Analyze(InFolderWithSets):
         captions = json.loads((self.folder / "analysis/figures/captions.json").read_text())
         self.assertEqual(list(captions), FIGURES + ["film_strip"] * has_film)
         tex = (self.folder / "analysis/figures/captions.tex").read_text()
-        self.assertIn("\\newcommand{\\trophicWallSticking}{Windows of 200 s", tex)
+        self.assertIn("\\newcommand{\\trophicWallSticking}{Share of robots within 1 m of a wall, by the rules of paper on kinematic 1. Windows of 200 s", tex)
         for name, caption in captions.items():
             self.assertRegex(caption, r"n = \d+ runs|replicate-00: ", name)
+            self.assertRegex(caption, r"^[A-Z].*, by the rules of \w+ on kinematic 1\. |^replicate-00: ", name)
         for name in captions:
             for ending in ("png", "pdf"):
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)

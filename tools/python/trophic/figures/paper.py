@@ -85,6 +85,10 @@ class Data:
         shadow = self.metrics[self.metrics.baseline == "shadow"].seed.nunique()
         return f"n = {len(self.folders)} runs" + (f" and {shadow} of the shadow" if shadow else "")
 
+    def subject(self, what):
+        """The first sentence of a caption: what a figure shows, of which runs."""
+        return f"{what}, by the rules of {self.summary['set']} on {self.summary['backend']}."
+
     def intervals(self, sign, with_shadow=True):
         """The meaning of `sign` (bands, bars), if there are enough runs."""
         n = self.n if with_shadow else self.n.split(" and ")[0]
@@ -161,7 +165,7 @@ def attribution(data):
     ax.set(xticks=range(place), ylim=(0, 1), ylabel="inherited share (attribution)")
     ax.set_xticklabels(names)
     legend_above(ax)
-    return caption(fig, f"Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
+    return caption(fig, f"{data.subject('Attribution, the share of inherited individuals')} Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
                         "credited: of all prey deaths, by the last killer in that body; catches: of all catches.")
 
 
@@ -179,8 +183,8 @@ def velocity(data):
         ax.set_ylabel(f"{species}: velocity to\nadversary [cm/s]")
         legend_above(ax)
     axes[-1, 0].set_xlabel("time [s]")
-    return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')} "
-                        "Above 0: towards the closest perceived adversary.")
+    return caption(fig, f"{data.subject('Velocity relative to the closest perceived adversary')} Above 0: towards it. Windows of {window_s(time_s):g} s; "
+                        f"thick: mean over runs; thin: its mean over time. {data.intervals('bands')}")
 
 
 def wall_sticking(data):
@@ -200,7 +204,8 @@ def wall_sticking(data):
     ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="uniform density (not a null)")
     ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1))
     legend_above(ax)
-    return caption(fig, f"Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over time. {data.intervals('bands')}")
+    return caption(fig, f"{data.subject('Share of robots within 1 m of a wall')} Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over "
+                        f"time. {data.intervals('bands')}")
 
 
 def tag_symmetry(data):
@@ -224,7 +229,9 @@ def tag_symmetry(data):
     ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
     ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
     ax.set_yticklabels([name for name, _, _ in rows] + ["published\nmean"])
-    return caption(fig, f"Point: a run; square: mean over runs. {data.intervals('bars')} Permuted tags: the tags of the same tick, drawn again among the same robots; Bernoulli(1/2): tags drawn with equal chances.")
+    return caption(fig, f"{data.subject('Tag symmetry: the absolute sum of the mean tags of both species')} Point: a run; square: mean over runs. "
+                        f"{data.intervals('bars')} Permuted tags: the tags of the same tick, drawn again among the same robots; Bernoulli(1/2): tags drawn with "
+                        "equal chances.")
 
 
 def population(data):
@@ -252,7 +259,7 @@ def population(data):
             bottom = bottom + mean
     axes[2].set(xlabel="time [s]", ylabel=f"deaths per {window_s(time_s):g} s")
     legend_above(axes[2])
-    return caption(fig, f"Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: time since birth or the last catch.")
+    return caption(fig, f"{data.subject('Individuals, hunger and deaths')} Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: time since birth or the last catch.")
 
 
 def own_metric(data, metric):
@@ -283,7 +290,7 @@ def own_metric(data, metric):
     unit = "" if parts[0].unit == "1" else f" [{parts[0].unit}]"
     ax.set(ylabel=metric.replace("_", " ") + unit, xlabel="time [s]" if has_curve else "")
     legend_above(ax)
-    return caption(fig, f"{metric}: {data.intervals('bands' if has_curve else 'bars')}")
+    return caption(fig, f"{data.subject(metric)} {data.intervals('bands' if has_curve else 'bars')}")
 
 
 MOST_LINES_OF_A_FOREST = 30

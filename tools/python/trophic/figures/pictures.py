@@ -107,7 +107,7 @@ def catches(data):
     fig, ax = plt.subplots(figsize=(width_in(), 3.2))
     # A cell should have ten catches on average, or its shade is chance.
     cells = min(20, int(np.sqrt(len(places) / 10)))
-    text = f"{len(places)} catches in n = {len(data.folders)} runs."
+    text = f"{data.subject('Places of catches')} {len(places)} catches in n = {len(data.folders)} runs."
     if cells >= 4:
         counts, x_m, y_m = np.histogram2d(places.x_m, places.y_m, bins=cells, range=[[-edge_m, edge_m]] * 2)
         density = counts / len(data.folders) / (2 * edge_m / cells) ** 2

@@ -216,7 +216,7 @@ def response(sweep, keys):
             ax.set_xticks(x.positions(), [x.text(value) for value in x.values], rotation=0 if len(x.values) <= 6 else 60)
             ax.margins(x=0.08, y=0.12)
         grid[row, 0].set_ylabel(sweep.title(key), fontsize=7)
-    return caption(fig, "Means of the runs of a cell with 95 % intervals. Filled: differs from the reference cell, p <= 0.05 corrected for all comparisons.")
+    return caption(fig, f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title}: means of the runs of a cell with 95 % intervals. Filled: differs from the reference cell, p <= 0.05 corrected for all comparisons.")
 
 
 def signed(value, largest):
@@ -291,7 +291,7 @@ def heat(sweep, keys, x, y):
         bar = panel_figure.colorbar(image, ax=grid[row, :], pad=0.02)
         bar.set_label(sweep.title(key) + "\n- reference", fontsize=7)
         bar.outline.set_visible(False)
-    return caption(fig, "Difference of each cell to the reference cell. Hatched: inconclusive after the correction for all comparisons.")
+    return caption(fig, f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title} and {y.title}: difference of each cell to the reference cell. Hatched: inconclusive after the correction for all comparisons.")
 
 
 def figures_of(folder, metrics=None, axes=None):
