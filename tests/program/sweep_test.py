@@ -243,12 +243,14 @@ class Ways(Sweeps):
 
     @unittest.skipUnless(shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm")
     def test_slurm(self):
+        self.write("job.sh", self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--out", "printed", "--sbatch", "3").stdout)
         with Slurm(self.folder) as environment:
-            done = self.run_words("sbatch", "--wait", "--array=1-4", OPTIONS.sweeps / "slurm.sh", OPTIONS.program, "sweep.toml",
-                                  "out", env=environment)
-        said = "".join(path.read_text() for path in self.folder.glob("slurm-*.out"))
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr + said)
+            done = [self.run_words("sbatch", "--wait", *words, env=environment) for words in
+                    (["--array=1-4", OPTIONS.sweeps / "slurm.sh", OPTIONS.program, "sweep.toml", "out"], ["job.sh"])]
+        said = "".join(path.read_text() for ending in ("out", "log") for path in self.folder.glob(f"slurm-*.{ending}"))
+        self.assertEqual([each.returncode for each in done], [0, 0], str(done) + said)
         self.assert_same()
+        self.assert_same("printed")
 
 
 class Slurm:
@@ -277,7 +279,7 @@ class Slurm:
             "JobAcctGatherType": "jobacct_gather/none", "ReturnToService": 2, "SwitchType": "switch/none", "MpiDefault": "none",
         }
         text = "".join(f"{key}={value}\n" for key, value in numbers.items())
-        text += f"NodeName={host} NodeAddr=127.0.0.1 CPUs={os.cpu_count()}\nPartitionName=all Nodes=ALL Default=YES State=UP\n"
+        text += f"NodeName={host} NodeAddr=127.0.0.1 RealMemory=1000 CPUs={os.cpu_count()}\nPartitionName=all Nodes=ALL Default=YES State=UP\n"
         configuration = self.folder / "slurm.conf"
         configuration.write_text(text)
         for name in ("state", "spool"):
