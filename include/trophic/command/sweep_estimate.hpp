@@ -29,10 +29,14 @@
 
 namespace trophic::command::detail::sweeps {
 
-/// A folder that goes when this does.
+/// A new folder that goes when this does.
 struct PassingFolder {
   std::filesystem::path path;
-  explicit PassingFolder(std::filesystem::path folder) : path{std::move(folder)} {}
+  /// Of two programs that want the same name one makes it, and the other takes the next.
+  explicit PassingFolder(const std::filesystem::path& name) {
+    do path = io::next_free_folder(name);
+    while (!std::filesystem::create_directory(path));
+  }
   PassingFolder(const PassingFolder&) = delete;
   PassingFolder& operator=(const PassingFolder&) = delete;
   ~PassingFolder() {
@@ -47,9 +51,9 @@ struct PassingFolder {
   std::ofstream nowhere;
   observe::JointProgress quiet{1, run.until_s, nowhere, false};
   for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
-    const PassingFolder folder{io::next_free_folder(beside)};
+    const PassingFolder folder{beside};
     const observe::Stopwatch watch;
-    runner.run(run, folder.path, quiet, until_s);
+    runner.run(run, folder.path / "run", quiet, until_s);
     const double wall_s = watch.elapsed_s();
     if (wall_s > 0.5 || until_s >= run.until_s) return wall_s / (run.work * until_s / run.until_s);
   }

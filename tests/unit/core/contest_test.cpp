@@ -111,4 +111,9 @@ TEST_CASE("contest: plan and outcomes -> the same after writing and reading, err
   write_new_file(wrong, contest::text_of(plan));
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::read_plan(wrong)); }) ==
         wrong.string() + ": matches: a team that is not there");
+  plan.matches[0].hunters = 0;
+  std::string newer = contest::text_of(plan);
+  const auto of_newer = folder.file("newer.json", newer.replace(newer.find("\"version\":1"), 11, "\"version\":2"));
+  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::read_plan(of_newer)); }) ==
+        of_newer + ": version = 2: must be 1, which this program writes");
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <trophic/population/view.hpp>
@@ -94,6 +95,9 @@ TROPHIC_INLINE Plan read_plan(const std::filesystem::path& path) {
   const auto refuse = [&](const std::string& what) { throw std::invalid_argument{path.string() + ": " + what}; };
   Plan plan = detail::read_json(path, [&](const Json& json) {
     if (json.value("format", "") != "trophic contests") refuse("is not a plan of contests, which trophic contest writes");
+    if (const auto version = whole_number<std::int64_t>(json, "version"); version != 1) {
+      refuse("version = " + std::to_string(version) + ": must be 1, which this program writes");
+    }
     Plan read{.rule_table = json.at("rule_table").get<std::string>(),
               .engine = json.at("engine").get<std::string>(),
               .fingerprint = json.at("fingerprint").get<std::string>(),
