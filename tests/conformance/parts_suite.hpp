@@ -12,6 +12,7 @@
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/contract.hpp>
+#include <trophic/params/numbers_text.hpp>
 #include <trophic/reproduction/body_plan/contract.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <vector>
