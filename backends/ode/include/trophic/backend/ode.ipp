@@ -73,11 +73,13 @@ class Ode::Simulation {
   [[nodiscard]] double time_s() const { return static_cast<double>(state_.steps) * setup_->physics.timestep_s; }
 
   [[nodiscard]] Pose pose(std::size_t robot) const {
-    return ode::link_frame(state_.links[bodies_->first_link(checked(robot))], bodies_->model(robot).links[0]);
+    const RobotModel& own = bodies_->model(checked(robot));
+    return ode::link_frame(state_.links[bodies_->first_link(robot)], own.links[0]);
   }
 
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
-    return std::span{state_.angles_rad}.subspan(bodies_->first_hinge(checked(robot)), bodies_->hinges(robot));
+    const std::size_t hinges = bodies_->model(checked(robot)).hinges.size();
+    return std::span{state_.angles_rad}.subspan(bodies_->first_hinge(robot), hinges);
   }
 
   /// Throws std::invalid_argument unless there is one finite target per hinge.
