@@ -28,16 +28,33 @@ using Stepping = Mujoco::Stepping;
 
 /// Side of a robot's share of the floor, m, from 300 robots on: 300 fill the paper's arena, more have a larger one.
 constexpr double densest_spacing_m = 19.0 / 18.0;
+/// Distance of neighbours in a crowd at first, m: 1.1 diameters of a spider's sphere.
+constexpr double dense_spacing_m = 0.45;
 
 /// A way of stepping a world of so many robots.
 struct Way {
   std::string name;
   Stepping stepping;
   std::size_t threads;
+  std::size_t kinds = 1;  ///< of bodies, in turn
+  bool is_dense = false;  ///< so close that several robots touch others at any time
 };
 const std::array<Way, 5> ways{Way{"one_model", Stepping::one_model, 1}, Way{"islands_1", Stepping::islands, 1},
                               Way{"islands_2", Stepping::islands, 2}, Way{"fast_1", Stepping::fast, 1},
                               Way{"fast_2", Stepping::fast, 2}};
+
+/// Robots of several bodies, whose servos brake a thousandth more from one to the next so that they move alike; and crowds of
+/// them.
+const std::array<Way, 10> mixed_ways{Way{"apart_1", Stepping::fast, 1, 1},
+                                     Way{"apart_2", Stepping::fast, 1, 2},
+                                     Way{"apart_30", Stepping::fast, 1, 30},
+                                     Way{"apart_30_islands", Stepping::islands, 1, 30},
+                                     Way{"dense_1", Stepping::fast, 1, 1, true},
+                                     Way{"dense_2", Stepping::fast, 1, 2, true},
+                                     Way{"dense_30", Stepping::fast, 1, 30, true},
+                                     Way{"dense_1_islands", Stepping::islands, 1, 1, true},
+                                     Way{"dense_30_islands", Stepping::islands, 1, 30, true},
+                                     Way{"dense_1_one_model", Stepping::one_model, 1, 1, true}};
 
 /// The most memory that the process held since `forget_peak`, bytes.
 void forget_peak() {
@@ -67,7 +84,7 @@ trophic::Arena arena_for(std::size_t robots) {
 /// [-1, 1] as the paper's evolution starts from: one shared gait would keep the robots in step with each other.
 class World {
  public:
-  World(std::size_t robots, Stepping stepping, std::size_t threads) {
+  World(std::size_t robots, const Way& way) {
     trophic::Gait gait = trophic::load_gait("spider_published");
     for (std::size_t i = 0; i < robots; ++i) {
       trophic::Rng rng{5, trophic::Stream::user, i};
@@ -83,14 +100,20 @@ class World {
     }
     const trophic::RobotModel spider = trophic::load_robot("spider");
     const trophic::Arena arena = arena_for(robots);
-    const double spacing_m = (2.0 * arena.half_side_m - 1.0) / std::ceil(std::sqrt(static_cast<double>(robots)));
+    const double columns = std::ceil(std::sqrt(static_cast<double>(robots)));
+    const double spacing_m = way.is_dense ? dense_spacing_m : (2.0 * arena.half_side_m - 1.0) / columns;
     std::vector<trophic::Pose> starts = trophic::test::lattice(spider, robots, spacing_m);
     // Dropped with moving legs: 300 robots flat on their bellies make more contacts than one model has room for.
     for (trophic::Pose& start : starts) start.position_m.z() += 0.1;
     ::malloc_trim(0);
     const double before_bytes = trophic::test::resident_bytes();
     forget_peak();
-    backend_.emplace(spider, arena, starts, trophic::Physics{}, Mujoco::Params{.stepping = stepping, .threads = threads});
+    backend_.emplace(spider, arena, starts, trophic::Physics{}, Mujoco::Params{.stepping = way.stepping, .threads = way.threads});
+    for (std::size_t i = 0; i < robots && way.kinds > 1; ++i) {
+      trophic::RobotModel body = spider;
+      for (trophic::Hinge& hinge : body.hinges) hinge.servo.velocity_gain *= 1.0 + 0.001 * static_cast<double>(i % way.kinds);
+      backend_->embody(i, body, starts[i]);
+    }
     const int ticks = robots > 1000 ? 15 : 30;
     for (int tick = 0; tick < ticks; ++tick) control_tick();
     bytes_ = peak_bytes() - before_bytes;
@@ -125,7 +148,7 @@ class World {
 World& world_of(std::size_t robots, const Way& way) {
   static std::map<std::tuple<std::size_t, std::string>, std::unique_ptr<World>> worlds;
   std::unique_ptr<World>& world = worlds[{robots, way.name}];
-  if (!world) world = std::make_unique<World>(robots, way.stepping, way.threads);
+  if (!world) world = std::make_unique<World>(robots, way);
   return *world;
 }
 
@@ -182,6 +205,11 @@ class Tables : public benchmark::ConsoleReporter {
       std::printf("\n");
     }
     std::printf("(steps of one robot per second; memory of the last of the three)\n");
+    std::printf("\n30 robots of one, two and thirty kinds of bodies, apart and in a crowd, one thread\n%20s%12s\n", "",
+                "us a step");
+    for (const Way& way : mixed_ways) {
+      if (const Measured* const part = find(way.name, 30)) std::printf("%20s%12.1f\n", way.name.c_str(), part->us_per_step);
+    }
   }
 
  private:
@@ -225,6 +253,7 @@ int main(int argc, char** argv) {
       if (way.stepping == Stepping::fast) add(way, robots, robots > 10000 ? 0.0 : 0.2, robots > 10000 ? 3 : 5);
     }
   }
+  for (const Way& way : mixed_ways) add(way, 30, 0.2, 5);
   Tables tables;
   benchmark::RunSpecifiedBenchmarks(&tables);
   tables.print();

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/support/rng.hpp>
@@ -16,6 +18,46 @@ using backend::mujoco::BoxDepth;
 namespace {
 
 constexpr double tick_s = 1.0 / 60.0;
+
+/// A core, and behind it two bricks on hinges of a trunk, each with a leg of two hinges on either side.
+RobotModel six_legs() {
+  body::Design design;
+  design.name = "hexapod";
+  std::size_t trunk = 0;
+  std::vector<std::size_t> feet;
+  for (int part = 0; part < 3; ++part) {
+    for (const body::Face side : {body::Face::left, body::Face::right}) {
+      const std::size_t hip = design.modules.attach(trunk, side, body::ModuleType::hinge, 1);
+      feet.push_back(design.modules.attach(hip, body::Face::front, body::ModuleType::hinge, 0));
+    }
+    if (part == 2) break;
+    const auto face = part == 0 ? body::Face::back : body::Face::front;
+    const std::size_t hinge = design.modules.attach(trunk, face, body::ModuleType::hinge, 0);
+    trunk = design.modules.attach(hinge, body::Face::front, body::ModuleType::brick, 0);
+  }
+  for (const std::size_t foot : feet) design.modules.attach(foot, body::Face::front, body::ModuleType::brick, 0);
+  return body::build(design);
+}
+
+/// The same robot with links numbered by their distance from the root, unlike MuJoCo's.
+RobotModel breadth_first(const RobotModel& robot) {
+  std::vector<std::size_t> order{0};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t link = 1; link < robot.links.size(); ++link) {
+      if (robot.links[link].parent == static_cast<int>(order[i])) order.push_back(link);
+    }
+  }
+  RobotModel result = robot;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    result.links[i] = robot.links[order[i]];
+    if (i == 0) continue;
+    result.links[i].parent =
+        static_cast<int>(std::ranges::find(order, static_cast<std::size_t>(robot.links[order[i]].parent)) - order.begin());
+    result.hinges[i - 1] = robot.hinges[order[i] - 1];
+    result.hinges[i - 1].servo.position_gain *= 1.0 + 0.05 * static_cast<double>(i);
+  }
+  return result;
+}
 
 /// Robots that stand in a square of the given side, facing anywhere.
 std::vector<Pose> square(const RobotModel& robot, std::size_t robots, double side_m) {
@@ -34,10 +76,10 @@ std::vector<Pose> square(const RobotModel& robot, std::size_t robots, double sid
 }
 
 /// Each robot's own gait.
-void set_own_targets(Mujoco& world, std::size_t hinges, double time_s) {
-  std::vector<double> targets_rad(hinges);
+void set_own_targets(Mujoco& world, double time_s) {
   for (std::size_t i = 0; i < world.robots(); ++i) {
     Rng rng{22, Stream::user, i};
+    std::vector<double> targets_rad(world.joint_angles(i).size());
     for (double& target_rad : targets_rad) {
       const double amplitude_rad = rng.uniform(0.3, 1.1);
       const double rate_rad_s = rng.uniform(3.0, 9.0);
@@ -48,13 +90,23 @@ void set_own_targets(Mujoco& world, std::size_t hinges, double time_s) {
 }
 
 /// Walks for a time and returns the state.
-Mujoco::State walk(Mujoco& world, std::size_t hinges, double duration_s) {
+Mujoco::State walk(Mujoco& world, double duration_s) {
   const int ticks = static_cast<int>(std::lround(duration_s / tick_s));
   for (int t = 0; t < ticks; ++t) {
-    set_own_targets(world, hinges, t * tick_s);
+    set_own_targets(world, t * tick_s);
     world.advance_to((t + 1) * tick_s);
   }
   return world.save();
+}
+
+/// Gives robots these bodies in turn, where they stand.
+void embody(Mujoco& world, std::span<const RobotModel> bodies) {
+  for (std::size_t i = 0; i < world.robots() && !bodies.empty(); ++i) {
+    const RobotModel& body = bodies[i % bodies.size()];
+    Pose pose = world.pose(i);
+    pose.position_m.z() = body.rest_height_m;
+    world.embody(i, body, pose);
+  }
 }
 
 double largest_difference(const Mujoco& a, const Mujoco& b) {
@@ -71,7 +123,7 @@ double largest_difference(const Mujoco& a, const Mujoco& b) {
 
 /// Largest difference of any coordinate after a walk, between fast stepping and one model.
 double disagreement(const std::string& name, std::size_t robots, double side_m, double duration_s, double half_side_m = 10.0,
-                    BoxDepth depth = BoxDepth::engine) {
+                    BoxDepth depth = BoxDepth::engine, std::span<const RobotModel> bodies = {}) {
   const RobotModel robot = load_robot(name);
   Arena arena;
   arena.half_side_m = half_side_m;
@@ -79,8 +131,11 @@ double disagreement(const std::string& name, std::size_t robots, double side_m, 
   const std::vector<Pose> starts = square(robot, robots, side_m);
   Mujoco fast{robot, arena, starts, Physics{}, {.stepping = Mujoco::Stepping::fast, .box_depth = depth}};
   Mujoco whole{robot, arena, starts, Physics{}, {.stepping = Mujoco::Stepping::one_model, .box_depth = depth}};
-  walk(fast, robot.hinges.size(), duration_s);
-  walk(whole, robot.hinges.size(), duration_s);
+  embody(fast, bodies);
+  embody(whole, bodies);
+  walk(fast, duration_s);
+  CHECK(fast.engine_share() < 0.02);
+  walk(whole, duration_s);
   const double difference = largest_difference(fast, whole);
   MESSAGE(robots << " of " << name << " in " << side_m << " m, " << duration_s << " s: " << difference);
   return difference;
@@ -108,23 +163,62 @@ TEST_CASE("kernel backend: geckos, whose legs touch often -> the motion of one m
   CHECK(disagreement("gecko", 4, 6.0, 10.0) < 1e-9);
 }
 
+TEST_CASE("kernel backend: crowd of several bodies -> the motion of one model") {
+  const std::vector<RobotModel> bodies = {load_robot("gecko"), load_robot("spider"), six_legs()};
+  CHECK(disagreement("spider", 15, 2.2, 10.0, 10.0, BoxDepth::engine, bodies) < 1e-8);
+}
+
+TEST_CASE("kernel backend: six legs on a trunk, links numbered in any order -> stepped by the kernel") {
+  const std::vector<RobotModel> bodies = {six_legs(), breadth_first(six_legs())};
+  CHECK(disagreement("spider", 6, 6.0, 5.0, 10.0, BoxDepth::engine, bodies) < 1e-9);
+}
+
+TEST_CASE("kernel backend: bodies that change -> unused kinds and models dropped") {
+  const RobotModel spider = load_robot("spider");
+  Arena arena;
+  backend::mujoco::Islands islands{spider, arena, {}, 1, true, BoxDepth::engine};
+  backend::mujoco::RobotStates states{islands.layout(), 3};
+  for (std::size_t i = 0; i < 3; ++i)
+    states.set_root(i, {{2.0 * static_cast<double>(i), 0.0, 1.0}, Eigen::Quaterniond::Identity()});
+  backend::mujoco::Rows targets_rad{3, spider.hinges.size()};
+  for (int change = 0; change < 5; ++change) {
+    RobotModel body = spider;
+    body.links[0].mass_kg += 0.01 * change;
+    states.set_body(1, islands.set_body(1, body), backend::mujoco::layout_of(body, backend::mujoco::Servos::combined));
+    states.set_root(1, {{2.0, 0.0, 1.0}, Eigen::Quaterniond::Identity()});
+    backend::mujoco::RobotStates next = states;
+    for (int i = 0; i < 300; ++i)
+      REQUIRE(islands.advance(states, targets_rad, 1, next).end == backend::mujoco::GroupResult::End::done);
+    CHECK(islands.kinds() <= 5);
+  }
+  backend::mujoco::RobotStates next = states;
+  for (int i = 0; i < 1000; ++i) static_cast<void>(islands.advance(states, targets_rad, 1, next));
+  CHECK(islands.kinds() == 2);
+  CHECK(islands.models() <= 1);
+}
+
 namespace {
 
 /// Walks 14 robots with several numbers of threads, and from a saved state.
-void check_threads_and_restore(const std::string& name, const Arena& arena, const Physics& physics,
+void check_threads_and_restore(const std::string& name, const std::string& other_name, const Arena& arena, const Physics& physics,
                                BoxDepth depth = BoxDepth::engine) {
   const RobotModel robot = load_robot(name);
   const std::vector<Pose> starts = square(robot, 14, 2.5);
   Mujoco one{robot, arena, starts, physics, {.threads = 1, .box_depth = depth}};
-  const Mujoco::State expected = walk(one, robot.hinges.size(), 2.0);
+  const std::vector<RobotModel> bodies = {robot, load_robot(other_name)};
+  embody(one, bodies);
+  const Mujoco::State expected = walk(one, 2.0);
   for (const std::size_t threads : {2U, 4U}) {
     Mujoco several{robot, arena, starts, physics, {.threads = threads, .box_depth = depth}};
-    CHECK(walk(several, robot.hinges.size(), 2.0) == expected);
+    embody(several, bodies);
+    CHECK(walk(several, 2.0) == expected);
   }
   Mujoco other{robot, arena, starts, physics, {.threads = 2, .box_depth = depth}};
+  CHECK_THROWS_AS(other.restore(expected), std::invalid_argument);
+  embody(other, bodies);
   other.restore(expected);
-  set_own_targets(other, robot.hinges.size(), 2.0);
-  set_own_targets(one, robot.hinges.size(), 2.0);
+  set_own_targets(other, 2.0);
+  set_own_targets(one, 2.0);
   other.advance_to(2.5);
   one.advance_to(2.5);
   CHECK(other.save() == one.save());
@@ -133,7 +227,8 @@ void check_threads_and_restore(const std::string& name, const Arena& arena, cons
 }  // namespace
 
 TEST_CASE("kernel backend: another number of threads, or a restored state -> the same bits") {
-  check_threads_and_restore("spider", {}, {});
-  check_threads_and_restore("spider", {}, {}, BoxDepth::whole);
-  check_threads_and_restore("spider_released", load_arena("height_field"), {.timestep_s = 0.012, .integrator = Integrator::rk4});
+  check_threads_and_restore("spider", "gecko", {}, {});
+  check_threads_and_restore("spider", "gecko", {}, {}, BoxDepth::whole);
+  check_threads_and_restore("spider_released", "spider", load_arena("height_field"),
+                            {.timestep_s = 0.012, .integrator = Integrator::rk4});
 }

@@ -52,9 +52,7 @@ Differences compare_random_states(const std::string& name, const Physics& physic
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot(name);
   Reference reference{robot, arena, physics};
-  const kernel::KernelModel& model = reference.constants;
-  kernel::Workspace work{model};
-  kernel::LaneState lanes{model};
+  OneTeam lanes{reference.constants};
   Rng rng{4, Stream::user};
   Differences found;
   const auto accelerations = [&](const RobotState& from) {
@@ -66,16 +64,16 @@ Differences compare_random_states(const std::string& name, const Physics& physic
     std::vector<RobotState> states;
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       states.push_back(random_state(robot, arena, reference, rng));
-      states.back().put(lanes, lane);
+      states.back().put(lanes.team, lane);
     }
-    const unsigned stepped = kernel::fastest_step()(model, lanes, work, 0xfu);
+    const unsigned stepped = lanes.step(0xfu);
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       if ((stepped & (1u << lane)) == 0) {
         ++found.declined;
         continue;
       }
       RobotState after = states[lane];
-      after.get(lanes, lane);
+      after.get(lanes.team, lane);
       const std::vector<double> expected = accelerations(states[lane]);
       found.contacts += static_cast<std::size_t>(reference.data.ncon);
       found.of_kernel.push_back(relative_difference(after.warm, expected, expected.size()));
@@ -110,7 +108,7 @@ TEST_CASE("kernel height field: contacts of a robot's boxes -> those of mj_colli
     const RobotModel robot = load_robot(name);
     Reference reference{robot, arena, {}};
     const mjModel& model = reference.model;
-    kernel::FieldCollider collider{model, reference.constants.field.value().geom};
+    kernel::FieldCollider collider{reference.constants.field.value()};
     Rng rng{5, Stream::user};
     for (int trial = 0; trial < 500; ++trial) {
       random_state(robot, arena, reference, rng).put(reference.data);
@@ -137,7 +135,7 @@ TEST_CASE("kernel height field: contacts of a robot's boxes -> those of mj_colli
             for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(contact.frame[k][i] - other.frame[3 * k + i]) < 1e-15);
           }
         };
-        static_cast<void>(collider.collide(geom, box, {}, compare));
+        static_cast<void>(collider.collide(box, {}, compare));
         const double reach_m = model.geom_rbound[geom];
         if (contacts > 0) CHECK(box.centre_m[2] - reach_m < collider.highest_m(box.centre_m[0], box.centre_m[1], reach_m));
       }
@@ -152,7 +150,7 @@ TEST_CASE("kernel height field: highest node near a point -> bounds the ground t
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot("gecko");
   const Reference reference{robot, arena, {}};
-  const kernel::FieldCollider collider{reference.model, reference.constants.field.value().geom};
+  const kernel::FieldCollider collider{reference.constants.field.value()};
   CHECK(collider.highest_m(0.0, 0.0, 0.1) == 0.0);
   CHECK(collider.highest_m(9.2, 0.0, 0.1) == 0.0);  // the flat floor ends at 9.333 m
   CHECK(collider.highest_m(9.3, 0.0, 0.1) == doctest::Approx(10.0));
@@ -164,15 +162,14 @@ TEST_CASE("kernel height field: touching box along the world's axes -> left to M
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot("gecko");
   Reference reference{robot, arena, {}};
-  kernel::Workspace work{reference.constants};
-  kernel::LaneState lanes{reference.constants};
+  OneTeam lanes{reference.constants};
   RobotState state = resting(robot);
   state.qpos[2] -= 0.001;
-  state.put(lanes, 0);
-  CHECK(kernel::fastest_step()(reference.constants, lanes, work, 1u) == 0);
+  state.put(lanes.team, 0);
+  CHECK(lanes.step(1u) == 0);
   state.qpos[2] += 0.1;
-  state.put(lanes, 0);
-  CHECK(kernel::fastest_step()(reference.constants, lanes, work, 1u) == 1);
+  state.put(lanes.team, 0);
+  CHECK(lanes.step(1u) == 1);
 }
 
 TEST_CASE("kernel height field: one Runge-Kutta step -> mj_step's to within the effect of rounding") {

@@ -50,20 +50,17 @@ void compare_random_states(const RobotModel& robot, const Physics& physics, std:
                            double joint_damping = 0.0, BoxDepth depth = BoxDepth::engine) {
   const Arena arena;
   Reference reference{robot, arena, physics, joint_damping, depth};
-  const kernel::KernelModel& model = reference.constants;
-  kernel::Workspace work{model};
-  kernel::LaneState lanes{model};
-  const auto step = kernel::fastest_step();
+  OneTeam lanes{reference.constants};
   for (std::size_t group = 0; group < groups; ++group) {
     std::vector<RobotState> states;
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       states.push_back(random_state(robot, arena, reference, rng));
-      states.back().put(lanes, lane);
+      states.back().put(lanes.team, lane);
     }
-    const unsigned stepped = step(model, lanes, work, 0xfu);
+    const unsigned stepped = lanes.step(0xfu);
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       RobotState after = states[lane];
-      after.get(lanes, lane);
+      after.get(lanes.team, lane);
       if ((stepped & (1u << lane)) == 0) {
         ++comparison.declined;
         CHECK(relative_difference(after.qpos, states[lane].qpos, after.qpos.size()) < 1e-15);

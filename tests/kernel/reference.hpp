@@ -10,6 +10,7 @@
 #include <string>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
+#include <trophic/backend/mujoco/kernel/crew.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
@@ -74,20 +75,36 @@ struct RobotState {
     std::copy_n(data.qvel, qvel.size(), qvel.begin());
     std::copy_n(data.qacc_warmstart, warm.size(), warm.begin());
   }
-  void put(kernel::LaneState& lanes, std::size_t lane) const {
+  void put(kernel::Team& team, std::size_t lane) const {
     std::vector<double> numbers = qpos;
     numbers.insert(numbers.end(), qvel.begin(), qvel.end());
     numbers.insert(numbers.end(), warm.begin(), warm.end());
-    lanes.load(lane, numbers, target);
+    team.state.load(*team.model, lane, numbers, target);
   }
-  void get(const kernel::LaneState& lanes, std::size_t lane) {
+  void get(const kernel::Team& team, std::size_t lane) {
     std::vector<double> numbers(qpos.size() + qvel.size() + warm.size());
-    lanes.store(lane, numbers);
+    team.state.store(lane, numbers);
     const auto speeds = numbers.begin() + static_cast<std::ptrdiff_t>(qpos.size());
     const auto accelerations = speeds + static_cast<std::ptrdiff_t>(qvel.size());
     qpos.assign(numbers.begin(), speeds);
     qvel.assign(speeds, accelerations);
     warm.assign(accelerations, numbers.end());
+  }
+};
+
+/// A crew of one team of robots that cannot touch each other.
+struct OneTeam {
+  kernel::Crew crew;
+  kernel::Team& team;
+
+  explicit OneTeam(const kernel::KernelModel& model) : crew{model.box_depth}, team{crew.add_team(model)} {
+    for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) crew.order.push_back({0, lane});
+  }
+  /// Steps the robots in `lanes`; returns those that took the step.
+  [[nodiscard]] unsigned step(unsigned lanes, kernel::StepFunction function = kernel::fastest_step()) {
+    team.lanes = lanes;
+    function(crew);
+    return team.going;
   }
 };
 

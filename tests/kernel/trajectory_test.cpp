@@ -34,27 +34,26 @@ struct Gait {
 class Walk {
  public:
   Walk(const RobotModel& robot, std::span<const Gait> gaits)
-      : reference_{robot, Arena{}, Physics{}}, model_{reference_.constants}, work_{model_}, gaits_{gaits} {
+      : reference_{robot, Arena{}, Physics{}}, lanes_{reference_.constants}, gaits_{gaits} {
     states.assign(gaits.size(), resting(robot));
   }
 
   /// One control tick of 14 steps, robots in groups of four in the given order.
   void tick(double time_s, kernel::StepFunction step, std::span<const std::size_t> order) {
     for (std::size_t i = 0; i < states.size(); ++i) gaits_[i].set_targets(time_s, states[i]);
-    kernel::LaneState lanes{model_};
     for (std::size_t first = 0; first < order.size(); first += kernel::lane_count) {
       const std::size_t used = std::min(kernel::lane_count, order.size() - first);
-      for (std::size_t lane = 0; lane < used; ++lane) states[order[first + lane]].put(lanes, lane);
+      for (std::size_t lane = 0; lane < used; ++lane) states[order[first + lane]].put(lanes_.team, lane);
       const unsigned all = (1u << used) - 1;
       for (int s = 0; s < 14; ++s) {
-        if (forgetful) work_.forget_rows();
-        const unsigned stepped = step(model_, lanes, work_, all);
+        if (forgetful) lanes_.team.work.forget_rows();
+        const unsigned stepped = lanes_.step(all, step);
         for (std::size_t lane = 0; lane < used; ++lane) {
-          if ((stepped & (1u << lane)) == 0) step_by_mujoco(lanes, lane, states[order[first + lane]]);
+          if ((stepped & (1u << lane)) == 0) step_by_mujoco(lane, states[order[first + lane]]);
         }
       }
       for (std::size_t lane = 0; lane < used; ++lane) {
-        states[order[first + lane]].get(lanes, lane);
+        states[order[first + lane]].get(lanes_.team, lane);
       }
     }
   }
@@ -64,19 +63,18 @@ class Walk {
   bool forgetful = false;  ///< of the rows that pushed in the step before
 
  private:
-  void step_by_mujoco(kernel::LaneState& lanes, std::size_t lane, RobotState& state) {
+  void step_by_mujoco(std::size_t lane, RobotState& state) {
     ++declined;
     mjData& data = reference_.data;
-    state.get(lanes, lane);
+    state.get(lanes_.team, lane);
     state.put(data);
     reference_.step();
     state.get(data);
-    state.put(lanes, lane);
+    state.put(lanes_.team, lane);
   }
 
   Reference reference_;
-  const kernel::KernelModel& model_;
-  kernel::Workspace work_;
+  OneTeam lanes_;
   std::span<const Gait> gaits_;
 };
 

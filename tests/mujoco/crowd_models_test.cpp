@@ -32,6 +32,13 @@ engine::RobotStates in_a_row(engine::Islands& islands, double distance_m, std::s
   return states;
 }
 
+/// The same target for all hinges.
+engine::Rows all_targets(std::size_t count, double target_rad) {
+  engine::Rows targets_rad{count, spider.hinges.size()};
+  for (std::size_t i = 0; i < count; ++i) std::ranges::fill(targets_rad[i], target_rad);
+  return targets_rad;
+}
+
 }  // namespace
 
 TEST_CASE("crowd models: crowd over many steps -> no memory for the matrix of the dual solvers") {
@@ -42,7 +49,7 @@ TEST_CASE("crowd models: crowd over many steps -> no memory for the matrix of th
   for (std::size_t i = 0; i < many; ++i) states.set_root(i, close[i]);
   std::vector<std::size_t> all(many);
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::vector<double> targets_rad(many * spider.hinges.size(), 0.4);
+  const engine::Rows targets_rad = all_targets(many, 0.4);
 
   const double before = test::resident_bytes();
   engine::RobotStates next = states;
@@ -55,7 +62,7 @@ TEST_CASE("crowd models: crowd over many steps -> no memory for the matrix of th
 }
 
 TEST_CASE("crowd models: crowd that dissolved -> model dropped, and made again to the same bytes") {
-  const std::vector<double> targets_rad(robots * spider.hinges.size(), 0.4);
+  const engine::Rows targets_rad = all_targets(robots, 0.4);
   for (const bool fast : {true, false}) {
     CAPTURE(fast);
     engine::Islands islands{spider, square, {}, 1, fast, engine::BoxDepth::engine};
@@ -91,7 +98,7 @@ TEST_CASE("crowd models: dropped below other memory -> memory returned to the sy
   const auto advance = [&](double distance_m, std::size_t many, std::size_t steps) {
     const engine::RobotStates from = in_a_row(islands, distance_m, many);
     engine::RobotStates to = from;
-    const std::vector<double> targets_rad(many * spider.hinges.size(), 0.4);
+    const engine::Rows targets_rad = all_targets(many, 0.4);
     return islands.advance(from, targets_rad, steps, to).end;
   };
   REQUIRE(advance(1.0, 11, 1) == engine::GroupResult::End::done);
@@ -145,7 +152,7 @@ TEST_CASE("crowd models: kernel's remainder -> one working memory a model, no ke
     engine::Islands islands{spider, square, {}, threads, fast, engine::BoxDepth::engine};
     const engine::RobotStates crowd = in_a_row(islands, 1.2 * spider.bounding_radius_m, together);
     engine::RobotStates next = crowd;
-    const std::vector<double> targets_rad(together * spider.hinges.size(), 0.4);
+    const engine::Rows targets_rad = all_targets(together, 0.4);
     const std::size_t before = islands.memories();
     REQUIRE(islands.advance(crowd, targets_rad, 1, next).end == engine::GroupResult::End::done);
     REQUIRE(islands.models() > 1);

@@ -95,7 +95,8 @@ TEST_CASE("MuJoCo model: pairs or sweep, combined or separate servos -> same mot
   engine::RobotStates start{one.layout(), 2};
   start.set_root(0, test::standing(robot, 9.8, 0.0, 0.3));
   start.set_root(1, test::standing(robot, 9.5, 0.1, 1.0));  // legs interlock
-  const std::vector<double> targets_rad{0.5, -0.9, 0.9, 0.2, -0.4, 0.8, -0.8, 0.6};
+  engine::Rows targets_rad{2, robot.hinges.size()};
+  targets_rad.set_values({0.5, -0.9, 0.9, 0.2, -0.4, 0.8, -0.8, 0.6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   const std::vector<std::size_t> both{0, 1};
   engine::RobotStates a = start;
   engine::RobotStates b = start;

@@ -53,7 +53,7 @@ class TouchWatch {
  private:
   mjData& forward() {
     mjData& data = compiled_.data(0);
-    for (std::size_t i = 0; i < states_.robots(); ++i) states_.load(i, i, data);
+    for (std::size_t i = 0; i < states_.robots(); ++i) states_.load(i, compiled_.shares()[i], data);
     mj_fwdPosition(&compiled_.model(), &data);
     return data;
   }

@@ -18,6 +18,14 @@ struct Disc {
   double radius_m = 0.0;
 };
 
+/// Whether two discs overlap or touch.
+[[nodiscard]] inline bool touch(const Disc& a, const Disc& b) {
+  const double reach_m = a.radius_m + b.radius_m;
+  const double dx = a.x_m - b.x_m;
+  const double dy = a.y_m - b.y_m;
+  return dx * dx + dy * dy <= reach_m * reach_m;
+}
+
 /// Splits the discs 0 .. n-1 into the connected sets of "overlap or touch". Each set is ascending; the sets are ordered by
 /// size, largest first, then by their first member. Grid and union-find: linear in n for scattered discs.
 [[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs) {
@@ -38,12 +46,7 @@ struct Disc {
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const Disc& a = discs[i];
     grid.for_each_near(a.x_m, a.y_m, a.radius_m + largest_m, [&](std::size_t j) {
-      if (j <= i) return;
-      const Disc& b = discs[j];
-      const double reach_m = a.radius_m + b.radius_m;
-      const double dx = a.x_m - b.x_m;
-      const double dy = a.y_m - b.y_m;
-      if (dx * dx + dy * dy > reach_m * reach_m) return;
+      if (j <= i || !touch(a, discs[j])) return;
       const auto [low, high] = std::minmax({find(i), find(j)});
       root[high] = low;
     });

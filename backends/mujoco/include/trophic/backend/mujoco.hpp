@@ -24,7 +24,7 @@
 
 namespace trophic::backend {
 
-/// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies JointDriven.
+/// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies Embodying.
 ///
 /// Numbers: positions m, angles rad, velocities m/s and rad/s, torques N m. No random draws. Results do not depend on
 /// `Params::threads`, bitwise; `fast`, `islands` and `one_model` agree to rounding, which contacts amplify slowly. Errors:
@@ -38,7 +38,7 @@ class Mujoco {
 
   /// The division of robots into MuJoCo models.
   enum class Stepping {
-    fast,      ///< as islands; a kernel with the results of mj_step steps groups of up to four robots
+    fast,      ///< as islands; a kernel with the results of mj_step steps the robots
     islands,   ///< robots that cannot touch are stepped separately, in several threads
     one_model  ///< all in one model, stepped by mj_step in one thread: the reference
   };
@@ -76,8 +76,19 @@ class Mujoco {
 
   void advance_to(double time_s);
 
+  /// The share of robots' steps so far that `mj_step` took, between 0 and 1: small for `fast` if the kernel supports the bodies.
+  /// Not part of the state.
+  [[nodiscard]] double engine_share() const;
+
   /// Throws std::invalid_argument unless there is one finite number per hinge.
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad);
+
+  /// Takes a robot's body away and puts this one at `pose`: joint angles and targets 0, at rest. Throws std::invalid_argument as
+  /// the constructor does. Names and gaits of models have no effect here.
+  void embody(std::size_t robot, const RobotModel& model, const Pose& pose);
+
+  /// The body of a robot now.
+  [[nodiscard]] const RobotModel& model(std::size_t robot) const;
 
   [[nodiscard]] std::size_t robots() const;
   [[nodiscard]] double time_s() const;
@@ -86,7 +97,7 @@ class Mujoco {
 
   [[nodiscard]] State save() const;
 
-  /// Throws std::invalid_argument for a state of another robot or another number of robots.
+  /// Throws std::invalid_argument for a state of other bodies or another number of robots: `embody` first.
   void restore(const State& state);
 
   /// Writes the current world as a MuJoCo model, all robots in one model with a key frame of angles, velocities and targets,
@@ -99,7 +110,7 @@ class Mujoco {
   std::unique_ptr<Simulation> simulation_;
 };
 
-static_assert(JointDriven<Mujoco>);
+static_assert(Embodying<Mujoco>);
 
 }  // namespace trophic::backend
 

@@ -28,17 +28,16 @@ class Mujoco::Simulation {
  public:
   Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
              const Params& params)
-      : robot_{checked(robot)},
+      : bodies_(starts.size(), make_body(robot)),
         arena_{arena},
-        physics_{checked(physics, params)},
+        physics_{checked(physics, params, starts.size())},
         box_depth_{params.box_depth},
         steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
-        stepper_{make_stepper(starts.size(), params.stepping, params.threads)},
-        states_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_), starts.size()},
+        stepper_{make_stepper(robot, starts.size(), params.stepping, params.threads)},
+        states_{layout_of(0), starts.size()},
         next_{states_},
-        layout_{std::visit([](auto& stepper) { return stepper.layout(); }, stepper_)},
-        targets_rad_(starts.size() * robot.hinges.size()),
-        angles_rad_(targets_rad_.size()) {
+        targets_rad_{starts.size(), robot.hinges.size()},
+        angles_rad_{targets_rad_} {
     for (std::size_t i = 0; i < starts.size(); ++i) {
       check_start(i, starts[i]);
       states_.set_root(i, starts[i]);
@@ -54,14 +53,14 @@ class Mujoco::Simulation {
 
   /// Throws std::invalid_argument unless there is one finite number per hinge.
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
-    const std::size_t hinges = robot_.hinges.size();
-    if (targets_rad.size() != hinges) {
+    const std::vector<Hinge>& hinges = bodies_[checked(robot)]->model.hinges;
+    if (targets_rad.size() != hinges.size()) {
       throw std::invalid_argument{"joint targets of robot " + std::to_string(robot) + ": " + std::to_string(targets_rad.size()) +
-                                  " numbers, must be " + std::to_string(hinges)};
+                                  " numbers, must be " + std::to_string(hinges.size())};
     }
-    const auto own = std::span{targets_rad_}.subspan(checked(robot) * hinges, hinges);
-    for (std::size_t i = 0; i < hinges; ++i) {
-      const double limit_rad = robot_.hinges[i].servo.target_limit_rad;
+    const std::span<double> own = targets_rad_[robot];
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+      const double limit_rad = hinges[i].servo.target_limit_rad;
       if (!std::isfinite(targets_rad[i])) {
         throw std::invalid_argument{"joint target " + std::to_string(i) + " of robot " + std::to_string(robot) + " = " +
                                     number_text(targets_rad[i]) + ": must be finite"};
@@ -70,24 +69,40 @@ class Mujoco::Simulation {
     }
   }
 
+  /// Replaces the body of a robot.
+  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
+    check_start(checked(robot), pose);
+    std::shared_ptr<const Body> body = make_body(model);
+    const std::size_t kind = std::visit([&](auto& stepper) { return stepper.set_body(robot, model); }, stepper_);
+    bodies_[robot] = std::move(body);
+    states_.set_body(robot, kind, layout_of(robot));
+    states_.set_root(robot, pose);
+    next_ = states_;
+    targets_rad_.reset(robot, model.hinges.size());
+    angles_rad_.reset(robot, model.hinges.size());
+  }
+
+  [[nodiscard]] const RobotModel& model(std::size_t robot) const { return bodies_[checked(robot)]->model; }
+  [[nodiscard]] double engine_share() const {
+    const auto* const islands = std::get_if<mujoco::Islands>(&stepper_);
+    return islands != nullptr ? islands->engine_share() : 1.0;
+  }
   [[nodiscard]] std::size_t robots() const { return states_.robots(); }
   [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * physics_.timestep_s; }
   [[nodiscard]] Pose pose(std::size_t robot) const { return states_.root(checked(robot)); }
-  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
-    return std::span{angles_rad_}.subspan(checked(robot) * layout_.hinges, layout_.hinges);
-  }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return angles_rad_[checked(robot)]; }
 
-  [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_}; }
+  [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_.values()}; }
 
   /// Throws std::invalid_argument for a state of another robot or another number of robots.
   void restore(const State& state) {
-    if (state.robots.size() != states_.values().size() || state.targets_rad.size() != targets_rad_.size()) {
+    if (state.robots.size() != states_.values().size() || state.targets_rad.size() != targets_rad_.values().size()) {
       throw std::invalid_argument{"mujoco state of " + std::to_string(state.robots.size()) + " numbers: must have " +
                                   std::to_string(states_.values().size())};
     }
     steps_ = state.steps;
     states_.set_values(state.robots);
-    targets_rad_ = state.targets_rad;
+    targets_rad_.set_values(state.targets_rad);
     read_angles();
   }
 
@@ -95,7 +110,9 @@ class Mujoco::Simulation {
   /// which MuJoCo's `simulate` opens. The heights of a height field go into a binary file next to it. Throws
   /// std::runtime_error.
   void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
-    mujoco::save_mjcf(path, robot_, arena_, physics_, box_depth_, states_, targets_rad_, colours);
+    std::vector<const RobotModel*> models;
+    for (const auto& body : bodies_) models.push_back(&body->model);
+    mujoco::save_mjcf(path, models, arena_, physics_, box_depth_, states_, targets_rad_, colours);
   }
 
  private:
@@ -111,26 +128,32 @@ class Mujoco::Simulation {
     return robot;
   }
 
-  static const RobotModel& checked(const RobotModel& robot) {
-    validate(robot);
-    return robot;
-  }
+  struct Body {
+    RobotModel model;
+    mujoco::Layout layout;
+  };
 
-  static const Physics& checked(const Physics& physics, const Params& params) {
+  [[nodiscard]] static std::shared_ptr<const Body> make_body(const RobotModel& robot) {
+    validate(robot);
+    return std::make_shared<const Body>(Body{robot, mujoco::layout_of(robot, mujoco::Servos::combined)});
+  }
+  [[nodiscard]] const mujoco::Layout& layout_of(std::size_t robot) const { return bodies_[robot]->layout; }
+
+  static const Physics& checked(const Physics& physics, const Params& params, std::size_t robots) {
     validate(physics, "physics");
     validate(params, "mujoco");
+    if (robots == 0) throw std::invalid_argument{"robots = 0: must be >= 1"};
     return physics;
   }
 
   using Stepper = std::variant<mujoco::Islands, mujoco::OneModel>;
 
-  [[nodiscard]] Stepper make_stepper(std::size_t robots, Stepping stepping, std::size_t threads) const {
-    if (robots == 0) throw std::invalid_argument{"robots = 0: must be >= 1"};
+  [[nodiscard]] Stepper make_stepper(const RobotModel& robot, std::size_t robots, Stepping stepping, std::size_t threads) const {
     if (stepping == Stepping::one_model) {
-      return Stepper{std::in_place_type<mujoco::OneModel>, robot_, arena_, physics_, robots, box_depth_};
+      return Stepper{std::in_place_type<mujoco::OneModel>, robot, arena_, physics_, robots, box_depth_};
     }
     const bool fast = stepping == Stepping::fast;
-    return Stepper{std::in_place_type<mujoco::Islands>, robot_, arena_, physics_, threads, fast, box_depth_};
+    return Stepper{std::in_place_type<mujoco::Islands>, robot, arena_, physics_, threads, fast, box_depth_};
   }
 
   void check_start(std::size_t robot, const Pose& start) const {
@@ -171,13 +194,14 @@ class Mujoco::Simulation {
 
   void read_angles() {
     for (std::size_t robot = 0; robot < states_.robots(); ++robot) {
-      for (std::size_t hinge = 0; hinge < layout_.hinges; ++hinge) {
-        angles_rad_[robot * layout_.hinges + hinge] = states_.positions(robot)[layout_.angle_index[hinge]];
+      const std::vector<std::size_t>& index = layout_of(robot).angle_index;
+      for (std::size_t hinge = 0; hinge < index.size(); ++hinge) {
+        angles_rad_[robot][hinge] = states_.positions(robot)[index[hinge]];
       }
     }
   }
 
-  RobotModel robot_;
+  std::vector<std::shared_ptr<const Body>> bodies_;  ///< of each robot
   Arena arena_;
   Physics physics_;
   mujoco::BoxDepth box_depth_;
@@ -185,10 +209,9 @@ class Mujoco::Simulation {
   Stepper stepper_;
   mujoco::RobotStates states_;
   mujoco::RobotStates next_;  ///< the target of a block of steps, until it is checked
-  mujoco::Layout layout_;
   std::uint64_t steps_ = 0;
-  std::vector<double> targets_rad_;
-  std::vector<double> angles_rad_;
+  mujoco::Rows targets_rad_;
+  mujoco::Rows angles_rad_;
 };
 
 TROPHIC_INLINE std::string Mujoco::version() {
@@ -210,6 +233,15 @@ TROPHIC_INLINE void Mujoco::advance_to(double time_s) {
 }
 TROPHIC_INLINE void Mujoco::set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
   simulation_->set_joint_targets(robot, targets_rad);
+}
+TROPHIC_INLINE void Mujoco::embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
+  simulation_->embody(robot, model, pose);
+}
+TROPHIC_INLINE const RobotModel& Mujoco::model(std::size_t robot) const {
+  return simulation_->model(robot);
+}
+TROPHIC_INLINE double Mujoco::engine_share() const {
+  return simulation_->engine_share();
 }
 TROPHIC_INLINE std::size_t Mujoco::robots() const {
   return simulation_->robots();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A compiled MuJoCo model of k robots, its working memories, one per thread, and the indices of a robot's numbers.
+// A compiled MuJoCo model of robots, its working memories, one per thread, and the indices of a robot's numbers.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/mujoco/compile.hpp>
@@ -29,34 +30,72 @@ struct Layout {
   std::vector<std::size_t> angle_index;  ///< one per hinge, in the order of RobotModel::hinges
 };
 
-/// k robots in one scene. Robot j's numbers are the j-th share of qpos, qvel and ctrl.
+/// MuJoCo numbers a robot's joints link by link, each followed by all links beyond it.
+[[nodiscard]] inline Layout layout_of(const RobotModel& robot, Servos servos) {
+  const std::size_t hinges = robot.hinges.size();
+  Layout layout{hinges + 7, hinges + 6, servos == Servos::combined ? hinges : 2 * hinges, hinges,
+                std::vector<std::size_t>(hinges)};
+  std::size_t next = 7;
+  const auto number_beyond = [&](const auto& self, std::size_t parent) -> void {
+    for (std::size_t link = parent + 1; link < robot.links.size(); ++link) {
+      if (robot.links[link].parent != static_cast<int>(parent)) continue;
+      layout.angle_index[link - 1] = next++;
+      self(self, link);
+    }
+  };
+  number_beyond(number_beyond, 0);
+  return layout;
+}
+
+/// The first of a robot's numbers in each of MuJoCo's arrays.
+struct Share {
+  std::size_t position;
+  std::size_t velocity;
+  std::size_t control;
+  std::size_t hinges;
+};
+
+/// Robots in one scene. Each has its share of qpos, qvel and ctrl, in the order in which they are listed.
 class CompiledModel {
  public:
-  /// `memories`: the number of threads that can step it at the same time.
-  CompiledModel(const RobotModel& robot, const Arena& arena, const Physics& physics, const Scene& scene, std::size_t robots,
+  /// `robots`: the body of each. `memories`: the number of threads that can step it at the same time.
+  CompiledModel(std::span<const RobotModel* const> robots, const Arena& arena, const Physics& physics, const Scene& scene,
                 std::size_t memories)
-      : robots_{robots}, data_(memories), taken_(memories, false) {
+      : robots_{robots.size()}, data_(memories), taken_(memories, false) {
     const std::string height_file = "ground.hfield";
     // MuJoCo takes a step when it compiles: far enough apart and above the ground nothing touches.
-    std::vector<Pose> apart(robots);
+    std::vector<Pose> apart(robots.size());
     const double ground_m = arena.height_field ? std::ranges::max(arena.height_field->height_m) : 0.0;
-    for (std::size_t i = 0; i < robots; ++i) {
-      apart[i].position_m = {3.0 * robot.bounding_radius_m * static_cast<double>(i), 0.0,
-                             ground_m + 3.0 * robot.bounding_radius_m};
+    double widest_m = 0.0;
+    for (const RobotModel* robot : robots) widest_m = std::max(widest_m, robot->bounding_radius_m);
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      apart[i].position_m = {3.0 * widest_m * static_cast<double>(i), 0.0, ground_m + 3.0 * widest_m};
     }
     std::optional<NamedFile> heights;
     if (arena.height_field) heights = {height_file, height_file_content(*arena.height_field)};
-    model_ = compile(write_mjcf(robot, arena, physics, scene, apart, height_file), heights);
+    model_ = compile(write_mjcf(robots, arena, physics, scene, apart, height_file), heights);
     // Dense rows are faster only for one or two robots.
-    model_->opt.jacobian = robots < 3 ? mjJAC_DENSE : mjJAC_SPARSE;
-    read_layout(robot);
-    resize(std::min<std::size_t>(300 + 100 * robots, largest_rows()));
+    model_->opt.jacobian = robots.size() < 3 ? mjJAC_DENSE : mjJAC_SPARSE;
+    layout_ = layout_of(*robots.front(), scene.servos);
+    read_shares(robots, scene.servos);
+    resize(std::min<std::size_t>(300 + 100 * robots.size(), largest_rows()));
   }
+  /// Robots of one body.
+  CompiledModel(const RobotModel& robot, const Arena& arena, const Physics& physics, const Scene& scene, std::size_t robots,
+                std::size_t memories)
+      : CompiledModel{std::vector<const RobotModel*>(robots, &robot), arena, physics, scene, memories} {}
 
   [[nodiscard]] std::size_t robots() const { return robots_; }
   [[nodiscard]] std::size_t memories() const { return data_.size(); }  ///< the maximum number
   [[nodiscard]] const mjModel& model() const { return *model_; }
+  /// Of the first robot.
   [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] std::span<const Share> shares() const { return shares_; }
+  /// The robot, among those listed, that a number in MuJoCo's arrays belongs to.
+  [[nodiscard]] std::size_t owner(std::size_t Share::*begin, std::size_t index) const {
+    const auto next = std::ranges::find_if(shares_, [&](const Share& share) { return share.*begin > index; });
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - shares_.begin(), 1) - 1);
+  }
 
   /// One of the working memories, constructed at its first use, for exclusive use. Most of a crowd's is the square matrix of
   /// the dual solvers, which MuJoCo fills with zeros and the Newton solver never reads.
@@ -113,18 +152,20 @@ class CompiledModel {
   }
 
  private:
-  void read_layout(const RobotModel& robot) {
-    layout_.hinges = robot.hinges.size();
-    layout_.positions = static_cast<std::size_t>(model_->nq) / robots_;
-    layout_.velocities = static_cast<std::size_t>(model_->nv) / robots_;
-    layout_.controls = static_cast<std::size_t>(model_->nu) / robots_;
-    for (std::size_t hinge = 0; hinge < layout_.hinges; ++hinge) {
-      for (std::size_t i = 0; i < robots_; ++i) {
+  void read_shares(std::span<const RobotModel* const> robots, Servos servos) {
+    Share next{};
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const Layout layout = layout_of(*robots[i], servos);
+      next.hinges = layout.hinges;
+      shares_.push_back(next);
+      for (std::size_t hinge = 0; hinge < layout.hinges; ++hinge) {
         const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, hinge_name(i, hinge).c_str());
-        const auto index = static_cast<std::size_t>(model_->jnt_qposadr[joint]) - i * layout_.positions;
-        if (i == 0) layout_.angle_index.push_back(index);
-        if (index != layout_.angle_index[hinge]) throw std::logic_error{"MuJoCo ordered the joints of two robots differently"};
+        const auto index = static_cast<std::size_t>(model_->jnt_qposadr[joint]);
+        if (index != next.position + layout.angle_index[hinge]) throw std::logic_error{"MuJoCo ordered joints otherwise"};
       }
+      next.position += layout.positions;
+      next.velocity += layout.velocities;
+      next.control += layout.controls;
     }
   }
 
@@ -153,6 +194,7 @@ class CompiledModel {
   std::size_t robots_;
   ModelPtr model_;
   Layout layout_;
+  std::vector<Share> shares_;
   std::vector<DataPtr> data_;
   std::vector<bool> taken_;
   std::mutex taking_;

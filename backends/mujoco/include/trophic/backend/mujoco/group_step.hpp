@@ -60,51 +60,50 @@ struct GroupResult {
     if (data.warning[kind].number == 0) continue;
     const int info = data.warning[kind].lastinfo;
     GroupResult result{.end = GroupResult::End::diverged, .robot = robots.front(), .what = warning_text(kind)};
-    std::size_t share = 0;
+    std::size_t Share::*begin = nullptr;
     switch (kind) {
       case mjWARN_CONTACTFULL:
       case mjWARN_CNSTRFULL:
         result.end = GroupResult::End::buffers_full;
         break;
       case mjWARN_BADQPOS:
-        share = compiled.layout().positions;
+        begin = &Share::position;
         break;
       case mjWARN_BADCTRL:
-        share = compiled.layout().controls;
+        begin = &Share::control;
         break;
       default:
-        share = compiled.layout().velocities;
+        begin = &Share::velocity;
     }
-    if (share > 0 && info >= 0) result.robot = robots[std::min(static_cast<std::size_t>(info) / share, robots.size() - 1)];
+    if (begin != nullptr && info >= 0) result.robot = robots[compiled.owner(begin, static_cast<std::size_t>(info))];
     return result;
   }
   return {};
 }
 
-/// Takes `steps` steps of the listed robots, from the states in `from` to those in `to`, under the servo targets `targets_rad`
-/// (one row of hinges per robot). `slack_m`: the largest horizontal displacement of each robot; empty: no limit.
-[[nodiscard]] inline GroupResult step_group(CompiledModel& compiled, std::span<const std::size_t> robots,
-                                            std::span<const double> targets_rad, std::span<const double> slack_m,
-                                            std::size_t steps, const RobotStates& from, RobotStates& to) {
-  const Layout& layout = compiled.layout();
+/// Takes `steps` steps of the listed robots, from the states in `from` to those in `to`, under the servo targets `targets_rad`.
+/// `slack_m`: the largest horizontal displacement of each robot; empty: no limit.
+[[nodiscard]] inline GroupResult step_group(CompiledModel& compiled, std::span<const std::size_t> robots, const Rows& targets_rad,
+                                            std::span<const double> slack_m, std::size_t steps, const RobotStates& from,
+                                            RobotStates& to) {
+  const std::span<const Share> shares = compiled.shares();
   const CompiledModel::Turn turn{compiled};
   mjData& data = turn.data();
-  for (std::size_t share = 0; share < robots.size(); ++share) {
-    from.load(robots[share], share, data);
-    std::copy_n(targets_rad.begin() + static_cast<std::ptrdiff_t>(robots[share] * layout.hinges), layout.hinges,
-                data.ctrl + share * layout.controls);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    from.load(robots[i], shares[i], data);
+    std::ranges::copy(targets_rad[robots[i]], data.ctrl + shares[i].control);
   }
 
   const auto check = [&]() -> GroupResult {
     if (GroupResult result = read_warnings(compiled, data, robots); result.end != GroupResult::End::done) return result;
     if (slack_m.empty()) return {};
-    for (std::size_t share = 0; share < robots.size(); ++share) {
-      const double* now = data.qpos + share * layout.positions;
-      const std::span<const double> start = from.positions(robots[share]);
-      if (std::hypot(now[0] - start[0], now[1] - start[1]) > slack_m[robots[share]]) {
-        const double* velocity = data.qvel + share * layout.velocities;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const double* now = data.qpos + shares[i].position;
+      const std::span<const double> start = from.positions(robots[i]);
+      if (std::hypot(now[0] - start[0], now[1] - start[1]) > slack_m[robots[i]]) {
+        const double* velocity = data.qvel + shares[i].velocity;
         return {.end = GroupResult::End::left_disc,
-                .robot = robots[share],
+                .robot = robots[i],
                 .what = {},
                 .speed_m_s = std::hypot(velocity[0], velocity[1], velocity[2])};
       }
@@ -123,10 +122,9 @@ struct GroupResult {
   } catch (const EngineError& error) {
     result = {.end = GroupResult::End::diverged, .steps = result.steps, .robot = robots.front(), .what = error.what()};
   }
-  for (std::size_t share = 0; share < robots.size() && result.end == GroupResult::End::done; ++share) {
-    if (!to.store(robots[share], share, data)) {
-      result = {
-          .end = GroupResult::End::diverged, .steps = steps, .robot = robots[share], .what = "a number is NaN or too large"};
+  for (std::size_t i = 0; i < robots.size() && result.end == GroupResult::End::done; ++i) {
+    if (!to.store(robots[i], shares[i], data)) {
+      result = {.end = GroupResult::End::diverged, .steps = steps, .robot = robots[i], .what = "a number is NaN or too large"};
     }
   }
   if (result.end == GroupResult::End::buffers_full) result.model = &compiled;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <trophic/backend/clusters.hpp>
@@ -21,29 +22,34 @@ namespace trophic::backend::mujoco {
 
 /// A robot lies within its bounding sphere and, during a block of steps, its centre stays within its slack of its start; every
 /// step checks this. So robots with disjoint discs of (radius + slack) at the start of a block cannot touch within it, nor can
-/// a robot touch the walls if its disc is clear of them. Connected discs make one group; a group is stepped in a cached model
-/// of its size, with walls or without. If a robot leaves its disc, the block is repeated with twice the slack for it. The
-/// result does not depend on the number of threads.
+/// a robot touch the walls if its disc is clear of them. Connected discs make one group, which is stepped by the kernel, or in a
+/// cached model of its bodies, with walls or without. If a robot leaves its disc, the block is repeated with twice the slack for
+/// it. The result does not depend on the number of threads.
 class Islands {
  public:
-  /// `fast`: the kernel steps groups of up to four robots if it supports all features of the model.
+  /// `fast`: the kernel steps robots if it supports all features of their models.
   Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast, BoxDepth box_depth)
-      : robot_{robot}, arena_{arena}, physics_{physics}, box_depth_{box_depth}, pool_{std::make_unique<ThreadPool>(threads)} {
-    if (!fast) return;
-    constexpr ModelKey alone_with_walls = {1, true};
-    auto model = make_model(alone_with_walls, 1);
-    auto constants = kernel::read_model(model->model());
-    if (!constants) return;
-    lanes_.emplace(std::move(*constants), threads);
-    models_[alone_with_walls].model = std::move(model);
+      : arena_{arena}, physics_{physics}, box_depth_{box_depth}, pool_{std::make_unique<ThreadPool>(threads)} {
+    if (fast) lanes_.emplace(box_depth, threads);
+    static_cast<void>(find_kind(robot));
   }
 
-  [[nodiscard]] const Layout& layout() { return model_for({1, false}).layout(); }
+  /// Of the body that all robots have at first.
+  [[nodiscard]] Layout layout() const { return layout_of(kinds_[0].robot, Servos::combined); }
 
-  /// The number of calls of `advance` for which an unused model of a crowd is kept. MuJoCo's memory for a crowd's contacts is
-  /// quadratic in its robots: 4 MB for ten, 26 MB for thirty.
+  /// The kind of robots with this body, for `RobotStates::set_body`.
+  [[nodiscard]] std::size_t set_body(std::size_t, const RobotModel& robot) { return find_kind(robot); }
+
+  /// The number of calls of `advance` for which an unused kind of bodies or model of several robots is kept. MuJoCo's memory for
+  /// a crowd's contacts is quadratic in its robots: 4 MB for ten, 26 MB for thirty.
   static constexpr std::uint64_t keeps_idle_models_for = 1000;
 
+  /// The share of all steps of robots that MuJoCo took, with those that were repeated.
+  [[nodiscard]] double engine_share() const {
+    const std::uint64_t by_engine = group_robot_steps_ + (lanes_ ? lanes_->declined_robot_steps() : 0);
+    return robot_steps_ == 0 ? 0.0 : static_cast<double>(by_engine) / static_cast<double>(robot_steps_);
+  }
+  [[nodiscard]] std::size_t kinds() const { return kinds_.count(); }   ///< that robots have or had lately
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< currently cached
   /// The maximum number of working memories of the cached models.
   [[nodiscard]] std::size_t memories() const {
@@ -53,11 +59,10 @@ class Islands {
   }
 
   /// Takes all steps from the states in `from` to those in `to`; a result that is not `done` leaves `to` undefined.
-  [[nodiscard]] GroupResult advance(const RobotStates& from, std::span<const double> targets_rad, std::size_t steps,
-                                    RobotStates& to) {
+  [[nodiscard]] GroupResult advance(const RobotStates& from, const Rows& targets_rad, std::size_t steps, RobotStates& to) {
     ++advances_;
-    if (std::erase_if(models_, [&](const auto& entry) { return is_idle(entry.first, entry.second); }) > 0)
-      give_back_freed_pages();
+    for (std::size_t i = 0; i < from.robots(); ++i) kinds_.use(from.kind(i), advances_);
+    drop_idle();
     slack_m_.resize(from.robots());
     for (std::size_t i = 0; i < from.robots(); ++i) slack_m_[i] = first_slack_m(from, i, steps);
     while (true) {
@@ -67,8 +72,8 @@ class Islands {
   }
 
  private:
-  /// Number of robots in the model, and whether it has walls.
-  using ModelKey = std::pair<std::size_t, bool>;
+  /// The kinds of the robots in the model, and whether it has walls.
+  using ModelKey = std::pair<std::vector<std::size_t>, bool>;
 
   /// Enough for a walking robot in one block, so that blocks are rarely repeated.
   static constexpr double least_slack_m = 0.02;
@@ -83,58 +88,96 @@ class Islands {
     std::uint64_t last_used = 0;  ///< the last call of `advance` that used it
   };
 
-  /// Models of few robots are small, and the kernel refers to its own.
+  [[nodiscard]] std::size_t find_kind(const RobotModel& robot) {
+    return kinds_.find(robot, advances_, [&](const RobotModel& body) { return make_kind(body); });
+  }
+
+  /// The model from which a kind's constants are read is kept if it is the first, which most runs never leave.
+  [[nodiscard]] std::unique_ptr<Kind> make_kind(const RobotModel& robot) {
+    auto kind = std::make_unique<Kind>();
+    kind->robot = robot;
+    if (!lanes_) return kind;
+    const RobotModel* body = &kind->robot;
+    auto model = make_model({&body, 1}, true, 1);
+    auto constants = kernel::read_model(model->model());
+    if (constants) kind->constants = std::make_unique<const kernel::KernelModel>(std::move(*constants));
+    if (models_.empty() && constants) models_[{{0}, true}].model = std::move(model);
+    return kind;
+  }
+
+  /// If all robots have one body, the models of few are used again and again.
   [[nodiscard]] bool is_idle(const ModelKey& key, const KeptModel& kept) const {
-    return key.first > kernel::lane_count && advances_ - kept.last_used > keeps_idle_models_for;
+    const bool has_unknown = !std::ranges::all_of(key.first, [&](std::size_t kind) { return kinds_.is_known(kind); });
+    const bool is_kept = key.first.size() <= kept_robots && kinds_.count() == 1;
+    return has_unknown || (!is_kept && advances_ - kept.last_used > keeps_idle_models_for);
   }
 
-  [[nodiscard]] std::unique_ptr<CompiledModel> make_model(const ModelKey& key, std::size_t memories) const {
-    const auto collisions = key.first <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
-    const Scene scene{.walls = key.second, .collisions = collisions, .servos = Servos::combined, .box_depth = box_depth_};
-    return std::make_unique<CompiledModel>(robot_, arena_, physics_, scene, key.first, memories);
+  void drop_idle() {
+    if (advances_ > keeps_idle_models_for) kinds_.drop_before(advances_ - keeps_idle_models_for);
+    if (std::erase_if(models_, [&](const auto& entry) { return is_idle(entry.first, entry.second); }) > 0)
+      give_back_freed_pages();
   }
 
-  CompiledModel& model_for(const ModelKey& key) {
+  [[nodiscard]] std::unique_ptr<CompiledModel> make_model(std::span<const RobotModel* const> robots, bool walls,
+                                                          std::size_t memories) const {
+    const auto collisions = robots.size() <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
+    const Scene scene{.walls = walls, .collisions = collisions, .servos = Servos::combined, .box_depth = box_depth_};
+    return std::make_unique<CompiledModel>(robots, arena_, physics_, scene, memories);
+  }
+
+  /// The model of these robots. Any thread may call it. Robots of the kernel leave so few steps to MuJoCo that its threads share
+  /// a working memory: with one for each thread, each would be used at some time, and memory would grow over a long run.
+  CompiledModel& model_of(std::span<const std::size_t> robots, const RobotStates& states) {
+    ModelKey key{{}, std::ranges::any_of(robots, [&](std::size_t robot) { return near_wall(discs_[robot]); })};
+    for (const std::size_t robot : robots) key.first.push_back(states.kind(robot));
+    const std::lock_guard lock{finding_model_};
     auto& [model, last_used] = models_[key];
     last_used = advances_;
-    if (!model) model = make_model(key, by_kernel(key.first) ? 1 : pool_->threads());
+    if (!model) {
+      std::vector<const RobotModel*> bodies;
+      for (const std::size_t kind : key.first) bodies.push_back(&kinds_[kind].robot);
+      const bool by_kernel = std::ranges::all_of(key.first, [&](std::size_t kind) { return kinds_[kind].constants != nullptr; });
+      model = make_model(bodies, key.second, by_kernel ? 1 : pool_->threads());
+    }
     return *model;
   }
-
-  /// Whether the kernel steps groups of this size. It leaves so few steps to MuJoCo that its threads share working memories:
-  /// with one for each thread, each would be used at some time, and memory would grow over a long run.
-  [[nodiscard]] bool by_kernel(std::size_t robots) const { return lanes_ && robots <= kernel::lane_count; }
 
   [[nodiscard]] bool near_wall(const Disc& disc) const {
     return !arena_.height_field && std::max(std::abs(disc.x_m), std::abs(disc.y_m)) + disc.radius_m >= arena_.half_side_m;
   }
 
   /// Steps every group once. Returns `done`, or the result to report or repair; repairs (slack, capacity) are already made.
-  [[nodiscard]] GroupResult attempt(const RobotStates& states, std::span<const double> targets_rad, std::size_t steps,
-                                    RobotStates& next) {
+  [[nodiscard]] GroupResult attempt(const RobotStates& states, const Rows& targets_rad, std::size_t steps, RobotStates& next) {
     discs_.clear();
     for (std::size_t i = 0; i < states.robots(); ++i) {
       const std::span<const double> root = states.positions(i);
-      discs_.push_back({root[0], root[1], robot_.bounding_radius_m + slack_m_[i]});
+      discs_.push_back({root[0], root[1], kinds_[states.kind(i)].robot.bounding_radius_m + slack_m_[i]});
     }
     std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
-    const auto model_of = [&](const std::vector<std::size_t>& group) -> CompiledModel& {
-      return model_for({group.size(), std::ranges::any_of(group, [&](std::size_t robot) { return near_wall(discs_[robot]); })});
-    };
-    const auto first_fitting = std::ranges::find_if(groups, [&](const auto& group) { return by_kernel(group.size()); });
-    // Robots near walls share lanes, so that the other sets need not look for walls.
+    // Robots near walls share lanes, so that the other teams need not look for walls.
     const auto first_single = std::ranges::find_if(groups, [](const auto& group) { return group.size() == 1; });
     std::stable_partition(first_single, groups.end(), [&](const auto& group) { return near_wall(discs_[group.front()]); });
-    const std::span large{groups.begin(), first_fitting};
-    models_of_large_.clear();
-    for (const std::vector<std::size_t>& group : large) models_of_large_.push_back(&model_of(group));
-    fill_lanes({first_fitting, groups.end()}, model_of, lane_sets_);
+    const auto is_mujocos = [&](const std::vector<std::size_t>& group) {
+      return std::ranges::any_of(group, [&](std::size_t robot) { return kinds_[states.kind(robot)].constants == nullptr; });
+    };
+    const auto first_of_kernel = std::stable_partition(groups.begin(), groups.end(), is_mujocos);
+    const std::span by_mujoco{groups.begin(), first_of_kernel};
+    models_of_groups_.clear();
+    for (const std::vector<std::size_t>& group : by_mujoco) models_of_groups_.push_back(&model_of(group, states));
+    const std::span<const CrewPlan> crews =
+        planner_.plan({first_of_kernel, groups.end()}, discs_, [&](std::size_t robot) { return states.kind(robot); });
+    const LaneStepper::ModelOf model_of_declined = [&](std::span<const std::size_t> robots) -> CompiledModel& {
+      return model_of(robots, states);
+    };
 
-    results_.assign(large.size() + lane_sets_.size(), {});
+    robot_steps_ += states.robots() * steps;
+    for (const std::vector<std::size_t>& group : by_mujoco) group_robot_steps_ += group.size() * steps;
+    results_.assign(by_mujoco.size() + crews.size(), {});
     pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {
-      results_[i] = i < large.size()
-                        ? step_group(*models_of_large_[i], large[i], targets_rad, slack_m_, steps, states, next)
-                        : lanes_->advance(lane_sets_[i - large.size()], thread, targets_rad, slack_m_, steps, states, next);
+      results_[i] = i < by_mujoco.size()
+                        ? step_group(*models_of_groups_[i], by_mujoco[i], targets_rad, slack_m_, steps, states, next)
+                        : lanes_->advance(crews[i - by_mujoco.size()], kinds_, thread, targets_rad, slack_m_, steps, states, next,
+                                          model_of_declined);
     });
     return repair(fastest_m_s * static_cast<double>(steps) * physics_.timestep_s);
   }
@@ -177,18 +220,24 @@ class Islands {
   /// Above this, MuJoCo's sweep over bodies is cheaper than testing every pair of boxes.
   static constexpr std::size_t most_robots_with_pairs = 1;
 
-  RobotModel robot_;
+  /// Models of up to so many robots are kept even if they are not used.
+  static constexpr std::size_t kept_robots = 4;
+
   Arena arena_;
   Physics physics_;
   BoxDepth box_depth_;
   std::unique_ptr<ThreadPool> pool_;
+  Kinds kinds_;
   std::map<ModelKey, KeptModel> models_;
+  std::mutex finding_model_;
   std::uint64_t advances_ = 0;
+  std::uint64_t robot_steps_ = 0;
+  std::uint64_t group_robot_steps_ = 0;  ///< those of groups that MuJoCo steps as a whole
   std::optional<LaneStepper> lanes_;
   std::vector<double> slack_m_;
   std::vector<Disc> discs_;
-  std::vector<CompiledModel*> models_of_large_;
-  std::vector<LaneSet> lane_sets_;
+  std::vector<CompiledModel*> models_of_groups_;
+  CrewPlanner planner_;
   std::vector<GroupResult> results_;
 };
 

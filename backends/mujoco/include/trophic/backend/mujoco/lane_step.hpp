@@ -1,153 +1,155 @@
 // SPDX-License-Identifier: MIT
-// Steps up to four robots by the kernel, and by MuJoCo where the kernel declines.
+// Steps crews of robots by the kernel, and by MuJoCo where the kernel declines.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <trophic/backend/mujoco/crews.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
-#include <trophic/backend/mujoco/kernel/workspace.hpp>
+#include <trophic/backend/mujoco/kinds.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::backend::mujoco {
 
-/// Groups of robots, each ascending, that share the lanes of the kernel. Robots of different groups cannot touch.
-class LaneSet {
- public:
-  /// A group in consecutive lanes, and its model, in which MuJoCo takes the steps that the kernel leaves to it.
-  struct Group {
-    std::size_t first_lane;
-    std::size_t robots;
-    CompiledModel* model;
-  };
-
-  [[nodiscard]] std::size_t room() const { return kernel::lane_count - used_; }
-  void add(std::span<const std::size_t> robots, CompiledModel& model) {
-    groups_[group_count_++] = {used_, robots.size(), &model};
-    for (const std::size_t robot : robots) robots_[used_++] = robot;
-  }
-
-  [[nodiscard]] std::span<const std::size_t> robots() const { return {robots_.data(), used_}; }
-  [[nodiscard]] std::span<const std::size_t> robots(const Group& group) const {
-    return robots().subspan(group.first_lane, group.robots);
-  }
-  [[nodiscard]] std::span<const Group> groups() const { return {groups_.data(), group_count_}; }
-
- private:
-  std::array<std::size_t, kernel::lane_count> robots_{};
-  std::array<Group, kernel::lane_count> groups_{};
-  std::size_t used_ = 0;
-  std::size_t group_count_ = 0;
-};
-
-/// Distributes groups of at most as many robots as there are lanes, largest groups first. `model_of` gives a group's model.
-template <class ModelOf>
-void fill_lanes(std::span<const std::vector<std::size_t>> groups, const ModelOf& model_of, std::vector<LaneSet>& sets) {
-  sets.clear();
-  std::size_t open = 0;  // no set before it has room
-  for (const std::vector<std::size_t>& group : groups) {
-    if (group.size() > 1) {
-      if (sets.empty() || sets.back().room() < group.size()) sets.emplace_back();
-      sets.back().add(group, model_of(group));
-      continue;
-    }
-    while (open < sets.size() && sets[open].room() == 0) ++open;
-    if (open == sets.size()) sets.emplace_back();
-    sets[open].add(group, model_of(group));
-  }
-}
-
 /// The kernel with the working memory of each thread.
 class LaneStepper {
  public:
-  /// `constants` must be those of one robot in an arena with its walls.
-  LaneStepper(kernel::KernelModel constants, std::size_t threads)
-      : constants_{std::make_unique<kernel::KernelModel>(std::move(constants))}, scratch_(threads) {}
+  /// Returns the model in which MuJoCo steps these robots; any thread may call it.
+  using ModelOf = std::function<CompiledModel&(std::span<const std::size_t> robots)>;
 
-  /// Takes `steps` steps of the robots in a set. Otherwise as `step_group`.
-  [[nodiscard]] GroupResult advance(const LaneSet& set, std::size_t thread, std::span<const double> targets_rad,
-                                    std::span<const double> slack_m, std::size_t steps, const RobotStates& from,
-                                    RobotStates& to) {
-    if (!scratch_[thread]) {
-      const EngineGuard guard;
-      scratch_[thread] = std::make_unique<Scratch>(*constants_);
-    }
-    Scratch& scratch = *scratch_[thread];
-    kernel::LaneState& lanes = scratch.lanes;
-    const std::span<const std::size_t> robots = set.robots();
-    const std::size_t hinges = constants_->hinges.size();
-    kernel::Real slack_square{};
-    for (std::size_t lane = 0; lane < robots.size(); ++lane) {
-      const std::size_t robot = robots[lane];
-      lanes.load(lane, from.numbers(robot), targets_rad.subspan(robot * hinges, hinges));
-      slack_square[lane] = slack_m[robot] * slack_m[robot];
-    }
-    for (const LaneSet::Group& group : set.groups()) {
-      for (std::size_t share = 0; share < group.robots; ++share) {
-        scratch.work.company[group.first_lane + share] = ((1u << group.robots) - 1) << group.first_lane;
-      }
-    }
-    scratch.work.forget_rows();
-    const kernel::Real start_x = lanes.position[0];
-    const kernel::Real start_y = lanes.position[1];
+  LaneStepper(BoxDepth box_depth, std::size_t threads) : box_depth_{box_depth}, scratch_(threads) {}
 
-    const unsigned all = (1u << robots.size()) - 1;
+  /// Steps of robots that MuJoCo took because the kernel declined them.
+  [[nodiscard]] std::uint64_t declined_robot_steps() const {
+    std::uint64_t sum = 0;
+    for (const auto& scratch : scratch_) sum += scratch ? scratch->robot_steps : 0;
+    return sum;
+  }
+
+  /// Takes `steps` steps of the robots of a crew. Otherwise as `step_group`.
+  [[nodiscard]] GroupResult advance(const CrewPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
+                                    std::span<const double> slack_m, std::size_t steps, const RobotStates& from, RobotStates& to,
+                                    const ModelOf& model_of) {
+    Scratch& scratch = seat(plan, kinds, thread, targets_rad, slack_m, from);
+    kernel::Crew& crew = scratch.crew;
     for (std::size_t step = 0; step < steps; ++step) {
-      const unsigned left = all & ~step_(*constants_, lanes, scratch.work, all);
-      for (std::size_t g = 0; left != 0 && g < set.groups().size(); ++g) {
-        const LaneSet::Group& group = set.groups()[g];
-        if ((left & (1u << group.first_lane)) == 0) continue;
-        GroupResult result = step_by_mujoco(group, set.robots(group), lanes, to);
+      step_(crew);
+      for (std::size_t t = 0; t < crew.team_count; ++t) {
+        if (crew.teams[t]->going == crew.teams[t]->lanes) continue;
+        GroupResult result = step_declined(plan, scratch, targets_rad, to, model_of);
         result.steps = step;
         if (result.end != GroupResult::End::done) return result;
+        break;
       }
-      const kernel::Real dx = lanes.position[0] - start_x;
-      const kernel::Real dy = lanes.position[1] - start_y;
-      const unsigned outside = all & kernel::lane_bits(dx * dx + dy * dy > slack_square);
-      for (std::size_t lane = 0; outside != 0 && lane < robots.size(); ++lane) {
-        if ((outside & (1u << lane)) != 0) {
+      for (std::size_t t = 0; t < crew.team_count; ++t) {
+        const kernel::Team& team = *crew.teams[t];
+        const Start& start = scratch.starts[t];
+        const kernel::Real dx = team.state.position[0] - start.x;
+        const kernel::Real dy = team.state.position[1] - start.y;
+        const unsigned outside = team.lanes & kernel::lane_bits(dx * dx + dy * dy > start.slack_square);
+        for (std::size_t lane = 0; outside != 0 && lane < kernel::lane_count; ++lane) {
+          if ((outside & (1u << lane)) == 0) continue;
+          const kernel::LaneArray& velocity = team.state.velocity;
           return {.end = GroupResult::End::left_disc,
                   .steps = step,
-                  .robot = robots[lane],
+                  .robot = plan.robot({t, lane}),
                   .what = {},
-                  .speed_m_s = std::hypot(lanes.velocity[0][lane], lanes.velocity[1][lane], lanes.velocity[2][lane])};
+                  .speed_m_s = std::hypot(velocity[0][lane], velocity[1][lane], velocity[2][lane])};
         }
       }
     }
-    for (std::size_t lane = 0; lane < robots.size(); ++lane) {
-      lanes.store(lane, to.numbers(robots[lane]));
-      if (!to.sound(robots[lane])) {
-        return {.end = GroupResult::End::diverged, .steps = steps, .robot = robots[lane], .what = "a number is NaN or too large"};
+    for (const kernel::Seat& seat : plan.order) {
+      const std::size_t robot = plan.robot(seat);
+      crew.team(seat).state.store(seat.lane, to.numbers(robot));
+      if (!to.sound(robot)) {
+        return {.end = GroupResult::End::diverged, .steps = steps, .robot = robot, .what = "a number is NaN or too large"};
       }
     }
     return {};
   }
 
  private:
+  /// The starts of the robots of a team.
+  struct Start {
+    kernel::Real x;
+    kernel::Real y;
+    kernel::Real slack_square;
+  };
   struct Scratch {
-    explicit Scratch(const kernel::KernelModel& constants) : lanes{constants}, work{constants} {}
-    kernel::LaneState lanes;
-    kernel::Workspace work;
+    explicit Scratch(BoxDepth box_depth) : crew{box_depth} {}
+    kernel::Crew crew;
+    std::vector<Start> starts;
+    std::vector<kernel::Seat> declined;
+    std::vector<std::size_t> robots;
+    std::uint64_t robot_steps = 0;  ///< by MuJoCo
   };
 
-  /// One mj_step of the robots of a group; `to` holds their numbers on the way.
-  [[nodiscard]] static GroupResult step_by_mujoco(const LaneSet::Group& group, std::span<const std::size_t> robots,
-                                                  kernel::LaneState& lanes, RobotStates& to) {
+  /// Puts the robots of a plan into their seats.
+  Scratch& seat(const CrewPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
+                std::span<const double> slack_m, const RobotStates& from) {
     const EngineGuard guard;
-    CompiledModel& compiled = *group.model;
+    if (!scratch_[thread]) scratch_[thread] = std::make_unique<Scratch>(box_depth_);
+    Scratch& scratch = *scratch_[thread];
+    kernel::Crew& crew = scratch.crew;
+    crew.clear();
+    scratch.starts.clear();
+    for (const CrewPlan::Team& seats : plan.teams) {
+      kernel::Team& team = crew.add_team(*kinds[seats.kind].constants);
+      kernel::Real slack_square{};
+      for (std::size_t lane = 0; lane < seats.used; ++lane) {
+        const std::size_t robot = seats.robots[lane];
+        team.state.load(*team.model, lane, from.numbers(robot), targets_rad[robot]);
+        slack_square[lane] = slack_m[robot] * slack_m[robot];
+      }
+      team.lanes = (1u << seats.used) - 1;
+      scratch.starts.push_back({team.state.position[0], team.state.position[1], slack_square});
+    }
+    crew.order = plan.order;
+    crew.neighbours = plan.neighbours;
+    return scratch;
+  }
+
+  /// One mj_step of all robots that are not `going`, those together that share a fate.
+  [[nodiscard]] static GroupResult step_declined(const CrewPlan& plan, Scratch& scratch, const Rows& targets_rad, RobotStates& to,
+                                                 const ModelOf& model_of) {
+    kernel::Crew& crew = scratch.crew;
+    for (const kernel::Seat& first : plan.order) {
+      if (crew.team(first).is_going(first.lane)) continue;
+      scratch.declined.clear();
+      scratch.robots.clear();
+      for (const kernel::Seat& seat : plan.order) {
+        if (crew.ties.first(seat.slot()) != crew.ties.first(first.slot())) continue;
+        scratch.declined.push_back(seat);
+        scratch.robots.push_back(plan.robot(seat));
+        ++scratch.robot_steps;
+        crew.team(seat).going |= 1u << seat.lane;
+      }
+      GroupResult result = step_by_mujoco(model_of(scratch.robots), scratch, targets_rad, to);
+      if (result.end != GroupResult::End::done) return result;
+    }
+    return {};
+  }
+
+  /// One mj_step of the robots in `scratch.declined`; `to` holds their numbers on the way.
+  [[nodiscard]] static GroupResult step_by_mujoco(CompiledModel& compiled, Scratch& scratch, const Rows& targets_rad,
+                                                  RobotStates& to) {
+    const EngineGuard guard;
     const CompiledModel::Turn turn{compiled};
     mjData& data = turn.data();
-    for (std::size_t share = 0; share < robots.size(); ++share) {
-      const std::size_t lane = group.first_lane + share;
-      lanes.store(lane, to.numbers(robots[share]));
-      to.load(robots[share], share, data);
-      double* const targets = data.ctrl + share * compiled.layout().controls;
-      for (std::size_t i = 0; i < lanes.target.size(); ++i) targets[i] = lanes.target[i][lane];
+    const std::vector<std::size_t>& robots = scratch.robots;
+    const auto lanes_of = [&](std::size_t i) -> kernel::LaneState& { return scratch.crew.team(scratch.declined[i]).state; };
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const Share& share = compiled.shares()[i];
+      lanes_of(i).store(scratch.declined[i].lane, to.numbers(robots[i]));
+      to.load(robots[i], share, data);
+      std::ranges::copy(targets_rad[robots[i]], data.ctrl + share.control);
     }
     GroupResult result;
     try {
@@ -156,9 +158,9 @@ class LaneStepper {
     } catch (const EngineError& error) {
       result = {.end = GroupResult::End::diverged, .robot = robots.front(), .what = error.what()};
     }
-    for (std::size_t share = 0; share < robots.size() && result.end == GroupResult::End::done; ++share) {
-      if (!to.store(robots[share], share, data)) {
-        result = {.end = GroupResult::End::diverged, .robot = robots[share], .what = "a number is NaN or too large"};
+    for (std::size_t i = 0; i < robots.size() && result.end == GroupResult::End::done; ++i) {
+      if (!to.store(robots[i], compiled.shares()[i], data)) {
+        result = {.end = GroupResult::End::diverged, .robot = robots[i], .what = "a number is NaN or too large"};
       }
     }
     if (result.end != GroupResult::End::done) {
@@ -166,13 +168,11 @@ class LaneStepper {
       if (result.end == GroupResult::End::buffers_full) result.model = &compiled;
       return result;
     }
-    for (std::size_t share = 0; share < robots.size(); ++share) {
-      lanes.load(group.first_lane + share, to.numbers(robots[share]));
-    }
+    for (std::size_t i = 0; i < robots.size(); ++i) lanes_of(i).load(scratch.declined[i].lane, to.numbers(robots[i]));
     return {};
   }
 
-  std::unique_ptr<const kernel::KernelModel> constants_;
+  BoxDepth box_depth_;
   kernel::StepFunction step_ = kernel::fastest_step();
   std::vector<std::unique_ptr<Scratch>> scratch_;
 };

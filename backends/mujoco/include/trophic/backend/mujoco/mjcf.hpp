@@ -82,10 +82,10 @@ struct Scene {
 /// Builds one MJCF document; `write_mjcf` is its public interface.
 class MjcfWriter {
  public:
-  MjcfWriter(const RobotModel& model, const Arena& arena, const Physics& physics, const Scene& scene)
-      : model_{model}, arena_{arena}, scene_{scene} {
+  MjcfWriter(std::span<const RobotModel* const> models, const Arena& arena, const Physics& physics, const Scene& scene)
+      : models_{models}, arena_{arena}, scene_{scene} {
     root_ = document_.append_child("mujoco");
-    root_.append_attribute("model").set_value(model.name.c_str());
+    root_.append_attribute("model").set_value(models.front()->name.c_str());
     auto compiler = root_.append_child("compiler");
     set(compiler, "angle", "radian");
     set(compiler, "inertiafromgeom", "false");
@@ -97,9 +97,9 @@ class MjcfWriter {
     if (arena_.height_field) write_height_asset(*arena_.height_field, height_file);
     auto world = root_.append_child("worldbody");
     write_ground(world);
-    for (std::size_t robot = 0; robot < poses.size(); ++robot) write_robot(world, robot, poses[robot]);
-    write_servos(poses.size());
-    if (scene_.collisions == Collisions::pairs) write_pairs(poses.size());
+    for (std::size_t robot = 0; robot < models_.size(); ++robot) write_robot(world, robot, poses[robot]);
+    write_servos();
+    if (scene_.collisions == Collisions::pairs) write_pairs();
     return std::move(document_);
   }
 
@@ -173,9 +173,10 @@ class MjcfWriter {
   }
 
   void write_robot(pugi::xml_node world, std::size_t robot, const Pose& pose) {
-    std::vector<pugi::xml_node> bodies(model_.links.size());
-    for (std::size_t link = 0; link < model_.links.size(); ++link) {
-      const Link& part = model_.links[link];
+    const RobotModel& model = *models_[robot];
+    std::vector<pugi::xml_node> bodies(model.links.size());
+    for (std::size_t link = 0; link < model.links.size(); ++link) {
+      const Link& part = model.links[link];
       auto parent = link == 0 ? world : bodies[static_cast<std::size_t>(part.parent)];
       auto body = bodies[link] = parent.append_child("body");
       set(body, "name", body_name(robot, link));
@@ -192,7 +193,7 @@ class MjcfWriter {
       set(body.append_child("freejoint"), "name", body_name(robot, 0) + ".root");
       return;
     }
-    const Hinge& hinge = model_.hinges[link - 1];
+    const Hinge& hinge = models_[robot]->hinges[link - 1];
     auto joint = body.append_child("joint");
     set(joint, "name", hinge_name(robot, link - 1));
     set(joint, "type", "hinge");
@@ -210,23 +211,24 @@ class MjcfWriter {
   }
 
   void write_box(pugi::xml_node body, std::size_t robot, std::size_t link, std::size_t box) {
-    const Box& shape = model_.links[link].boxes[box];
+    const Box& shape = models_[robot]->links[link].boxes[box];
     auto geom = body.append_child("geom");
     set(geom, "name", box_name(robot, link, box));
     set(geom, "type", "box");
     set(geom, "size", shape.half_extents_m);
     set(geom, "pos", shape.centre_m);
     set(geom, "quat", shape.orientation);
-    set(geom, "friction", {model_.friction, 0.005, 0.0001});
+    set(geom, "friction", {models_[robot]->friction, 0.005, 0.0001});
   }
 
   /// Torque = position_gain (target - angle) - velocity_gain * velocity. A robot's first controls are its targets, hinge by
   /// hinge.
-  void write_servos(std::size_t robots) {
+  void write_servos() {
     auto actuators = root_.append_child("actuator");
-    for (std::size_t robot = 0; robot < robots; ++robot) {
-      for (std::size_t hinge = 0; hinge < model_.hinges.size(); ++hinge) {
-        const Servo& servo = model_.hinges[hinge].servo;
+    for (std::size_t robot = 0; robot < models_.size(); ++robot) {
+      const std::vector<Hinge>& hinges = models_[robot]->hinges;
+      for (std::size_t hinge = 0; hinge < hinges.size(); ++hinge) {
+        const Servo& servo = hinges[hinge].servo;
         const bool combined = scene_.servos == Servos::combined;
         auto actuator = actuator_of(actuators, combined ? "general" : "position", robot, hinge);
         set(actuator, "ctrllimited", "true");
@@ -239,8 +241,8 @@ class MjcfWriter {
           set(actuator, "kp", servo.position_gain);
         }
       }
-      for (std::size_t hinge = 0; hinge < model_.hinges.size() && scene_.servos == Servos::position_and_velocity; ++hinge) {
-        set(actuator_of(actuators, "velocity", robot, hinge), "kv", model_.hinges[hinge].servo.velocity_gain);
+      for (std::size_t hinge = 0; hinge < hinges.size() && scene_.servos == Servos::position_and_velocity; ++hinge) {
+        set(actuator_of(actuators, "velocity", robot, hinge), "kv", hinges[hinge].servo.velocity_gain);
       }
     }
   }
@@ -252,7 +254,7 @@ class MjcfWriter {
     return actuator;
   }
 
-  void write_pairs(std::size_t robots) {
+  void write_pairs() {
     auto contact = root_.append_child("contact");
     // A pair does not inherit the friction of its geoms.
     const auto add = [&](const std::string& a, const std::string& b, double friction) {
@@ -261,32 +263,33 @@ class MjcfWriter {
       set(pair, "geom2", b);
       set(pair, "friction", {friction, friction, 0.005, 0.0001, 0.0001});
     };
-    const double ground_friction = std::max(model_.friction, arena_.friction);
     const auto add_links = [&](std::size_t robot_a, std::size_t a, std::size_t robot_b, std::size_t b) {
-      for (std::size_t i = 0; i < model_.links[a].boxes.size(); ++i) {
-        for (std::size_t j = 0; j < model_.links[b].boxes.size(); ++j) {
-          add(box_name(robot_a, a, i), box_name(robot_b, b, j), model_.friction);
+      const double friction = std::max(models_[robot_a]->friction, models_[robot_b]->friction);
+      for (std::size_t i = 0; i < models_[robot_a]->links[a].boxes.size(); ++i) {
+        for (std::size_t j = 0; j < models_[robot_b]->links[b].boxes.size(); ++j) {
+          add(box_name(robot_a, a, i), box_name(robot_b, b, j), friction);
         }
       }
     };
-    const std::size_t links = model_.links.size();
-    for (std::size_t robot = 0; robot < robots; ++robot) {
-      for (std::size_t a = 0; a < links; ++a) {
-        for (std::size_t i = 0; i < model_.links[a].boxes.size(); ++i) {
+    for (std::size_t robot = 0; robot < models_.size(); ++robot) {
+      const std::vector<Link>& links = models_[robot]->links;
+      const double ground_friction = std::max(models_[robot]->friction, arena_.friction);
+      for (std::size_t a = 0; a < links.size(); ++a) {
+        for (std::size_t i = 0; i < links[a].boxes.size(); ++i) {
           for (const std::string& ground : ground_) add(ground, box_name(robot, a, i), ground_friction);
         }
-        for (std::size_t b = a + 1; b < links; ++b) {
-          const bool adjacent = model_.links[b].parent == static_cast<int>(a);
+        for (std::size_t b = a + 1; b < links.size(); ++b) {
+          const bool adjacent = links[b].parent == static_cast<int>(a);
           if (!adjacent) add_links(robot, a, robot, b);
         }
-        for (std::size_t other = robot + 1; other < robots; ++other) {
-          for (std::size_t b = 0; b < links; ++b) add_links(robot, a, other, b);
+        for (std::size_t other = robot + 1; other < models_.size(); ++other) {
+          for (std::size_t b = 0; b < models_[other]->links.size(); ++b) add_links(robot, a, other, b);
         }
       }
     }
   }
 
-  const RobotModel& model_;
+  std::span<const RobotModel* const> models_;  ///< of each robot
   const Arena& arena_;
   Scene scene_;
   pugi::xml_document document_;
@@ -294,12 +297,12 @@ class MjcfWriter {
   std::vector<std::string> ground_;
 };
 
-/// One model with a robot at each pose in the arena: inertias as in the RobotModel, a position servo per hinge, walls as
-/// planes. `height_file` is the name under which MuJoCo will find `height_file_content` (unused without height field).
-[[nodiscard]] inline pugi::xml_document write_mjcf(const RobotModel& model, const Arena& arena, const Physics& physics,
-                                                   const Scene& scene, std::span<const Pose> poses,
+/// One model with robots of these bodies at these poses in the arena: inertias as in the RobotModel, a position servo per hinge,
+/// walls as planes. `height_file` is the name under which MuJoCo will find `height_file_content` (unused without height field).
+[[nodiscard]] inline pugi::xml_document write_mjcf(std::span<const RobotModel* const> models, const Arena& arena,
+                                                   const Physics& physics, const Scene& scene, std::span<const Pose> poses,
                                                    const std::string& height_file) {
-  return MjcfWriter{model, arena, physics, scene}.write(poses, height_file);
+  return MjcfWriter{models, arena, physics, scene}.write(poses, height_file);
 }
 
 }  // namespace trophic::backend::mujoco

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <numeric>
-#include <span>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <vector>
 
@@ -13,25 +13,41 @@ namespace trophic::backend::mujoco {
 class OneModel {
  public:
   OneModel(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t robots, BoxDepth box_depth)
-      : all_(robots), compiled_{robot, arena, physics, Scene{.box_depth = box_depth}, robots, 1} {
+      : bodies_(robots, robot), arena_{arena}, physics_{physics}, box_depth_{box_depth}, all_(robots) {
     std::iota(all_.begin(), all_.end(), std::size_t{0});
+    compile();
   }
 
-  [[nodiscard]] const Layout& layout() const { return compiled_.layout(); }
+  /// Gives a robot another body; its kind is not used.
+  [[nodiscard]] std::size_t set_body(std::size_t robot, const RobotModel& model) {
+    bodies_[robot] = model;
+    compiled_.reset();
+    return 0;
+  }
 
   /// Takes all steps from the states in `from` to those in `to`; a result that is not `done` leaves `to` undefined.
-  [[nodiscard]] GroupResult advance(const RobotStates& from, std::span<const double> targets_rad, std::size_t steps,
-                                    RobotStates& to) {
+  [[nodiscard]] GroupResult advance(const RobotStates& from, const Rows& targets_rad, std::size_t steps, RobotStates& to) {
+    if (!compiled_) compile();
     GroupResult result;
     do {
-      result = step_group(compiled_, all_, targets_rad, {}, steps, from, to);
-    } while (result.end == GroupResult::End::buffers_full && compiled_.grow());
+      result = step_group(*compiled_, all_, targets_rad, {}, steps, from, to);
+    } while (result.end == GroupResult::End::buffers_full && compiled_->grow());
     return result;
   }
 
  private:
+  void compile() {
+    std::vector<const RobotModel*> bodies;
+    for (const RobotModel& body : bodies_) bodies.push_back(&body);
+    compiled_ = std::make_unique<CompiledModel>(bodies, arena_, physics_, Scene{.box_depth = box_depth_}, 1);
+  }
+
+  std::vector<RobotModel> bodies_;
+  Arena arena_;
+  Physics physics_;
+  BoxDepth box_depth_;
   std::vector<std::size_t> all_;
-  CompiledModel compiled_;
+  std::unique_ptr<CompiledModel> compiled_;
 };
 
 }  // namespace trophic::backend::mujoco

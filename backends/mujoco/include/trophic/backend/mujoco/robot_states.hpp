@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <trophic/backend/mujoco/compiled_model.hpp>
+#include <trophic/backend/mujoco/rows.hpp>
 #include <trophic/support/units.hpp>
 #include <vector>
 
@@ -18,55 +19,65 @@ inline constexpr double fastest_m_s = 100.0;
 
 /// Per robot one row: generalized positions (root x, y, z, quaternion w, x, y, z, then angles in MuJoCo's order), velocities
 /// (root linear in the world's frame, angular in the root's, then angles), and the accelerations from which the solver starts
-/// next.
+/// next; and the number of its body's kind.
 class RobotStates {
  public:
   RobotStates(const Layout& layout, std::size_t robots)
-      : layout_{layout}, width_{layout.positions + 2 * layout.velocities}, values_(robots * width_) {}
+      : rows_{robots, layout.positions + 2 * layout.velocities}, kinds_(robots) {}
 
-  [[nodiscard]] std::size_t robots() const { return width_ == 0 ? 0 : values_.size() / width_; }
-  [[nodiscard]] const std::vector<double>& values() const { return values_; }
-  void set_values(const std::vector<double>& values) { values_ = values; }
+  [[nodiscard]] std::size_t robots() const { return rows_.size(); }
+  [[nodiscard]] const std::vector<double>& values() const { return rows_.values(); }
+  void set_values(const std::vector<double>& values) { rows_.set_values(values); }
+
+  /// Gives a robot another body: angles 0, at rest. Its root is to be set.
+  void set_body(std::size_t robot, std::size_t kind, const Layout& layout) {
+    rows_.reset(robot, layout.positions + 2 * layout.velocities);
+    kinds_[robot] = kind;
+  }
+  [[nodiscard]] std::size_t kind(std::size_t robot) const { return kinds_[robot]; }
 
   /// A robot's whole row.
-  [[nodiscard]] std::span<double> numbers(std::size_t robot) { return {row(robot), width_}; }
-  [[nodiscard]] std::span<const double> numbers(std::size_t robot) const { return {row(robot), width_}; }
+  [[nodiscard]] std::span<double> numbers(std::size_t robot) { return rows_[robot]; }
+  [[nodiscard]] std::span<const double> numbers(std::size_t robot) const { return rows_[robot]; }
 
-  [[nodiscard]] std::span<double> positions(std::size_t robot) { return {row(robot), layout_.positions}; }
-  [[nodiscard]] std::span<const double> positions(std::size_t robot) const { return {row(robot), layout_.positions}; }
+  [[nodiscard]] std::span<double> positions(std::size_t robot) { return rows_[robot].first(velocities_of(robot) + 1); }
+  [[nodiscard]] std::span<const double> positions(std::size_t robot) const {
+    return rows_[robot].first(velocities_of(robot) + 1);
+  }
   [[nodiscard]] std::span<const double> velocities(std::size_t robot) const {
-    return {row(robot) + layout_.positions, layout_.velocities};
+    const std::size_t count = velocities_of(robot);
+    return rows_[robot].subspan(count + 1, count);
   }
 
   void set_root(std::size_t robot, const Pose& pose) {
     const Eigen::Quaterniond q = pose.orientation.normalized();
     const std::array<double, 7> root{pose.position_m.x(), pose.position_m.y(), pose.position_m.z(), q.w(), q.x(), q.y(), q.z()};
-    std::ranges::copy(root, row(robot));
+    std::ranges::copy(root, rows_[robot].begin());
   }
 
   [[nodiscard]] Pose root(std::size_t robot) const {
-    const double* p = row(robot);
+    const double* p = rows_[robot].data();
     return {{p[0], p[1], p[2]}, Eigen::Quaterniond{p[3], p[4], p[5], p[6]}};
   }
 
-  /// Copies a robot's row into the `share`-th share of MuJoCo's arrays.
-  void load(std::size_t robot, std::size_t share, mjData& data) const {
-    const double* from = row(robot);
-    const std::size_t nq = layout_.positions;
-    const std::size_t nv = layout_.velocities;
-    std::copy_n(from, nq, data.qpos + share * nq);
-    std::copy_n(from + nq, nv, data.qvel + share * nv);
-    std::copy_n(from + nq + nv, nv, data.qacc_warmstart + share * nv);
+  /// Copies a robot's row into its share of MuJoCo's arrays.
+  void load(std::size_t robot, const Share& share, mjData& data) const {
+    const double* from = rows_[robot].data();
+    const std::size_t nv = velocities_of(robot);
+    const std::size_t nq = nv + 1;
+    std::copy_n(from, nq, data.qpos + share.position);
+    std::copy_n(from + nq, nv, data.qvel + share.velocity);
+    std::copy_n(from + nq + nv, nv, data.qacc_warmstart + share.velocity);
   }
 
   /// Copies a share back into a robot's row. Returns false if a number is not finite or larger than MuJoCo accepts.
-  [[nodiscard]] bool store(std::size_t robot, std::size_t share, const mjData& data) {
-    double* to = row(robot);
-    const std::size_t nq = layout_.positions;
-    const std::size_t nv = layout_.velocities;
-    std::copy_n(data.qpos + share * nq, nq, to);
-    std::copy_n(data.qvel + share * nv, nv, to + nq);
-    std::copy_n(data.qacc_warmstart + share * nv, nv, to + nq + nv);
+  [[nodiscard]] bool store(std::size_t robot, const Share& share, const mjData& data) {
+    double* to = rows_[robot].data();
+    const std::size_t nv = velocities_of(robot);
+    const std::size_t nq = nv + 1;
+    std::copy_n(data.qpos + share.position, nq, to);
+    std::copy_n(data.qvel + share.velocity, nv, to + nq);
+    std::copy_n(data.qacc_warmstart + share.velocity, nv, to + nq + nv);
     return sound(robot);
   }
 
@@ -82,12 +93,11 @@ class RobotStates {
   }
 
  private:
-  [[nodiscard]] double* row(std::size_t robot) { return values_.data() + robot * width_; }
-  [[nodiscard]] const double* row(std::size_t robot) const { return values_.data() + robot * width_; }
+  /// A row has one number more for positions than for velocities: the root's quaternion.
+  [[nodiscard]] std::size_t velocities_of(std::size_t robot) const { return (rows_[robot].size() - 1) / 3; }
 
-  Layout layout_;
-  std::size_t width_;
-  std::vector<double> values_;
+  Rows rows_;
+  std::vector<std::size_t> kinds_;
 };
 
 }  // namespace trophic::backend::mujoco

@@ -76,8 +76,8 @@ inline void add_looks(pugi::xml_node root, const Arena& arena, std::span<const C
 
 /// One model of all robots, with bodies at their current root poses and the key frame "now" with the whole state. A height
 /// field's heights go to the file `path` with the extension ".hfield", which the model names.
-inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot, const Arena& arena, const Physics& physics,
-                      BoxDepth box_depth, const RobotStates& states, std::span<const double> targets_rad,
+inline void save_mjcf(const std::filesystem::path& path, std::span<const RobotModel* const> robots, const Arena& arena,
+                      const Physics& physics, BoxDepth box_depth, const RobotStates& states, const Rows& targets_rad,
                       std::span<const Colour> colours) {
   const std::string height_file = std::filesystem::path{path}.replace_extension(".hfield").filename().string();
   std::vector<Pose> poses;
@@ -85,17 +85,16 @@ inline void save_mjcf(const std::filesystem::path& path, const RobotModel& robot
   std::vector<double> velocities;
   std::vector<double> controls;
   const Scene scene{.box_depth = box_depth};
-  const CompiledModel compiled{robot, arena, physics, scene, states.robots(), 1};
-  const Layout& layout = compiled.layout();
+  const CompiledModel compiled{robots, arena, physics, scene, 1};
   for (std::size_t i = 0; i < states.robots(); ++i) {
     poses.push_back(states.root(i));
     std::ranges::copy(states.positions(i), std::back_inserter(positions));
     std::ranges::copy(states.velocities(i), std::back_inserter(velocities));
-    std::ranges::copy(targets_rad.subspan(i * layout.hinges, layout.hinges), std::back_inserter(controls));
-    controls.resize((i + 1) * layout.controls);
+    std::ranges::copy(targets_rad[i], std::back_inserter(controls));
+    controls.resize(controls.size() + compiled.shares()[i].hinges);  // the targets of the brakes
   }
 
-  pugi::xml_document document = write_mjcf(robot, arena, physics, scene, poses, height_file);
+  pugi::xml_document document = write_mjcf(robots, arena, physics, scene, poses, height_file);
   pugi::xml_node root = document.child("mujoco");
   add_looks(root, arena, colours);
   auto size = root.append_child("size");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One step of four robots, as MuJoCo 2.2.2's mj_step computes it.
+// One step of a crew of robots, as MuJoCo 2.2.2's mj_step computes it.
 #pragma once
 
-#include <trophic/backend/mujoco/kernel/minimise_coupled.hpp>
+#include <trophic/backend/mujoco/kernel/knots.hpp>
 #include <trophic/backend/mujoco/kernel/motion.hpp>
 #include <trophic/backend/mujoco/kernel/proximity.hpp>
 #include <trophic/backend/mujoco/kernel/search.hpp>
@@ -22,33 +22,53 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
   }
 }
 
-/// Acceleration of the robots in `lanes` at the position and velocity in `state`, written to its acceleration, which is also the
-/// warm start (mj_forward). Returns the lanes that the kernel could compute: no corner whose contact rounding decides, joint
-/// angles it can take sines of, search settled, result below MuJoCo's bound for accelerations; all this for its whole company.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned forward(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes) {
-  move_links(model, state, work);
-  place_centres(model, work);
-  work.doubtful = Mask{};
-  unsigned coupled = find_link_contacts(model, state, work, lanes);
-  coupled |= find_field_contacts(model, state, work, lanes);
-  limit_joints(model, state, work);
-  find_contacts(model, state, work);
-  lanes = complete(work, lanes & ~lane_bits(work.doubtful));
-  if (const unsigned apart = lanes & ~coupled; apart != 0) lanes &= ~minimise(model, state, work, apart);
-  if (const unsigned together = lanes & coupled; together != 0) lanes &= ~minimise_coupled(model, state, work, together);
-  work.rows_known = true;
-
-  const LinkWork& root = work.links[0];
-  Mask good = mask_of(lanes);
-  for (int i = 0; i < 3; ++i) {
-    good &= (abs(root.trial.linear[i]) < mjMAXVAL) & (abs(root.trial.angular[i]) < 0.5 * mjMAXVAL);
+/// Acceleration of the robots that are `going` at the position and velocity of this stage, written to its acceleration, which is
+/// also the warm start (mj_forward). Robots that the kernel cannot compute stop `going`: a corner or link whose contact
+/// rounding decides, joint angles it cannot take sines of, a search that does not settle, a result above MuJoCo's bound for
+/// accelerations, and robots tied to such a robot.
+TROPHIC_LANES_INLINE void forward(Crew& crew) {
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    Team& team = *crew.teams[t];
+    move_links(*team.model, team.current(), team.work);
+    place_centres(*team.model, team.work);
+    team.work.doubtful = Mask{};
   }
-  for (std::size_t j = 0; j < model.hinges.size(); ++j) {
-    good &= (abs(work.hinges[j].trial) < mjMAXVAL) & (abs(state.position[7 + j]) < largest_angle_rad);
+  find_link_contacts(crew);
+  unsigned coupled = 0;
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    Team& team = *crew.teams[t];
+    find_field_contacts(team, crew.field_collider);
+    limit_joints(*team.model, team.current(), team.work);
+    find_contacts(*team.model, team.current(), team.work);
+    team.going &= ~lane_bits(team.work.doubtful);
   }
-  const unsigned computed = complete(work, lane_bits(good));
-  take_trial(work, mask_of(computed), state.acceleration);
-  return computed;
+  share_fate(crew);
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    Team& team = *crew.teams[t];
+    coupled |= team.going & team.coupled;
+    if (const unsigned apart = team.going & ~team.coupled; apart != 0) {
+      team.going &= ~minimise(*team.model, team.current(), team.work, apart);
+    }
+  }
+  if (coupled != 0) minimise_knots(crew);
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    Team& team = *crew.teams[t];
+    team.work.rows_known = true;
+    const LinkWork& root = team.work.links[0];
+    Mask good = mask_of(team.going);
+    for (int i = 0; i < 3; ++i) {
+      good &= (abs(root.trial.linear[i]) < mjMAXVAL) & (abs(root.trial.angular[i]) < 0.5 * mjMAXVAL);
+    }
+    for (std::size_t j = 0; j < team.work.hinges.size(); ++j) {
+      good &= (abs(team.work.hinges[j].trial) < mjMAXVAL) & (abs(team.current().position[7 + j]) < largest_angle_rad);
+    }
+    team.going = lane_bits(good);
+  }
+  share_fate(crew);
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    Team& team = *crew.teams[t];
+    take_trial(team.work, mask_of(team.going), team.current().acceleration);
+  }
 }
 
 /// position += time velocity in the lanes of `moved`: the quaternion is turned by the angular velocity in the root's axes
@@ -96,44 +116,60 @@ TROPHIC_LANES_INLINE void finish_runge_kutta(const KernelModel& model, LaneState
   }
 }
 
-/// One step of the robots in `lanes`; returns the lanes that were stepped, the others keep their state.
-///
 /// The classical Runge-Kutta method of order 4 (mj_RungeKutta) evaluates the acceleration at x, x + h/2 v1, x + h/2 v2, x + h v3,
-/// and sums with weights 1/6, 1/3, 1/3, 1/6. A lane that fails in any stage fails.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned any_step(const KernelModel& model, LaneState& state, Workspace& work,
-                                                     unsigned lanes) {
-  constexpr double ahead[3] = {0.5, 0.5, 1.0};
+/// and sums with weights 1/6, 1/3, 1/3, 1/6.
+TROPHIC_LANES_INLINE void begin_runge_kutta(Team& team) {
+  LaneState& sum = team.work.sum;
+  team.work.stage = team.state;
+  normalize_quaternion(team.state.position);
+  for (std::size_t i = 0; i < sum.velocity.size(); ++i) sum.velocity[i] = sum.acceleration[i] = Real{};
+}
+
+/// Adds stage `s` to the sums and goes to the next stage.
+TROPHIC_LANES_INLINE void next_stage(Team& team, std::size_t s) {
+  constexpr double ahead[4] = {0.5, 0.5, 1.0, 0.0};
   constexpr double weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-  const bool euler = !model.runge_kutta;
+  const LaneState& state = team.state;
+  LaneState& stage = team.work.stage;
+  LaneState& sum = team.work.sum;
   const std::size_t speeds = state.velocity.size();
-  LaneState& stage = euler ? state : work.stage;
-  LaneState& sum = work.sum;
+  for (std::size_t i = 0; i < speeds; ++i) {
+    sum.velocity[i] += weight[s] * stage.velocity[i];
+    sum.acceleration[i] += weight[s] * stage.acceleration[i];
+  }
+  if (s == 3) return;
+  const double step_s = ahead[s] * team.model->timestep_s;
+  stage.position = state.position;
+  move(*team.model, mask_of(team.going), step_s, stage.velocity, stage.position);
+  for (std::size_t i = 0; i < speeds; ++i) stage.velocity[i] = state.velocity[i] + step_s * stage.acceleration[i];
+}
+
+/// One step of all robots of a crew. Afterwards those that took it are `going`; the others keep their state.
+TROPHIC_LANES_INLINE void any_step(Crew& crew) {
+  const bool euler = !crew.teams[0]->model->runge_kutta;
+  crew.ties.reset(crew.team_count * lane_count);
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    crew.teams[t]->going = crew.teams[t]->lanes;
+    if (!euler) begin_runge_kutta(*crew.teams[t]);
+  }
+  // A robot that fails in one stage is not there in the next, so that its neighbours must fail too.
   if (!euler) {
-    stage = state;
-    normalize_quaternion(state.position);
-    for (std::size_t i = 0; i < speeds; ++i) sum.velocity[i] = sum.acceleration[i] = Real{};
+    for (const auto& [a, b] : crew.neighbours) crew.ties.join(a, b);
   }
-  unsigned good = lanes;
-  for (std::size_t s = 0; good != 0; ++s) {
-    good = forward(model, stage, work, good);
+  const std::size_t stages = euler ? 1 : 4;
+  for (std::size_t s = 0; s < stages; ++s) {
+    crew.knot_ties.reset(crew.team_count * lane_count);
+    forward(crew);
+    for (std::size_t t = 0; !euler && t < crew.team_count; ++t) next_stage(*crew.teams[t], s);
+  }
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    Team& team = *crew.teams[t];
     if (euler) {
-      finish_euler(model, state, work, good);
-      break;
+      finish_euler(*team.model, team.state, team.work, team.going);
+    } else {
+      finish_runge_kutta(*team.model, team.state, team.work, team.going);
     }
-    for (std::size_t i = 0; i < speeds; ++i) {
-      sum.velocity[i] += weight[s] * stage.velocity[i];
-      sum.acceleration[i] += weight[s] * stage.acceleration[i];
-    }
-    if (s == 3) {
-      finish_runge_kutta(model, state, work, good);
-      break;
-    }
-    const double step_s = ahead[s] * model.timestep_s;
-    stage.position = state.position;
-    move(model, mask_of(good), step_s, stage.velocity, stage.position);
-    for (std::size_t i = 0; i < speeds; ++i) stage.velocity[i] = state.velocity[i] + step_s * stage.acceleration[i];
   }
-  return good;
 }
 
 }  // namespace trophic::backend::kernel

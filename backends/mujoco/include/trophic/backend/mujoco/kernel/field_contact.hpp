@@ -7,17 +7,22 @@
 #include <cmath>
 #include <cstddef>
 #include <trophic/backend/mujoco/kernel/box_contact.hpp>
+#include <trophic/backend/mujoco/kernel/model.hpp>
 #include <utility>
 #include <vector>
 
 namespace trophic::backend::kernel {
 
-/// The boxes of one robot over the height field `field`, placed anew for each question in MuJoCo's model of both. One per
-/// thread; the model must outlive it.
+/// A box over the height field, placed anew for each question in a MuJoCo model of both. One per thread.
 class FieldCollider {
  public:
-  FieldCollider(const mjModel& model, int field)
-      : model_{model}, field_{field}, data_{mj_makeData(&model)}, found_(mjMAXCONPAIR) {
+  explicit FieldCollider(const Field& field)
+      : owner_{mj_copyModel(nullptr, field.model.get())},
+        model_{*owner_},
+        field_{field.geom},
+        box_{static_cast<std::size_t>(field.box)},
+        data_{mj_makeData(&model_)},
+        found_(mjMAXCONPAIR) {
     mj_kinematics(&model_, data_.get());
   }
 
@@ -44,12 +49,16 @@ class FieldCollider {
     return place_m[2] + static_cast<double>(highest) * size_m[2];
   }
 
-  /// Calls `take` with each contact that mj_collision would make of the height field and geom `geom` with the box at `box`, moved
-  /// by `origin_m`; points are relative to the origin, normals point to the box. False if rounding decides which points those
-  /// are: where an axis of the box lies in a plane of the world's axes.
+  /// Calls `take` with each contact that mj_collision would make of the height field and the box at `box`, moved by `origin_m`;
+  /// points are relative to the origin, normals point to the box. False if rounding decides which points those are: where an
+  /// axis of the box lies in a plane of the world's axes.
   template <class Take>
-  [[nodiscard]] bool collide(int geom, const PlacedBox& box, const std::array<double, 3>& origin_m, const Take& take) {
-    place_geom(*data_, static_cast<std::size_t>(geom), box, origin_m);
+  [[nodiscard]] bool collide(const PlacedBox& box, const std::array<double, 3>& origin_m, const Take& take) {
+    std::copy_n(box.half_m, 3, model_.geom_size + 3 * box_);
+    const auto& [x, y, z] = box.half_m;
+    model_.geom_rbound[box_] = std::sqrt(x * x + y * y + z * z);
+    place_geom(*data_, box_, box, origin_m);
+    const int geom = static_cast<int>(box_);
     const int count = mjCOLLISIONFUNC[mjGEOM_HFIELD][mjGEOM_BOX](&model_, data_.get(), found_.data(), field_, geom, 0.0);
     for (int c = 0; c < count; ++c) {
       const mjContact& contact = found_[static_cast<std::size_t>(c)];
@@ -70,8 +79,10 @@ class FieldCollider {
     });
   }
 
-  const mjModel& model_;
+  mujoco::ModelPtr owner_;
+  mjModel& model_;
   int field_;
+  std::size_t box_;
   mujoco::DataPtr data_;
   std::vector<mjContact> found_;
 };

@@ -119,7 +119,8 @@ TROPHIC_LANES_INLINE void sine_cosine(const Real& angle_rad, Real& sine, Real& c
 /// A sequence of lanes on the heap, aligned for every instruction set.
 class LaneArray {
  public:
-  explicit LaneArray(std::size_t size) : cells_(size) {}
+  explicit LaneArray(std::size_t size = 0) : cells_(size) {}
+  void resize(std::size_t size) { cells_.resize(size); }
   [[nodiscard]] TROPHIC_LANES_INLINE std::size_t size() const { return cells_.size(); }
   [[nodiscard]] TROPHIC_LANES_INLINE Real& operator[](std::size_t i) { return cells_[i].value; }
   [[nodiscard]] TROPHIC_LANES_INLINE const Real& operator[](std::size_t i) const { return cells_[i].value; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel's model of a robot, its ground and its solver: constants shared by all robots, read once from MuJoCo's model.
+// The kernel's model of a robot, its ground and its solver: constants that robots of one body share, read once from MuJoCo's
+// model.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,8 +10,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <trophic/backend/mujoco/box_test.hpp>
+#include <trophic/backend/mujoco/engine.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
@@ -33,10 +36,11 @@ struct Plane {
   double offset_m;
 };
 
-/// The ground as a height field: MuJoCo's model of one robot on it, whose test finds its contacts.
+/// The ground as a height field: a MuJoCo model of it and a box, whose test finds its contacts.
 struct Field {
-  const mjModel* model;
+  std::shared_ptr<const mjModel> model;
   int geom;
+  int box;  ///< any box
 };
 
 struct KernelBox {
@@ -45,7 +49,6 @@ struct KernelBox {
   std::array<double, 9> axes;  ///< column-major: directions of the box's axes in the link's frame
   bool aligned;                ///< axes are the link's own
   double radius_m;             ///< of the sphere around its centre that holds it
-  int geom;                    ///< number of the box in MuJoCo's model
   /// Half extents and axes as MuJoCo's model has them: which points its tests report depends on their order.
   std::array<double, 3> geom_half_extents_m;
   std::array<double, 9> geom_axes;
@@ -79,6 +82,7 @@ struct KernelHinge {
   double rate_gain;
   double lowest_target_rad;
   double highest_target_rad;
+  std::size_t servo;  ///< the hinge's number in the RobotModel, whose order MuJoCo's joints need not have
 };
 
 /// Two links that can collide: neither is the other's parent.
@@ -87,8 +91,8 @@ struct LinkPair {
   std::size_t second;
 };
 
-/// All constants of the kernel. Link 0 is the root; link i > 0 is joined to its parent by hinge i - 1, which is number 7 + i - 1
-/// of qpos.
+/// The kernel's constants of one body in one arena. Link 0 is the root; link i > 0 is joined to its parent by hinge i - 1, which
+/// is number 7 + i - 1 of qpos.
 struct KernelModel {
   std::vector<KernelLink> links;
   std::vector<KernelHinge> hinges;
@@ -195,7 +199,7 @@ class ModelReader {
     return true;
   }
 
-  /// One affine actuator per hinge at most.
+  /// One affine actuator per hinge.
   [[nodiscard]] bool plain_servos() {
     servo_of_.assign(static_cast<std::size_t>(m_.njnt), -1);
     for (int a = 0; a < m_.nu; ++a) {
@@ -205,11 +209,11 @@ class ModelReader {
           m_.actuator_gear[6 * a] != 1.0) {
         return false;
       }
-      const int joint = m_.actuator_trnid[2 * a];
-      if (joint != a + 1) return false;
-      servo_of_[static_cast<std::size_t>(joint)] = a;
+      int& servo = servo_of_[static_cast<std::size_t>(m_.actuator_trnid[2 * a])];
+      if (servo != -1) return false;
+      servo = a;
     }
-    return m_.nu == m_.njnt - 1;
+    return m_.nu == m_.njnt - 1 && std::ranges::count(servo_of_, -1) == 1 && servo_of_[0] == -1;
   }
 
   /// Whether softness numbers are those of the first call, and of power 2.
@@ -245,7 +249,10 @@ class ModelReader {
       if (m_.geom_type[g] == mjGEOM_HFIELD) {
         const mjtNum* const turn = m_.geom_quat + 4 * g;
         if (kernel_.field || turn[0] != 1.0) return false;
-        kernel_.field = {&m_, g};
+        const int* const box = std::find(m_.geom_type, m_.geom_type + m_.ngeom, static_cast<int>(mjGEOM_BOX));
+        if (box == m_.geom_type + m_.ngeom) return false;
+        const mujoco::EngineGuard guard;
+        kernel_.field = {{mj_copyModel(nullptr, &m_), mujoco::DeleteModel{}}, g, static_cast<int>(box - m_.geom_type)};
         continue;
       }
       const Vector normal = rotation(m_.geom_quat + 4 * g).col(2);
@@ -313,7 +320,8 @@ class ModelReader {
                               .angle_gain = biased ? bias[1] : 0.0,
                               .rate_gain = (biased ? bias[2] : 0.0) - m_.dof_damping[dof],
                               .lowest_target_rad = clipped ? m_.actuator_ctrlrange[2 * servo] : -mjMAXVAL,
-                              .highest_target_rad = clipped ? m_.actuator_ctrlrange[2 * servo + 1] : mjMAXVAL});
+                              .highest_target_rad = clipped ? m_.actuator_ctrlrange[2 * servo + 1] : mjMAXVAL,
+                              .servo = static_cast<std::size_t>(servo)});
     kernel_.damped |= m_.dof_damping[dof] > 0.0;
   }
 
@@ -335,7 +343,6 @@ class ModelReader {
     store(half_m, own.half_extents_m);
     store(axes, own.axes);
     own.radius_m = half_m.norm();
-    own.geom = geom;
     kernel_.bounding_radius_m = std::max(kernel_.bounding_radius_m, reaches_m_.back() + centre.norm() + own.radius_m);
     kernel_.boxes.push_back(own);
   }
@@ -372,7 +379,7 @@ class ModelReader {
 };
 
 /// The kernel's constants of a model of one robot on planes or a height field, or nothing where the model asks for something that
-/// the kernel does not compute: then MuJoCo must step it. With a height field the model must outlive them.
+/// the kernel does not compute: then MuJoCo must step it.
 [[nodiscard]] inline std::optional<KernelModel> read_model(const mjModel& model) {
   return ModelReader{model}.read();
 }

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <trophic/backend/mujoco/kernel/workspace.hpp>
+#include <trophic/backend/mujoco/kernel/crew.hpp>
 
 namespace trophic::backend::kernel {
 
@@ -81,57 +81,68 @@ TROPHIC_LANES_INLINE void place_centres(const KernelModel& model, Workspace& wor
   return lane_bits(dot(between, between) <= radius_m * radius_m);
 }
 
-/// A link of the robot in one lane.
+/// A link of the robot in one seat.
 struct LinkOf {
   std::size_t link;
-  std::size_t lane;
+  Seat seat;
 };
 
 /// Appends the contacts of two boxes, or marks both robots as doubtful.
 [[gnu::noinline]] inline void add_box_contacts(const PlacedBox& box_a, const PlacedBox& box_b, const LinkOf& a, const LinkOf& b,
-                                               const std::array<double, 3>& apart_m, Workspace& work) {
-  const bool sure = work.collider.collide(box_a, box_b, apart_m, [&](const BoxContact& contact) {
+                                               const std::array<double, 3>& apart_m, Crew& crew) {
+  const std::size_t known = crew.link_contacts.size();
+  const bool sure = crew.collider.collide(box_a, box_b, apart_m, [&](const BoxContact& contact) {
     std::array<double, 3> from_b = contact.point_m;
     for (std::size_t k = 0; k < 3; ++k) from_b[k] -= apart_m[k];
-    work.link_contacts.push_back({{a.lane, b.lane}, {a.link, b.link}, {contact.point_m, from_b}, contact.frame, contact.depth_m});
+    crew.link_contacts.push_back({{a.seat, b.seat}, {a.link, b.link}, {contact.point_m, from_b}, contact.frame, contact.depth_m});
   });
-  if (!sure) work.doubtful[a.lane] = work.doubtful[b.lane] = -1;
+  if (!sure) crew.team(a.seat).work.doubtful[a.seat.lane] = crew.team(b.seat).work.doubtful[b.seat.lane] = -1;
+  if (a.seat == b.seat || (sure && crew.link_contacts.size() == known)) return;
+  crew.ties.join(a.seat, b.seat);
+  crew.knot_ties.join(a.seat, b.seat);
 }
 
 /// Appends the contacts of box `i` of a link and box `j` of another, whose spheres overlap: separating axes, then MuJoCo's test.
-/// `apart_m`: from the origin of a's robot to that of b's; `between_m`: from the first box's centre to the second's.
-[[gnu::noinline]] inline void collide_boxes(const KernelModel& model, const LinkOf& a, std::size_t i, const LinkOf& b,
-                                            std::size_t j, const std::array<double, 3>& apart_m, const double (&between_m)[3],
-                                            Workspace& work) {
-  const PlacedBox& box_a = placed_box(model, work.links[a.link], i, a.lane, work);
-  const PlacedBox& box_b = placed_box(model, work.links[b.link], j, b.lane, work);
-  const std::size_t row = a.lane * model.boxes.size() + i;
-  std::uint8_t& last_gap = work.last_gap[row * work.placed_boxes.size() + b.lane * model.boxes.size() + j];
-  if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, work);
+/// `apart_m`: from the origin of a's robot to that of b's; `between_m`: from the first box's centre to the second's;
+/// `last_gap`: a guess at the axis that separates them.
+[[gnu::noinline]] inline void collide_boxes(const LinkOf& a, std::size_t i, const LinkOf& b, std::size_t j,
+                                            const std::array<double, 3>& apart_m, const double (&between_m)[3],
+                                            std::uint8_t& last_gap, Crew& crew) {
+  Team& team_a = crew.team(a.seat);
+  Team& team_b = crew.team(b.seat);
+  const PlacedBox& box_a = placed_box(*team_a.model, team_a.work.links[a.link], i, a.seat.lane, team_a.work);
+  const PlacedBox& box_b = placed_box(*team_b.model, team_b.work.links[b.link], j, b.seat.lane, team_b.work);
+  if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, crew);
 }
 
 /// Contacts of the boxes of links of two robots.
-TROPHIC_LANES_INLINE void collide_links(const KernelModel& model, const LinkOf& a, const LinkOf& b,
-                                        const std::array<double, 3>& apart_m, Workspace& work) {
-  const KernelLink& link_a = model.links[a.link];
-  const KernelLink& link_b = model.links[b.link];
+TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const std::array<double, 3>& apart_m, Crew& crew) {
+  const Team& team_a = crew.team(a.seat);
+  const Team& team_b = crew.team(b.seat);
+  const KernelLink& link_a = team_a.model->links[a.link];
+  const KernelLink& link_b = team_b.model->links[b.link];
   for (std::size_t i = link_a.first_box; i < link_a.first_box + link_a.boxes; ++i) {
     for (std::size_t j = link_b.first_box; j < link_b.first_box + link_b.boxes; ++j) {
       double between_m[3];
       double square_m2 = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);
-        between_m[k] = work.box_centres[j][axis][b.lane] + apart_m[k] - work.box_centres[i][axis][a.lane];
+        between_m[k] = team_b.work.box_centres[j][axis][b.seat.lane] + apart_m[k] - team_a.work.box_centres[i][axis][a.seat.lane];
         square_m2 += between_m[k] * between_m[k];
       }
-      const double reach_m = model.boxes[i].radius_m + model.boxes[j].radius_m;
-      if (square_m2 <= reach_m * reach_m) collide_boxes(model, a, i, b, j, apart_m, between_m, work);
+      const double reach_m = team_a.model->boxes[i].radius_m + team_b.model->boxes[j].radius_m;
+      if (square_m2 > reach_m * reach_m) continue;
+      const std::size_t pair = ((a.seat.slot() * 61 + i) * 31 + b.seat.slot()) * 61 + j;
+      collide_boxes(a, i, b, j, apart_m, between_m, crew.last_gap[pair % Crew::gaps], crew);
     }
   }
 }
 
 /// Contacts of links of one robot that MuJoCo would collide: spheres around links, then around boxes, of all robots at once.
-TROPHIC_LANES_INLINE void collide_own_links(const KernelModel& model, Workspace& work, unsigned lanes) {
+TROPHIC_LANES_INLINE void collide_own_links(Crew& crew, std::size_t index, unsigned lanes) {
+  const KernelModel& model = *crew.teams[index]->model;
+  Workspace& work = crew.teams[index]->work;
+  const std::size_t boxes = model.boxes.size();
   for (const LinkPair& pair : model.pairs) {
     const KernelLink& first = model.links[pair.first];
     const KernelLink& second = model.links[pair.second];
@@ -147,99 +158,106 @@ TROPHIC_LANES_INLINE void collide_own_links(const KernelModel& model, Workspace&
           const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
           double between_m[3];
           for (int k = 0; k < 3; ++k) between_m[k] = work.box_centres[j][k][lane] - centre[k][lane];
-          collide_boxes(model, {pair.first, lane}, i, {pair.second, lane}, j, {}, between_m, work);
+          const Seat seat = {index, lane};
+          std::uint8_t& last_gap = work.last_gap[(lane * boxes + i) * boxes + j];
+          collide_boxes({pair.first, seat}, i, {pair.second, seat}, j, {}, between_m, last_gap, crew);
         }
       }
     }
   }
 }
 
-/// Contacts of the robots in two lanes: spheres around robots, around links, then boxes.
-TROPHIC_LANES_INLINE void collide_robots(const KernelModel& model, const LaneState& state, Workspace& work, std::size_t a,
-                                         std::size_t b) {
+/// Contacts of the robots in two seats: spheres around robots, around links, then boxes.
+TROPHIC_LANES_INLINE void collide_robots(Crew& crew, const Seat& a, const Seat& b) {
+  const Team& team_a = crew.team(a);
+  const Team& team_b = crew.team(b);
   std::array<double, 3> apart_m;
-  for (std::size_t k = 0; k < 3; ++k) apart_m[k] = state.position[k][b] - state.position[k][a];
+  for (std::size_t k = 0; k < 3; ++k) apart_m[k] = team_b.current().position[k][b.lane] - team_a.current().position[k][a.lane];
   const double square_m2 = apart_m[0] * apart_m[0] + apart_m[1] * apart_m[1] + apart_m[2] * apart_m[2];
-  if (!(square_m2 <= 4.0 * model.bounding_radius_m * model.bounding_radius_m)) return;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    for (std::size_t j = 0; j < model.links.size(); ++j) {
+  const double robots_m = team_a.model->bounding_radius_m + team_b.model->bounding_radius_m;
+  if (!(square_m2 <= robots_m * robots_m)) return;
+  for (std::size_t i = 0; i < team_a.work.links.size(); ++i) {
+    for (std::size_t j = 0; j < team_b.work.links.size(); ++j) {
       double between_m2 = 0.0;
       for (int k = 0; k < 3; ++k) {
-        const double between_m =
-            work.links[j].sphere_centre[k][b] + apart_m[static_cast<std::size_t>(k)] - work.links[i].sphere_centre[k][a];
+        const double between_m = team_b.work.links[j].sphere_centre[k][b.lane] + apart_m[static_cast<std::size_t>(k)] -
+                                 team_a.work.links[i].sphere_centre[k][a.lane];
         between_m2 += between_m * between_m;
       }
-      const double reach_m = model.links[i].sphere_radius_m + model.links[j].sphere_radius_m;
-      if (between_m2 <= reach_m * reach_m) collide_links(model, {i, a}, {j, b}, apart_m, work);
+      const double reach_m = team_a.model->links[i].sphere_radius_m + team_b.model->links[j].sphere_radius_m;
+      if (between_m2 <= reach_m * reach_m) collide_links({i, a}, {j, b}, apart_m, crew);
     }
   }
 }
 
-/// All contacts between links of the robots in `lanes`, of one robot or of one company; returns the lanes that have any.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned find_link_contacts(const KernelModel& model, const LaneState& state, Workspace& work,
-                                                               unsigned lanes) {
-  work.link_contacts.clear();
-  std::ranges::fill(work.box_placed, std::uint8_t{0});
-  collide_own_links(model, work, lanes);
-  for (std::size_t b = 1; b < lane_count; ++b) {
-    const unsigned others = work.company[b] & lanes & ((1u << b) - 1);
-    for (std::size_t a = 0; others != 0 && (lanes & (1u << b)) != 0 && a < b; ++a) {
-      if ((others & (1u << a)) != 0) collide_robots(model, state, work, a, b);
-    }
+/// All contacts between links of the robots that are `going`, of one robot or of two; these robots become `coupled`.
+TROPHIC_LANES_INLINE void find_link_contacts(Crew& crew) {
+  crew.link_contacts.clear();
+  for (std::size_t t = 0; t < crew.team_count; ++t) {
+    std::ranges::fill(crew.teams[t]->work.box_placed, std::uint8_t{0});
+    collide_own_links(crew, t, crew.teams[t]->going);
   }
-  unsigned touching = 0;
-  for (const LinkContact& contact : work.link_contacts) touching |= (1u << contact.lane[0]) | (1u << contact.lane[1]);
-  return touching;
+  for (const auto& [a, b] : crew.neighbours) {
+    if (crew.team(a).is_going(a.lane) && crew.team(b).is_going(b.lane)) collide_robots(crew, a, b);
+  }
+  for (std::size_t t = 0; t < crew.team_count; ++t) crew.teams[t]->coupled = 0;
+  for (const LinkContact& contact : crew.link_contacts) {
+    for (const Seat& seat : contact.seat) crew.team(seat).coupled |= 1u << seat.lane;
+  }
 }
 
 /// Appends the contacts of one link in one lane with the height field: sphere around the link, lowest point of a box, then
 /// MuJoCo's test.
-TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, const LinkOf& at, const std::array<double, 3>& origin_m,
-                                        Workspace& work) {
+TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, std::size_t index, std::size_t lane,
+                                        const std::array<double, 3>& origin_m, Workspace& work, FieldCollider& collider) {
   constexpr double gap_m = 1e-7;
-  const KernelLink& from = model.links[at.link];
-  const LinkWork& link = work.links[at.link];
+  const KernelLink& from = model.links[index];
+  const LinkWork& link = work.links[index];
   const double radius_m = from.sphere_radius_m;
   std::array<double, 3> centre_m = origin_m;
-  for (std::size_t k = 0; k < 3; ++k) centre_m[k] += link.sphere_centre[static_cast<int>(k)][at.lane];
+  for (std::size_t k = 0; k < 3; ++k) centre_m[k] += link.sphere_centre[static_cast<int>(k)][lane];
   if (!std::isfinite(centre_m[0] + centre_m[1] + centre_m[2])) {
-    work.doubtful[at.lane] = -1;  // MuJoCo says what is wrong with it
+    work.doubtful[lane] = -1;  // MuJoCo says what is wrong with it
     return;
   }
-  const double highest_m = work.field_collider->highest_m(centre_m[0], centre_m[1], radius_m) + gap_m;
+  const double highest_m = collider.highest_m(centre_m[0], centre_m[1], radius_m) + gap_m;
   if (centre_m[2] - radius_m > highest_m) return;
   for (std::size_t b = from.first_box; b < from.first_box + from.boxes; ++b) {
-    const PlacedBox& box = placed_box(model, link, b, at.lane, work);
+    const PlacedBox& box = placed_box(model, link, b, lane, work);
     double lowest_m = origin_m[2] + box.centre_m[2];
     for (std::size_t k = 0; k < 3; ++k) lowest_m -= std::abs(box.axis[k][2]) * box.half_m[k];
     if (lowest_m > highest_m) continue;
-    const auto take = [&](const BoxContact& contact) { work.field_contacts.push_back({at.lane, at.link, contact}); };
-    if (!work.field_collider->collide(model.boxes[b].geom, box, origin_m, take)) work.doubtful[at.lane] = -1;
+    const auto take = [&](const BoxContact& contact) { work.field_contacts.push_back({lane, index, contact}); };
+    if (!collider.collide(box, origin_m, take)) work.doubtful[lane] = -1;
   }
 }
 
-/// All contacts of the robots in `lanes` with the height field; returns the lanes that have any.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned find_field_contacts(const KernelModel& model, const LaneState& state, Workspace& work,
-                                                                unsigned lanes) {
-  work.field_contacts.clear();
-  if (!model.field) return 0;
+/// All contacts of the robots of a team that are `going` with the height field; these robots become `coupled`.
+TROPHIC_LANES_INLINE void find_field_contacts(Team& team, std::optional<FieldCollider>& collider) {
+  team.work.field_contacts.clear();
+  if (!team.model->field) return;
+  const LaneArray& at = team.current().position;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    if ((lanes & (1u << lane)) == 0) continue;
-    const std::array<double, 3> origin_m = {state.position[0][lane], state.position[1][lane], state.position[2][lane]};
-    for (std::size_t link = 0; link < model.links.size(); ++link) collide_field(model, {link, lane}, origin_m, work);
+    if (!team.is_going(lane)) continue;
+    const std::array<double, 3> origin_m = {at[0][lane], at[1][lane], at[2][lane]};
+    for (std::size_t link = 0; link < team.work.links.size(); ++link) {
+      collide_field(*team.model, link, lane, origin_m, team.work, *collider);
+    }
   }
-  unsigned touching = 0;
-  for (const FieldContact& contact : work.field_contacts) touching |= 1u << contact.lane;
-  return touching;
+  for (const FieldContact& contact : team.work.field_contacts) team.coupled |= 1u << contact.lane;
 }
 
-/// Lanes of `lanes` whose whole company is in `lanes`.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned complete(const Workspace& work, unsigned lanes) {
-  unsigned whole = lanes;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    if ((work.company[lane] & ~lanes) != 0) whole &= ~(1u << lane);
+/// Robots that share the fate of one that is not `going` are not `going` either.
+TROPHIC_LANES_INLINE void share_fate(Crew& crew) {
+  unsigned lost = 0;
+  for (std::size_t t = 0; t < crew.team_count; ++t) lost |= crew.teams[t]->lanes & ~crew.teams[t]->going;
+  if (lost == 0 || crew.neighbours.empty()) return;
+  for (const Seat& fallen : crew.order) {
+    if (crew.team(fallen).is_going(fallen.lane)) continue;
+    for (const Seat& other : crew.order) {
+      if (crew.ties.first(other.slot()) == crew.ties.first(fallen.slot())) crew.team(other).going &= ~(1u << other.lane);
+    }
   }
-  return whole;
 }
 
 }  // namespace trophic::backend::kernel

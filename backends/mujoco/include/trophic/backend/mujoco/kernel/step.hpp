@@ -6,23 +6,19 @@
 
 namespace trophic::backend::kernel {
 
-struct KernelModel;
-struct LaneState;
-struct Workspace;
+struct Crew;
 
-/// Steps the robots in `lanes` (bit i: lane i) once and returns the lanes that it stepped; the others keep their state and are
-/// MuJoCo's to step.
-using StepFunction = unsigned (*)(const KernelModel&, LaneState&, Workspace&, unsigned lanes);
+/// Steps all robots of a crew once; afterwards those that it stepped are `going`. The others keep their state and are MuJoCo's to
+/// step.
+using StepFunction = void (*)(Crew&);
 
-[[nodiscard]] unsigned step_portable(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes);
+void step_portable(Crew& crew);
 #if defined(__x86_64__)
 /// The same operations on 256-bit registers; no fused multiply-add, so that the result is the same to the last bit (where
 /// `step_portable` is compiled for a processor that has them: with -ffp-contract=off).
-[[nodiscard]] [[gnu::target("avx2")]] unsigned step_avx2(const KernelModel& model, LaneState& state, Workspace& work,
-                                                         unsigned lanes);
+[[gnu::target("avx2")]] void step_avx2(Crew& crew);
 /// The same operations with the registers and masks of AVX-512. Programs that compile the kernel themselves do without it.
-[[nodiscard]] [[gnu::target("avx2,avx512f,avx512dq,avx512vl")]] unsigned step_avx512(const KernelModel& model, LaneState& state,
-                                                                                     Workspace& work, unsigned lanes);
+[[gnu::target("avx2,avx512f,avx512dq,avx512vl")]] void step_avx512(Crew& crew);
 #endif
 
 /// The fastest that this processor has.

@@ -9,9 +9,8 @@
 #if defined(__x86_64__) && !defined(__AVX2__)
 namespace trophic::backend::kernel {
 
-[[gnu::flatten, gnu::target("avx2")]] TROPHIC_INLINE unsigned step_avx2(const KernelModel& model, LaneState& state,
-                                                                        Workspace& work, unsigned lanes) {
-  return any_step(model, state, work, lanes);
+[[gnu::flatten, gnu::target("avx2")]] TROPHIC_INLINE void step_avx2(Crew& crew) {
+  any_step(crew);
 }
 
 }  // namespace trophic::backend::kernel

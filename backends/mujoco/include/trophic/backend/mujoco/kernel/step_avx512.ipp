@@ -10,11 +10,8 @@
 #if defined(__x86_64__) && !defined(__AVX2__)
 namespace trophic::backend::kernel {
 
-[[gnu::flatten, gnu::target("avx2,avx512f,avx512dq,avx512vl")]] TROPHIC_INLINE unsigned step_avx512(const KernelModel& model,
-                                                                                                    LaneState& state,
-                                                                                                    Workspace& work,
-                                                                                                    unsigned lanes) {
-  return any_step(model, state, work, lanes);
+[[gnu::flatten, gnu::target("avx2,avx512f,avx512dq,avx512vl")]] TROPHIC_INLINE void step_avx512(Crew& crew) {
+  any_step(crew);
 }
 
 }  // namespace trophic::backend::kernel

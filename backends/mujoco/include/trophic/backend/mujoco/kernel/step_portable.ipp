@@ -12,9 +12,9 @@ namespace trophic::backend::kernel {
 #if TROPHIC_HEADER_ONLY && defined(__x86_64__) && !defined(__AVX2__) && !defined(__clang__)
 [[gnu::optimize(1)]]
 #endif
-[[gnu::flatten]] TROPHIC_INLINE unsigned
-step_portable(const KernelModel& model, LaneState& state, Workspace& work, unsigned lanes) {
-  return any_step(model, state, work, lanes);
+[[gnu::flatten]] TROPHIC_INLINE void
+step_portable(Crew& crew) {
+  any_step(crew);
 }
 
 }  // namespace trophic::backend::kernel

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The states of four robots and the scratch memory of their step.
+// The states of four robots of one body and the scratch memory of their step.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <trophic/backend/mujoco/kernel/box_contact.hpp>
-#include <trophic/backend/mujoco/kernel/field_contact.hpp>
 #include <trophic/backend/mujoco/kernel/model.hpp>
 #include <trophic/backend/mujoco/kernel/spatial.hpp>
-#include <trophic/backend/mujoco/kernel/symmetric_system.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
@@ -25,16 +22,22 @@ struct LaneState {
   LaneArray acceleration;
   LaneArray target;
 
-  explicit LaneState(const KernelModel& model)
-      : position(model.hinges.size() + 7),
-        velocity(model.hinges.size() + 6),
-        acceleration(model.hinges.size() + 6),
-        target(model.hinges.size()) {}
+  LaneState() = default;
+  explicit LaneState(const KernelModel& model) { fit(model); }
 
-  /// Copies one robot in: its position, velocity and acceleration, one after the other, and its targets.
-  void load(std::size_t lane, std::span<const double> numbers, std::span<const double> targets_rad) {
+  void fit(const KernelModel& model) {
+    const std::size_t hinges = model.hinges.size();
+    position.resize(hinges + 7);
+    velocity.resize(hinges + 6);
+    acceleration.resize(hinges + 6);
+    target.resize(hinges);
+  }
+
+  /// Copies one robot in: its position, velocity and acceleration, one after the other, and its targets in the order of the
+  /// RobotModel's hinges.
+  void load(const KernelModel& model, std::size_t lane, std::span<const double> numbers, std::span<const double> targets_rad) {
     load(lane, numbers);
-    copy_in(lane, targets_rad, target);
+    for (std::size_t i = 0; i < target.size(); ++i) target[i][lane] = targets_rad[model.hinges[i].servo];
   }
   void load(std::size_t lane, std::span<const double> numbers) {
     copy_in(lane, numbers, position);
@@ -114,15 +117,6 @@ struct ContactGroup {
   std::size_t count;
 };
 
-/// One contact of two links, of one robot or of two.
-struct LinkContact {
-  std::array<std::size_t, 2> lane;
-  std::array<std::size_t, 2> link;
-  std::array<std::array<double, 3>, 2> point_m;  ///< from the origin of each robot's root
-  std::array<std::array<double, 3>, 3> frame;    ///< normal from the first link to the second, and two tangents
-  double depth_m;                                ///< signed distance, negative
-};
-
 /// One contact of a link with the height field.
 struct FieldContact {
   std::size_t lane;
@@ -130,53 +124,15 @@ struct FieldContact {
   BoxContact contact;  ///< from the origin of the robot's root
 };
 
-/// A contact between links, or with the height field: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = J x + offset.
-struct CoupledContact {
-  std::size_t first = 0;  ///< of the coordinates in x that move it, which ascend
-  std::size_t coordinates = 0;
-  std::size_t jacobian = 0;  ///< where its J begins
-  double weight = 0.0;       ///< D of each row
-  double mu = 0.0;
-  std::array<double, 3> offset{};
-  std::array<bool, 4> active{};
-
-  [[nodiscard]] std::array<double, 4> pushing_weights() const {
-    return {active[0] ? weight : 0.0, active[1] ? weight : 0.0, active[2] ? weight : 0.0, active[3] ? weight : 0.0};
-  }
+/// A link of robots that touch each other or a height field.
+struct KnotLink {
+  Mask kept;     ///< lanes in which its hinge is an unknown of a knot (knot.hpp)
+  Spatial link;  ///< trial motion of lanes that are solved, while others are not
+  Real hinge;    ///< and acceleration of its hinge
 };
 
-/// The search's current point: a link's motion, and the acceleration of its hinge to the parent.
-struct TrialPoint {
-  Spatial link;
-  Real hinge;
-};
-
-/// The problem of robots whose links touch each other.
-struct CoupledWork {
-  std::vector<CoupledContact> contacts;
-  std::vector<std::size_t> coordinates;
-  std::vector<double> jacobians;   ///< J of each contact: its normal's row and its tangents', as long as columns of `system`
-  std::vector<std::size_t> kept;   ///< links whose hinges are unknowns, leaves first
-  std::vector<std::size_t> order;  ///< of each link among them; the number of links for the others
-  std::vector<double> x;
-  SymmetricSystem system;
-  SymmetricSystem trees;  ///< A and b before contacts add to them
-  std::vector<double> trees_x;
-  std::vector<TrialPoint> trials;  ///< of lanes that are not being solved
-
-  [[nodiscard]] std::span<const std::size_t> coordinates_of(const CoupledContact& contact) const {
-    return {coordinates.data() + contact.first, contact.coordinates};
-  }
-  [[nodiscard]] std::array<const double*, 3> rows(const CoupledContact& contact) const {
-    const double* const first = jacobians.data() + contact.jacobian;
-    return {first, first + system.column_size(), first + 2 * system.column_size()};
-  }
-};
-
-/// Scratch memory of one thread.
+/// Scratch memory of the robots of one body in the lanes.
 struct Workspace {
-  /// Bits of the lanes that a lane's robot may touch, itself among them: these are stepped together or not at all.
-  std::array<unsigned, lane_count> company;
   std::vector<LinkWork> links;
   std::vector<HingeWork> hinges;
   std::vector<ContactWork> contacts;
@@ -189,31 +145,34 @@ struct Workspace {
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
   std::vector<std::uint8_t> box_placed;  ///< whether it is computed in this stage
   std::vector<Vec3> box_centres;         ///< of all robots, from the origins of their roots
-  std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes, lanes by lanes and boxes by boxes
-  std::vector<LinkContact> link_contacts;
+  std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes of a robot, by lane and boxes
   std::vector<FieldContact> field_contacts;
-  CoupledWork coupled;
-  BoxCollider collider;
-  std::optional<FieldCollider> field_collider;
+  std::vector<KnotLink> knot_links;
   Mask doubtful{};  ///< lanes in which rounding decides what touches
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
 
-  explicit Workspace(const KernelModel& model)
-      : links(model.links.size()),
-        hinges(model.hinges.size()),
-        contacts(model.planes.size() * model.boxes.size() * 4),
-        groups(model.planes.size() * model.links.size()),
-        pushing_rows(model.planes.size() * model.boxes.size() * 8 * lane_count, all_rows),
-        placed_boxes(lane_count * model.boxes.size()),
-        box_placed(placed_boxes.size()),
-        box_centres(model.boxes.size()),
-        last_gap(placed_boxes.size() * placed_boxes.size()),
-        collider{model.box_depth},
-        stage{model},
-        sum{model} {
-    if (model.field) field_collider.emplace(*model.field->model, model.field->geom);
-    for (std::size_t lane = 0; lane < lane_count; ++lane) company[lane] = 1u << lane;
+  Workspace() = default;
+  explicit Workspace(const KernelModel& model) {
+    fit(model);
+    forget_rows();
+  }
+
+  /// Makes room for robots of this body.
+  void fit(const KernelModel& model) {
+    const std::size_t boxes = model.boxes.size();
+    links.resize(model.links.size());
+    hinges.resize(model.hinges.size());
+    contacts.resize(model.planes.size() * boxes * 4);
+    groups.resize(model.planes.size() * model.links.size());
+    pushing_rows.resize(model.planes.size() * boxes * 8 * lane_count);
+    placed_boxes.resize(lane_count * boxes);
+    box_placed.resize(placed_boxes.size());
+    box_centres.resize(boxes);
+    last_gap.resize(lane_count * boxes * boxes);
+    knot_links.resize(links.size());
+    stage.fit(model);
+    sum.fit(model);
   }
 
   /// To be called when other robots come into the lanes.
