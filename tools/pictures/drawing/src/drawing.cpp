@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/versions.hpp>
 #include <trophic/habitat/link_frames.hpp>
 #include <trophic/pictures/drawing/drawing.hpp>
 #include <utility>
@@ -40,8 +41,7 @@ ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
       "' dir='-0.28 0.5 -1' diffuse='0.42 0.42 0.42' specular='0 0 0' castshadow='false'/></worldbody></mujoco>";
   auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "empty.xml", static_cast<int>(xml.size()));
-  std::ranges::copy(xml, static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), "empty.xml")]));
+  backend::mujoco::add_file(*files, "empty.xml", xml);
   std::array<char, 1000> error{};
   ModelPtr model{mj_loadXML("empty.xml", files.get(), error.data(), static_cast<int>(error.size()))};
   mj_deleteVFS(files.get());

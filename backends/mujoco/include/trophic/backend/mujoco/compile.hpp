@@ -4,7 +4,6 @@
 
 #include <pugixml.hpp>
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <mutex>
@@ -14,6 +13,7 @@
 #include <string>
 #include <trophic/backend/mujoco/box_test.hpp>
 #include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/versions.hpp>
 
 namespace trophic::backend::mujoco {
 
@@ -38,16 +38,10 @@ struct NamedFile {
   };
   const std::unique_ptr<mjVFS, DeleteFiles> files{new mjVFS};
   mj_defaultVFS(files.get());
-  const auto add_file = [&](const std::string& name, const std::string& content) {
-    if (mj_makeEmptyFileVFS(files.get(), name.c_str(), static_cast<int>(content.size())) != 0) {
-      throw std::runtime_error{"MuJoCo: cannot store " + name + " of " + std::to_string(content.size()) + " bytes"};
-    }
-    std::ranges::copy(content, static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), name.c_str())]));
-  };
   std::ostringstream text;
   document.save(text, "", pugi::format_raw);
-  add_file("model.xml", text.str());
-  if (file) add_file(file->name, file->content);
+  add_file(*files, "model.xml", text.str());
+  if (file) add_file(*files, file->name, file->content);
 
   std::array<char, 1000> error{};
   ModelPtr model{mj_loadXML("model.xml", files.get(), error.data(), static_cast<int>(error.size()))};

@@ -7,7 +7,6 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,8 +14,8 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/mujoco/compile.hpp>
-#include <trophic/backend/mujoco/give_back_pages.hpp>
 #include <trophic/backend/mujoco/mjcf.hpp>
+#include <trophic/backend/mujoco/versions.hpp>
 #include <vector>
 
 namespace trophic::backend::mujoco {
@@ -97,16 +96,13 @@ class CompiledModel {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - shares_.begin(), 1) - 1);
   }
 
-  /// One of the working memories, constructed at its first use, for exclusive use. Most of a crowd's is the square matrix of
-  /// the dual solvers, which MuJoCo fills with zeros and the Newton solver never reads.
+  /// One of the working memories, constructed at its first use, for exclusive use.
   [[nodiscard]] mjData& data(std::size_t slot) {
     if (!data_[slot]) {
       const EngineGuard guard;
       data_[slot].reset(mj_makeData(model_.get()));
       if (!data_[slot]) throw std::runtime_error{"MuJoCo: model of " + std::to_string(robots_) + " robots is too large"};
-      const auto rows = static_cast<std::size_t>(model_->njmax);
-      give_back_pages(data_[slot]->efc_AR, rows * rows * sizeof(mjtNum));
-      give_back_pages(data_[slot]->efc_AR_colind, rows * rows * sizeof(int));
+      give_back_dual_matrix(*model_, *data_[slot]);
     }
     return *data_[slot];
   }
@@ -174,10 +170,7 @@ class CompiledModel {
   void resize(std::size_t rows) {
     const auto nv = static_cast<std::size_t>(model_->nv);
     const auto bodies = static_cast<std::size_t>(model_->nbody);
-    model_->njmax = static_cast<int>(rows);
-    model_->nconmax = static_cast<int>(rows / 4);
-    model_->nstack = static_cast<int>(std::min<std::size_t>(
-        50000 + 5 * nv * nv + bodies * bodies + 200 * (nv + bodies) + 20 * rows, std::numeric_limits<int>::max() / 8));
+    set_capacity(*model_, rows, 50000 + 5 * nv * nv + bodies * bodies + 200 * (nv + bodies) + 20 * rows);
   }
 
   /// The largest number of rows for which mjData's buffer stays below 2^31 bytes: per row the Jacobian and its transpose with

@@ -2,12 +2,15 @@
 // Returns unused memory to the system.
 #pragma once
 
-#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace trophic::backend::mujoco {
 

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/box_test.hpp>
+#include <trophic/backend/mujoco/versions.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/params.hpp>
@@ -127,8 +128,14 @@ class MjcfWriter {
     set(option, "cone", "pyramidal");
     set(option, "tolerance", 1e-15);
     set(option, "iterations", 100.0);
-    // MuJoCo 3 rejects this attribute; MuJoCo 2.2 tests all collisions without it.
-    if (scene_.collisions == Collisions::pairs) set(option, "collision", "predefined");
+    if (has_collision_option && scene_.collisions == Collisions::pairs) set(option, "collision", "predefined");
+  }
+
+  /// Without contact types a geom is only in the listed pairs.
+  void leave_to_pairs(pugi::xml_node geom) const {
+    if (has_collision_option || scene_.collisions != Collisions::pairs) return;
+    set(geom, "contype", 0.0);
+    set(geom, "conaffinity", 0.0);
   }
 
   void write_height_asset(const HeightField& field, const std::string& file) {
@@ -145,6 +152,7 @@ class MjcfWriter {
     set(geom, "name", name);
     set(geom, "type", type);
     set(geom, "friction", {arena_.friction, 0.005, 0.0001});
+    leave_to_pairs(geom);
     ground_.emplace_back(name);
     return geom;
   }
@@ -219,6 +227,7 @@ class MjcfWriter {
     set(geom, "pos", shape.centre_m);
     set(geom, "quat", shape.orientation);
     set(geom, "friction", {models_[robot]->friction, 0.005, 0.0001});
+    leave_to_pairs(geom);
   }
 
   /// Torque = position_gain (target - angle) - velocity_gain * velocity. A robot's first controls are its targets, hinge by

@@ -97,10 +97,7 @@ inline void save_mjcf(const std::filesystem::path& path, std::span<const RobotMo
   pugi::xml_document document = write_mjcf(robots, arena, physics, scene, poses, height_file);
   pugi::xml_node root = document.child("mujoco");
   add_looks(root, arena, colours);
-  auto size = root.append_child("size");
-  size.append_attribute("njmax").set_value(compiled.model().njmax);
-  size.append_attribute("nconmax").set_value(compiled.model().nconmax);
-  size.append_attribute("nstack").set_value(compiled.model().nstack);
+  write_capacity(root.append_child("size"), compiled.model());
   auto key = root.append_child("keyframe").append_child("key");
   key.append_attribute("name").set_value("now");
   key.append_attribute("qpos").set_value(numbers_text(positions).c_str());

@@ -63,8 +63,7 @@ class BoxCollider {
       geom.append_attribute("size") = "1 1 1";
     }
     model_ = mujoco::compile(document, std::nullopt);
-    model_->nconmax = model_->njmax = 1;
-    model_->nstack = 1000;
+    mujoco::set_capacity(*model_, 4, 1000);
     data_.reset(mj_makeData(model_.get()));
     found_.resize(mjMAXCONPAIR);
   }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <trophic/backend/mujoco/box_test.hpp>
 #include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/versions.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
@@ -156,12 +157,15 @@ class ModelReader {
   /// Planes or a height field of the world, boxes of the robot; all alike in what contacts are made of, and so are explicit
   /// pairs.
   [[nodiscard]] bool plain_geoms() {
+    const bool only_pairs = mujoco::tests_only_pairs(m_);
     for (int g = 0; g < m_.ngeom; ++g) {
       const bool own = m_.geom_bodyid[g] != 0;
       const bool ground = m_.geom_type[g] == mjGEOM_PLANE || m_.geom_type[g] == mjGEOM_HFIELD;
       if (own ? m_.geom_type[g] != mjGEOM_BOX : !ground) return false;
       if (m_.geom_condim[g] != 3 || m_.geom_priority[g] != 0 || m_.geom_margin[g] != 0.0 || m_.geom_gap[g] != 0.0) return false;
-      if (m_.geom_contype[g] != 1 || m_.geom_conaffinity[g] != 1 || !same_law(m_.geom_solref + 2 * g, m_.geom_solimp + 5 * g)) {
+      const int type = mujoco::has_collision_option || !only_pairs ? 1 : 0;
+      if (m_.geom_contype[g] != type || m_.geom_conaffinity[g] != type ||
+          !same_law(m_.geom_solref + 2 * g, m_.geom_solimp + 5 * g)) {
         return false;
       }
       double& part = own ? robot_friction_ : ground_friction_;
@@ -169,7 +173,7 @@ class ModelReader {
       part = m_.geom_friction[3 * g];
     }
     friction_ = std::max(robot_friction_, ground_friction_);
-    for (int p = 0; m_.opt.collision != mjCOL_DYNAMIC && p < m_.npair; ++p) {
+    for (int p = 0; mujoco::tests_pairs(m_) && p < m_.npair; ++p) {
       if (m_.pair_dim[p] != 3 || m_.pair_margin[p] != 0.0 || m_.pair_gap[p] != 0.0) return false;
       const bool ground = m_.geom_bodyid[m_.pair_geom1[p]] == 0 || m_.geom_bodyid[m_.pair_geom2[p]] == 0;
       const mjtNum* friction = m_.pair_friction + 5 * p;
@@ -177,7 +181,7 @@ class ModelReader {
       if (friction[0] != expected || friction[1] != expected) return false;
       if (!same_law(m_.pair_solref + 2 * p, m_.pair_solimp + 5 * p)) return false;
     }
-    return m_.opt.collision != mjCOL_PAIR || m_.npair > 0;
+    return !only_pairs || m_.npair > 0;
   }
 
   /// A free root and one plain hinge for every other body.
