@@ -82,7 +82,7 @@ struct Options {
 #else
 [[nodiscard]] int run(const Options&) {
   throw std::invalid_argument{
-      "this program was built without pictures; apt-get install libmujoco-dev libosmesa6-dev libpng-dev and build again"};
+      "this program was built without pictures; apt-get install libmujoco-dev libegl-dev libpng-dev and build again"};
 }
 #endif
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/pictures/film/encoder.hpp>
+#include <trophic/support/system_differences.hpp>
 #include <vector>
 
 extern "C" char** environ;
@@ -46,7 +47,7 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
   const auto coding = codings().find(path.extension().string());
   if (coding == codings().end()) throw std::invalid_argument{path.string() + ": must end in .mp4, .webm or .gif"};
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
+  if (!open_pipe(ends)) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   std::vector<std::string> words{
       "ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size, "-r", std::to_string(pictures_per_s),

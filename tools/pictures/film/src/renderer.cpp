@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Definitions of renderer.hpp.
-#include <GL/osmesa.h>
-
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <trophic/pictures/drawing/drawing.hpp>
 #include <trophic/pictures/film/renderer.hpp>
-#include <vector>
+
+#include "offscreen.hpp"
 
 namespace trophic::film {
 
 namespace {
-
-/// An OpenGL context without a screen, current in the thread that made it.
-class Offscreen {
- public:
-  Offscreen() : context_{OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, nullptr)}, buffer_(4 * side * side) {
-    if (context_ == nullptr || OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side) == 0) {
-      throw std::runtime_error{"OSMesa gives no OpenGL to draw with"};
-    }
-  }
-  Offscreen(const Offscreen&) = delete;
-  Offscreen& operator=(const Offscreen&) = delete;
-  ~Offscreen() { OSMesaDestroyContext(context_); }
-
- private:
-  static constexpr int side = 16;  // pictures are drawn into a buffer of MuJoCo's own
-  OSMesaContext context_;
-  std::vector<std::uint8_t> buffer_;
-};
 
 std::size_t checked(const char* name, std::size_t size) {
   if (size % 2 == 0 && size >= 16 && size <= 4096) return size;

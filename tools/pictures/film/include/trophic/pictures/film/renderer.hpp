@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws pictures without a screen, with OSMesa.
+// Draws pictures without a screen.
 #pragma once
 
 #include <cstddef>
