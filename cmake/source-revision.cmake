@@ -24,11 +24,11 @@ if(GIT)
   endif()
 endif()
 set(text "extern \"C\" {
-extern const char* const trophic_source_revision;
-extern const char* const trophic_build;
+extern const char* trophic_source_revision;
+extern const char* trophic_build;
 char trophic_source_revision_text[256] = \"${revision}\";
-const char* const trophic_source_revision = trophic_source_revision_text;
-const char* const trophic_build = TROPHIC_BUILD;
+const char* trophic_source_revision = trophic_source_revision_text;
+const char* trophic_build = TROPHIC_BUILD;
 }
 ")
 set(before "")

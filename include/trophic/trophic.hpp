@@ -294,6 +294,8 @@
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
+#include <trophic/support/system_differences.hpp>
+#include <trophic/support/this_program.hpp>
 #include <trophic/support/thread_pool.hpp>
 #include <trophic/support/units.hpp>
 #include <trophic/support/version.hpp>

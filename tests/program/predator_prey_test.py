@@ -5,6 +5,7 @@
 import csv
 import json
 import pathlib
+import platform
 import re
 import signal
 import subprocess
@@ -92,6 +93,8 @@ class Runs(PredatorPrey):
         self.assertEqual(manifest["tags"], [-1, 1])
         self.assertEqual((manifest["seed"], manifest["params"]["seed"]), (2**53, 2**53))
         self.assertRegex(manifest["compiler"], r"^(g|clang)\+\+ \d+\.\d+\.\d+$")
+        self.assertEqual(manifest["architecture"], platform.machine())
+        self.assertRegex(manifest["c_library"], r"^glibc \d+\.\d+|^unknown$")
         self.assertIn("--duration 10", manifest["command_line"])
         self.assertTrue(manifest["host"])
         self.assertTrue(manifest["build"])

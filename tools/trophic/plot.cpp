@@ -13,6 +13,7 @@
 #include <string>
 #include <system_error>
 #include <trophic/command/output.hpp>
+#include <trophic/support/this_program.hpp>
 #include <vector>
 
 #include "commands.hpp"
@@ -43,7 +44,7 @@ struct Options {
   const std::filesystem::path analysis = options.analysis;
   if (!std::filesystem::is_directory(analysis)) throw std::invalid_argument{options.analysis + ": is not a folder"};
   check_new_file("--out", options.out ? std::filesystem::path{*options.out} : analysis / "figures");
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  const std::filesystem::path program = program_path();
   const std::filesystem::path folder = module_folder(program);
   if (!std::filesystem::exists(folder / "trophic/plot.py")) {
     throw std::invalid_argument{"the Python module is not installed: there is no " + (folder / "trophic/plot.py").string()};

@@ -10,22 +10,22 @@
 #include <trophic/support/version.hpp>
 
 /// `git describe` of the program's sources at the last build, and its build type and flags. The CMake function
-/// trophic_add_experiment gives them; a program that is built otherwise lacks them.
+/// trophic_add_experiment gives them by definitions that replace these; a program that is built otherwise lacks them.
 extern "C" {
-[[gnu::weak]] extern const char* const trophic_source_revision;
-[[gnu::weak]] extern const char* const trophic_build;
+[[gnu::weak]] const char* trophic_source_revision = nullptr;
+[[gnu::weak]] const char* trophic_build = nullptr;
 }
 
 namespace trophic::command {
 
 /// A commit, with "-dirty" if files had changed since; "unknown" if the build did not set it.
 [[nodiscard]] inline std::string source_revision() {
-  return &trophic_source_revision == nullptr ? "unknown" : trophic_source_revision;
+  return trophic_source_revision == nullptr ? "unknown" : trophic_source_revision;
 }
 
 /// Build type and flags, or as much of them as the compiler's macros show.
 [[nodiscard]] inline std::string build() {
-  if (&trophic_build != nullptr) return trophic_build;
+  if (trophic_build != nullptr) return trophic_build;
 #ifdef __OPTIMIZE__
   return "optimised";
 #else

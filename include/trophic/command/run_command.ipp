@@ -27,6 +27,7 @@
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/words.hpp>
 #include <trophic/support/plain_text.hpp>
+#include <trophic/support/this_program.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -136,7 +137,7 @@ TROPHIC_INLINE void add_options(CLI::App& app, const Command& command) {
 /// TROPHIC_MODELS names others.
 TROPHIC_INLINE void use_installed_models() {
   std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path program = program_path(error);
   const std::filesystem::path models = program.parent_path().parent_path() / "share/trophic/models";
   if (!error && std::filesystem::is_directory(models, error)) ::setenv("TROPHIC_MODELS", models.c_str(), 0);
 }
@@ -159,7 +160,7 @@ inline std::terminate_handler die_otherwise = nullptr;  ///< what std::terminate
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc& error) {
-    static_cast<void>(report_failure(program_invocation_name, error));
+    static_cast<void>(report_failure(invocation_name(), error));
     std::_Exit(run_error);
   } catch (...) {  // a bug: dies as without this
   }

@@ -24,6 +24,7 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/run/sweep/work_through.hpp>
+#include <trophic/support/this_program.hpp>
 #include <utility>
 #include <vector>
 
@@ -148,8 +149,8 @@ struct Estimates {
       "#SBATCH --job-name=" +
       options.program + "\n#SBATCH --array=1-" + tasks + "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() +
       "\n#SBATCH --mem=" + std::to_string(megabytes) + "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\nexec " +
-      quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " --sweep " + quoted(options.sweep) + " --out " +
-      quoted(options.out) + " --shard \"$SLURM_ARRAY_TASK_ID/" + tasks + "\" --jobs 1\n");
+      quoted(program_path().string()) + " --sweep " + quoted(options.sweep) + " --out " + quoted(options.out) +
+      " --shard \"$SLURM_ARRAY_TASK_ID/" + tasks + "\" --jobs 1\n");
 }
 
 }  // namespace trophic::command::detail::sweeps

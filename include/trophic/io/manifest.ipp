@@ -13,6 +13,7 @@
 #include <trophic/io/program_code.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/replace_file.hpp>
+#include <trophic/support/system_differences.hpp>
 #include <trophic/support/version.hpp>
 #include <utility>
 #include <variant>
@@ -111,6 +112,8 @@ TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const
     json["backend"] = run.backend;
     json["remarks"] = run.remarks;
     json["compiler"] = compiler();
+    json["architecture"] = architecture();
+    json["c_library"] = c_library();
     for (const auto& [name, text] : provenance_) json[name] = text;
     for (const auto& [name, text] : origin_) json["origin"][name] = text;
     for (const Continuation& one : continued_) {

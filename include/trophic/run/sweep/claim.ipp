@@ -23,6 +23,7 @@
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/replace_file.hpp>
+#include <trophic/support/system_differences.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 
@@ -77,7 +78,7 @@ inline constexpr const char* owner_file = "owner.json";
 [[nodiscard]] inline std::optional<double> touched_s(const std::filesystem::path& path) {
   struct stat state {};
   if (::lstat(path.c_str(), &state) != 0) return std::nullopt;
-  return static_cast<double>(state.st_mtim.tv_sec) + 1e-9 * static_cast<double>(state.st_mtim.tv_nsec);
+  return modified_s(state);
 }
 
 /// Age of a claim since it was made or renewed, by the clock of the file system; `nullopt` if it was given back meanwhile.
