@@ -94,7 +94,8 @@ void check_robot_on_field(const std::string& name, const Physics& physics) {
                << Differences::jumps(found.of_rounding));
   CHECK(Differences::median(found.of_kernel) < 1e-13);
   CHECK(Differences::jumps(found.of_kernel) <= Differences::jumps(found.of_rounding) + 5);
-  CHECK(Differences::jumps(found.of_kernel) < steps / 50);
+  // MuJoCo 3 tests boxes against the field by another iteration, which amplifies rounding in more states.
+  CHECK(Differences::jumps(found.of_kernel) < steps / (backend::mujoco::is_mujoco_3 ? 15 : 50));
   CHECK(steps > 4 * static_cast<std::ptrdiff_t>(groups) * 3 / 4);
   CHECK(found.contacts > found.of_kernel.size());
 }
