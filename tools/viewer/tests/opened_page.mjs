@@ -7,6 +7,15 @@ const flags = [
   "--disable-sync", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader",
 ];
 
+/** In the page: keeps the moment that it opens at, which a page that plays leaves at once. */
+function noteOpening() {
+  const look = () => (window.trophic ? (window.openedAt = window.trophic.time) : requestAnimationFrame(look));
+  requestAnimationFrame(look);
+}
+
+/** How long a condition may take on a busy machine. */
+export const patience = { timeout: 120000 };
+
 export class Browser {
   static async start() {
     const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
@@ -25,12 +34,19 @@ export class Browser {
 
   /** Opens a file and waits until it shows what it was asked for. Without a moment in its link a page plays a catch. */
   async open(file, hash = "#t=0") {
+    const opened = await this.openAt(`file://${file}`, hash);
+    await opened.settle();
+    return opened;
+  }
+
+  /** Opens an address. */
+  async openAt(address, hash = "") {
     const page = await this.context.newPage();
-    const opened = new OpenedPage(page, `file://${file}`);
+    const opened = new OpenedPage(page, address);
+    await page.addInitScript(noteOpening);
     opened.session = await this.context.newCDPSession(page);
     await opened.session.send("Performance.enable", { timeDomain: "threadTicks" });
-    await page.goto(`file://${file}${hash}`);
-    await opened.settle();
+    await page.goto(address + hash);
     return opened;
   }
 
@@ -55,7 +71,21 @@ export class OpenedPage {
   }
 
   async settle() {
-    await this.page.waitForFunction(() => window.trophicError || window.trophic?.settled, null, { timeout: 120000 });
+    await this.page.waitForFunction(() => window.trophicError || window.trophic?.settled, null, patience);
+  }
+
+  /** Waits until a condition of the page holds. */
+  until(condition, argument = null) {
+    return this.page.waitForFunction(condition, argument, patience);
+  }
+
+  /** Waits until the number of pixels near a colour is as wanted: a world is drawn some frames after its page. */
+  async untilPixels(colour, isWanted) {
+    const end = Date.now() + patience.timeout;
+    for (let found = await this.pixels(colour); !isWanted(found); found = await this.pixels(colour)) {
+      if (Date.now() > end) throw new Error(`${found} pixels near ${colour}`);
+      await this.page.waitForTimeout(50);
+    }
   }
 
   /** Processor seconds of the page's own thread until now. */
@@ -68,12 +98,12 @@ export class OpenedPage {
     return this.page.evaluate(work, argument);
   }
 
-  /** Number of pixels of a run's world near a colour "#rrggbb". */
-  pixels(colour, world = 0) {
+  /** Number of pixels of a run's world near a colour "#rrggbb", now or in a picture of it that was kept. */
+  pixels(colour, world = 0, kept = undefined) {
     return this.page.evaluate(
-      async ([wanted, number]) => {
+      async ([wanted, number, before]) => {
         const picture = new Image();
-        picture.src = window.trophic.worlds[number].picture();
+        picture.src = before ?? window.trophic.worlds[number].picture();
         await picture.decode();
         const canvas = new OffscreenCanvas(picture.width, picture.height);
         const g = canvas.getContext("2d");
@@ -86,7 +116,7 @@ export class OpenedPage {
         }
         return count;
       },
-      [colour, world],
+      [colour, world, kept],
     );
   }
 
