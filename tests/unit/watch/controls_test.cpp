@@ -146,3 +146,46 @@ TEST_CASE("controls: help -> a meaning for each key") {
   scene.press(watch::Key::help);
   CHECK_FALSE(scene.controls.shows_help());
 }
+
+TEST_CASE("controls: N -> the run runs ahead to the next catch, which is played from 8 s before it with both in the picture") {
+  Scene scene;
+  scene.press(watch::Key::next_catch);
+  CHECK(scene.controls.seeks_catch());
+  CHECK(scene.controls.wanted_until_s() > 1e300);
+  for (int i = 0; i < 10; ++i) {
+    scene.written.advance();
+    scene.look(0.02);
+    scene.footage.forget_before(scene.controls.kept_from_s());
+  }
+  REQUIRE(scene.controls.seeks_catch());
+  scene.footage.add_catch(
+      {.time_s = 24.0, .hunter = 17, .victim = 18, .hunter_body = 0, .victim_body = 1, .sentence = "17 catches 18"});
+  scene.look(0.0);
+  REQUIRE(scene.controls.scene());
+  CHECK(scene.controls.clock().time_s() == 16.0);
+  CHECK(scene.controls.wanted_until_s() == 28.0);
+  CHECK(watch::moment_text(scene.controls, scene.footage, false).ends_with("17 catches 18 (in 8 s)"));
+  for (const std::size_t body : {0U, 1U}) {
+    const std::pair<double, double> at = scene.pixel(body);
+    CHECK(at.first > 0.0);
+    CHECK(at.first < scene.window.width);
+  }
+  for (int i = 0; i < 80; ++i) scene.look(0.1);
+  CHECK(scene.controls.clock().time_s() == 24.0);
+  CHECK(scene.controls.scene()->is_held(24.0));
+  for (int i = 0; i < 11; ++i) scene.look(0.1);
+  CHECK(scene.controls.clock().time_s() == 24.0);  // it stands still
+  for (int i = 0; i < 4; ++i) scene.written.advance();
+  for (int i = 0; i < 60 && scene.controls.scene(); ++i) scene.look(0.1);
+  CHECK_FALSE(scene.controls.scene());
+  CHECK(scene.controls.clock().is_paused());  // as before
+}
+
+TEST_CASE("controls: Esc while a catch is sought or played -> ends it and keeps the selection") {
+  Scene scene;
+  scene.press(watch::Key::next);
+  scene.press(watch::Key::next_catch);
+  scene.press(watch::Key::deselect);
+  CHECK_FALSE(scene.controls.seeks_catch());
+  CHECK(scene.controls.selected() == 17);
+}

@@ -111,6 +111,8 @@ class Window {
       return Key::deselect;
     case GLFW_KEY_A:
       return Key::whole;
+    case GLFW_KEY_N:
+      return Key::next_catch;
     case GLFW_KEY_T:
       return Key::top;
     case GLFW_KEY_H:
@@ -206,11 +208,16 @@ struct Session::Parts {
       Controls& controls = desk.in_use;
       controls.advance(footage, elapsed_s, window.size());
       const double time_s = controls.clock().time_s();
-      footage.forget_before(time_s);
+      footage.forget_before(controls.kept_from_s());
       const std::string moment = moment_text(controls, footage, has_ended);
       window.say(moment);
       drawing::Sights sights{.marked = controls.selected(), .rows_s = {}, .named = {}, .has_lines = true};
       if (controls.selected()) sights.named = {*controls.selected()};
+      if (const auto& scene = controls.scene()) {
+        sights.named = {scene->shown().hunter, scene->shown().victim};
+        sights.marked = scene->shown().hunter;
+        if (scene->is_held(time_s)) sights.rows_s = time_s - 0.5 * footage.tick_s();
+      }
       sights.species.assign(footage.species().begin(), footage.species().end());
       picture = drawing::picture_of(footage, time_s, sights, moment);
       picture.legend = drawing::legend_of(footage.species(), footage.rows_at(time_s), footage.filled_tag(), true);

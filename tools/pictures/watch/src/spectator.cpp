@@ -22,7 +22,11 @@ void Spectator::on_frame(const observe::Frame& frame) {
 }
 
 void Spectator::on_event(const observe::Event& event, const View& view) {
-  if (event.kind != observe::EventKind::death || !is_heard()) return;
+  if (!is_heard()) return;
+  if (event.kind == observe::EventKind::capture) {
+    return exchange_->with_footage([&](LiveFootage& footage) { footage.add_catch(catch_of(event, view)); });
+  }
+  if (event.kind != observe::EventKind::death) return;
   const bool is_catch = event.cause == Cause::caught;
   exchange_->with_footage([&](LiveFootage& footage) { footage.add_death(view, event.body, is_catch); });
 }

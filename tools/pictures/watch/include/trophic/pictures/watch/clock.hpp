@@ -27,6 +27,10 @@ class Clock {
   void set(double time_s) { time_s_ = time_s; }
   void faster() { speed_ = std::min(speed_ + 1, speeds.size() - 1); }
   void slower() { speed_ = std::max<std::size_t>(speed_, 1) - 1; }
+  void set_paused(bool is_paused) {
+    is_paused_ = is_paused;
+    step_to_s_.reset();
+  }
   void pause_or_continue() {
     is_paused_ = !is_paused_;
     step_to_s_.reset();

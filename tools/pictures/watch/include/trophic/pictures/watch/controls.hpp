@@ -5,18 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <trophic/io/tables.hpp>
 #include <trophic/pictures/drawing/camera.hpp>
 #include <trophic/pictures/drawing/picture.hpp>
+#include <trophic/pictures/watch/catch_scene.hpp>
 #include <trophic/pictures/watch/clock.hpp>
 #include <trophic/pictures/watch/eye.hpp>
 #include <trophic/pictures/watch/live_footage.hpp>
 
 namespace trophic::watch {
 
-enum class Key { pause, step, faster, slower, follow, next, deselect, whole, top, help };
+enum class Key { pause, step, faster, slower, follow, next, deselect, whole, top, help, next_catch };
 enum class Button { turns, shifts };
 
 /// The size of a window and a place in it, from its upper left corner, in the same units.
@@ -34,9 +36,10 @@ class Controls {
   /// A mouse that moved less than this between press and release has clicked.
   static constexpr double click_reach = 4.0;
 
-  static constexpr const char* help = "space\nright arrow\nup, down\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
+  static constexpr const char* help = "space\nright arrow\nup, down\nN\nclick\nF\nTab\nEsc\nA, T\ndrag, wheel\nright drag\nH\nQ";
   static constexpr const char* help_meanings =
-      "pause, resume\none tick\nfaster, slower\nselect a robot\nfollow it\nselect the next one\nselect none\nwhole arena, from "
+      "pause, resume\none tick\nfaster, slower\nthe next catch, from some seconds before it\nselect a robot\nfollow it\nselect "
+      "the next one\nselect none\nwhole arena, from "
       "above\n"
       "turn, zoom\nmove\nthis help\nclose; the run continues";
 
@@ -48,14 +51,24 @@ class Controls {
       eye_.see_whole(footage.arena(), window.aspect());
     }
     tick_s_ = footage.tick_s();
-    clock_.advance(elapsed_s, footage.newest_s());
+    if (scene_ || wanted_after_s_) {
+      advance_scene(footage, elapsed_s);
+    } else {
+      clock_.advance(elapsed_s, footage.newest_s());
+    }
     if (selected_ && lives(footage)) {
       if (is_following_) eye_.look_at(footage.root(clock_.time_s(), body_).position_m);
     }
   }
 
   void press(Key key, const LiveFootage& footage, const WindowSize& window) {
+    if (key != Key::help && key != Key::next_catch && (scene_ || wanted_after_s_)) {
+      leave_scene();
+      if (key == Key::deselect) return;
+    }
     switch (key) {
+      case Key::next_catch:
+        return seek_catch();
       case Key::pause:
         return clock_.pause_or_continue();
       case Key::step:
@@ -108,7 +121,17 @@ class Controls {
   [[nodiscard]] std::optional<IndividualId> selected() const { return selected_; }
   [[nodiscard]] bool is_following() const { return is_following_; }
   [[nodiscard]] bool shows_help() const { return shows_help_; }
-  [[nodiscard]] double wanted_until_s() const { return clock_.wanted_until_s(tick_s_); }
+  [[nodiscard]] double wanted_until_s() const {
+    if (wanted_after_s_) return std::numeric_limits<double>::infinity();
+    if (scene_) return scene_->ends_s();
+    return clock_.wanted_until_s(tick_s_);
+  }
+  /// The catch that is played.
+  [[nodiscard]] const std::optional<CatchScene>& scene() const { return scene_; }
+  /// Whether the run runs ahead to its next catch.
+  [[nodiscard]] bool seeks_catch() const { return wanted_after_s_.has_value(); }
+  /// Moment from which frames are needed.
+  [[nodiscard]] double kept_from_s() const { return clock_.time_s() - CatchScene::before_s; }
 
   /// The body of the selected individual; `nullopt` if none is selected or it has died.
   [[nodiscard]] std::optional<std::size_t> selected_body(const LiveFootage& footage) const {
@@ -120,6 +143,36 @@ class Controls {
     Button button;
     double x, y, moved;
   };
+
+  void seek_catch() {
+    wanted_after_s_ = scene_ ? scene_->shown().time_s : clock_.time_s();
+    if (!scene_) was_paused_ = clock_.is_paused();
+    scene_.reset();
+  }
+  /// The clock goes on from where the scene left it, as it did before.
+  void leave_scene() {
+    scene_.reset();
+    wanted_after_s_.reset();
+    clock_.set_paused(was_paused_);
+  }
+  /// Runs ahead to the next catch, then plays it with both robots in the picture.
+  void advance_scene(const LiveFootage& footage, double elapsed_s) {
+    if (wanted_after_s_) {
+      const auto found = std::ranges::find_if(footage.catches(), [&](const Catch& one) { return one.time_s > *wanted_after_s_; });
+      if (found == footage.catches().end()) return clock_.set(footage.newest_s());
+      wanted_after_s_.reset();
+      scene_.emplace(*found);
+      clock_.set(std::max(footage.first_s(), scene_->begins_s()));
+    }
+    clock_.set(scene_->advance(clock_.time_s(), elapsed_s, footage.newest_s()));
+    const double time_s = clock_.time_s();
+    const Catch& one = scene_->shown();
+    const Eigen::Vector3d hunter = footage.root(time_s, one.hunter_body).position_m;
+    const Eigen::Vector3d victim = footage.root(time_s, one.victim_body).position_m;
+    eye_.come_near(footage.robot(), 0.5 * (hunter + victim));
+    eye_.keep_in_view((hunter - victim).norm());
+    if (time_s >= scene_->ends_s()) leave_scene();
+  }
 
   [[nodiscard]] bool lives(const LiveFootage& footage) const {
     const auto rows = footage.rows_at(clock_.time_s());
@@ -164,6 +217,9 @@ class Controls {
   Clock clock_;
   Eye eye_;
   std::optional<Mouse> mouse_;
+  std::optional<CatchScene> scene_;
+  std::optional<double> wanted_after_s_;  ///< the next catch is to be later
+  bool was_paused_ = false;               ///< before the scene
   std::optional<IndividualId> selected_;
   std::size_t body_ = 0;
   double tick_s_ = 1.0;

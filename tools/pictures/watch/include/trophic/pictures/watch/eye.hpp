@@ -22,6 +22,9 @@ class Eye {
   /// Follows a robot.
   void look_at(const Eigen::Vector3d& at_m) { camera_.at_m = {at_m.x(), at_m.y(), 0.0}; }
 
+  /// Far enough to see two robots that are so far apart.
+  void keep_in_view(double apart_m) { camera_.distance_m += 1.6 * apart_m; }
+
   /// By a part of the window's height, to the right and up.
   void turn(double right, double up) {
     camera_.azimuth_deg = std::remainder(camera_.azimuth_deg - 180.0 * right, 360.0);

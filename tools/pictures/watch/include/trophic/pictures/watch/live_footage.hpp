@@ -20,7 +20,9 @@
 #include <trophic/observe/run_description.hpp>
 #include <trophic/pictures/drawing/footage.hpp>
 #include <trophic/population/phenotype.hpp>
+#include <trophic/pictures/watch/catch_scene.hpp>
 #include <trophic/population/view.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::watch {
@@ -59,6 +61,7 @@ class LiveFootage {
   void add_death(const View& view, BodyIndex body, bool is_catch) {
     deaths_.push_back({.time_s = view.time_s, .x_m = view.poses[body].x_m, .y_m = view.poses[body].y_m, .is_catch = is_catch});
   }
+  void add_catch(Catch one) { catches_.push_back(std::move(one)); }
   void add_tick(const View& view) {
     if (!ticks_.empty() && ticks_.back().time_s >= view.time_s) ticks_.pop_back();
     Tick& tick = ticks_.emplace_back();
@@ -70,6 +73,7 @@ class LiveFootage {
   }
   /// Drops frames that no picture from `time_s` on needs.
   void forget_before(double time_s) {
+    std::erase_if(catches_, [&](const Catch& one) { return one.time_s < time_s; });
     while (frames_.size() > 2 && frames_[1].time_s <= time_s) frames_.pop_front();
     while (ticks_.size() > 2 && ticks_[1].time_s <= time_s - drawing::trail_s - 2.0 * tick_s_) ticks_.pop_front();
     std::erase_if(deaths_, [&](const drawing::Death& death) { return death.time_s < time_s - drawing::flash_s; });
@@ -102,6 +106,8 @@ class LiveFootage {
     return moment.bodies.empty() ? nullptr : moment.bodies[body].robot;
   }
   [[nodiscard]] std::span<const drawing::Death> deaths() const { return deaths_; }
+  /// The kept catches, in the order of time.
+  [[nodiscard]] std::span<const Catch> catches() const { return catches_; }
   [[nodiscard]] const RobotModel& robot() const { return *robot_; }
   [[nodiscard]] const Arena& arena() const { return arena_; }
   [[nodiscard]] int filled_tag() const { return filled_tag_; }
@@ -149,6 +155,7 @@ class LiveFootage {
   std::deque<Moment> frames_;
   std::deque<Tick> ticks_;
   std::vector<drawing::Death> deaths_;
+  std::vector<Catch> catches_;
   double first_s_ = 0.0;
   double until_s_ = 0.0;
   double tick_s_ = 1.0;
