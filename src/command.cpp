@@ -4,5 +4,6 @@
 #include <trophic/command/play_contests.ipp>
 #include <trophic/command/run_command.ipp>
 #include <trophic/command/run_experiment.ipp>
+#include <trophic/command/run_live.ipp>
 #include <trophic/command/sweep.ipp>
 #include <trophic/command/sweep_status.ipp>

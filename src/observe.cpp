@@ -10,6 +10,8 @@
 #include <trophic/observe/progress.ipp>
 #include <trophic/observe/run_description.ipp>
 #include <trophic/observe/terminal.ipp>
+#include <trophic/run/changes/change.ipp>
+#include <trophic/run/changes/changing_simulation.ipp>
 #include <trophic/run/checkpoint/checkpoint_file.ipp>
 #include <trophic/run/checkpoint/checkpoint_writer.ipp>
 #include <trophic/run/checkpoint/resume.ipp>

@@ -8,6 +8,7 @@
 #include <trophic/command/any_experiment.hpp>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/experiment_program.hpp>
+#include <trophic/command/live.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/selection.hpp>
 #include <trophic/command/table_experiment.hpp>
@@ -55,6 +56,9 @@ template <class Backends, class... Rules>
 #endif
 #ifdef TROPHIC_WITH_WATCH
     linked.open_window = &command::open_window;
+#endif
+#ifdef TROPHIC_WITH_LIVE
+    linked.open_live = &live::open;
 #endif
     return command::experiment_program(argc, argv, offer, linked);
   });

@@ -143,6 +143,7 @@
 #include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/recording_format.hpp>
+#include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/io/sense_log.hpp>
@@ -259,6 +260,8 @@
 #include <trophic/rules/with_rules_of.hpp>
 #include <trophic/rules/with_sensor.hpp>
 #include <trophic/run.hpp>
+#include <trophic/run/changes/change.hpp>
+#include <trophic/run/changes/changing_simulation.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/run/checkpoint/resume.hpp>

@@ -20,6 +20,7 @@
 #include <tools/trophic/cross_check/report.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/tables.hpp>
+#include <trophic/run/changes/change.hpp>
 #include <type_traits>
 
 namespace {
@@ -105,6 +106,9 @@ on.)");
   text += section<io::GeneRow>("genes.csv",
                                R"(One row per gene of every newborn. Written only if individuals inherit gaits or bodies, or if
 brains grow.)");
+  text += section<changes::ChangeRow>("changes.csv",
+                                      "The numbers of rules that changed during a run, in the order of their changes. Written "
+                                      "only with --changes and --live; --changes reads it.");
   text += section<analysis::MetricRow>("metrics.csv",
                                        "Results of the analysis: every value and every curve of every run, one value per row.");
   text += section<analysis::MeanRow>("means.csv", "Each metric of a set next to each of its nulls, for tables of a paper.");

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <trophic/command/live.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/selection.hpp>
 #include <trophic/command/watching.hpp>
@@ -28,6 +29,7 @@ using MakeAnalyze = Command (*)(const std::string& program, const io::OwnMetrics
 struct LinkedParts {
   FindTeam find_team = nullptr;
   OpenWindow open_window = nullptr;
+  OpenLive open_live = nullptr;
   MakeAnalyze make_analyze = nullptr;
   io::OwnTables own_tables = {};
   io::OwnMetrics own_metrics = {};

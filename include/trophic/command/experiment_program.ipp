@@ -15,6 +15,7 @@
 #include <trophic/command/provenance.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/run_experiment.hpp>
+#include <trophic/command/run_live.hpp>
 #include <trophic/command/sweep.hpp>
 #include <trophic/command/sweep_status.hpp>
 #include <trophic/command/words.hpp>
@@ -87,7 +88,11 @@ namespace detail {
        {"--save-mjcf", &options.save_mjcf,
         "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"}});
   add("Look",
-      {{"--watch", &options.watch, "show the run in a window; its files are the same. H in the window lists keys and mouse"}});
+      {{"--watch", &options.watch, "show the run in a window; its files are the same. H in the window lists keys and mouse"},
+       {"--live", &options.live,
+        "show the run in a browser of this machine and let the page pause it, change numbers of rules and start again; it prints "
+        "the page's address"},
+       {"--live-port", &options.live_port, "port of that address, for ssh -L (any free one)"}});
   add("Resume and branch",
       {{"--resume", &options.resume,
         "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It keeps "
@@ -99,6 +104,10 @@ namespace detail {
         "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
         "with --replicates of its future"},
        {"--at", &options.at_s, "seconds of that run's clock (its last checkpoint)"}});
+  add("Changes",
+      {{"--changes", &options.changes,
+        "CSV file with columns time_s, number and value: numbers of rules that change during the run; a run's changes.csv "
+        "makes a live run again to the byte"}});
   add("Contests",
       {{"--play", &options.play,
         "play the contests in this file, with --jobs at a time, and write their outcomes next to it; trophic contest --program "
@@ -136,6 +145,14 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.agents_every < 1 || options.agents_every > 1'000'000) {
     throw std::invalid_argument{"--agents-every " + std::to_string(options.agents_every) + ": must be >= 1 and <= 1000000"};
   }
+  if (options.live && (options.watch || options.replicates || !options.from.empty() || !options.save_mjcf.empty())) {
+    throw std::invalid_argument{"--live: needs a run, and one only; not with --watch, --replicates, --from or --save-mjcf"};
+  }
+  if (options.live_port && !options.live) throw std::invalid_argument{"--live-port: needs --live"};
+  if (options.live_port && (*options.live_port < 1024 || *options.live_port > 65535)) {
+    throw std::invalid_argument{"--live-port " + std::to_string(*options.live_port) + ": must be >= 1024 and <= 65535"};
+  }
+  if (!options.changes.empty() && !options.from.empty()) throw std::invalid_argument{"--changes: not with --from"};
   if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to resume in"};
 }
 
@@ -148,7 +165,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
                               ", what this program makes of its numbers; rules, models or engine changed"};
 }
 
-[[nodiscard]] TROPHIC_INLINE int run_selection(ExperimentOptions& options, const Offer& offer, OpenWindow open_window) {
+[[nodiscard]] TROPHIC_INLINE int run_selection(ExperimentOptions& options, const Offer& offer, const LinkedParts& linked) {
   Config config = read_config(options.config, options.assignments);
   const auto tables = offer.table_names();
   const auto backends = offer.backend_names();
@@ -188,11 +205,13 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     if (table != origin->rule_table) config.origin.erase("rules");
     origin->make = [&, its](const std::filesystem::path& folder) { return replay(its, *origin, options, folder); };
   }
-  return run_experiment(selection, options, config, origin, open_window);
+  const bool is_printed = options.print_config || !options.print_table.empty();
+  if (options.live && !is_printed) return run_live(selection, options, config, offer, linked.open_live);
+  return run_experiment(selection, options, config, origin, linked.open_window);
 }
 
 [[nodiscard]] TROPHIC_INLINE int run_options(ExperimentOptions& options, const Offer& offer, sweep::Team* team,
-                                             OpenWindow open_window) {
+                                             const LinkedParts& linked) {
   const auto tables = offer.table_names();
   for (const std::string& table : tables) {
     if (std::ranges::count(tables, table) > 1) {
@@ -200,6 +219,9 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     }
   }
   if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);
+  if (!options.sweep.empty() && (options.live || !options.changes.empty())) {
+    throw std::invalid_argument{"--live and --changes: not with --sweep"};
+  }
   if (!options.sweep.empty() && !options.status) return run_sweep(options, offer, team);
   if (options.status) return sweep_status(options);
   if (!options.shard.empty() || options.dry_run || options.lease_s || options.sbatch) {
@@ -210,7 +232,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
     throw std::invalid_argument{"mpirun: only with --sweep; each of its " + std::to_string(team->size()) +
                                 " processes would do the same"};
   }
-  return run_selection(options, offer, open_window);
+  return run_selection(options, offer, linked);
 }
 
 /// `analyze`, if the program is linked with it.
@@ -241,7 +263,7 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
                       .about = "Runs an ecology of simulated robots by the rules of " + one_of(offer.table_names()) +
                                ", and writes its events, agents, phylogeny and genomes with a manifest into a new folder.",
                       .options = detail::options_of(options, offer),
-                      .work = [&] { return detail::run_options(options, offer, team.get(), linked.open_window); },
+                      .work = [&] { return detail::run_options(options, offer, team.get(), linked); },
                       .subcommands = std::move(subcommands),
                       .version = version_text(backend_versions(offer.backends)),
                       .examples = {options.program + " --backend kinematic --duration 600",

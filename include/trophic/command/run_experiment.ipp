@@ -15,6 +15,7 @@
 #include <system_error>
 #include <thread>
 #include <trophic/command/config.hpp>
+#include <trophic/command/experiment_of.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/run_experiment.hpp>
@@ -25,6 +26,8 @@
 #include <trophic/io/state_log.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/params/toml.hpp>
+#include <trophic/run/changes/change.hpp>
+#include <trophic/run/changes/changing_simulation.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/run_in_folder.hpp>
 #include <trophic/run/replicates/run_with_shadow.hpp>
@@ -70,42 +73,6 @@ namespace detail {
           .own_tables = options.own_tables};
 }
 
-/// Applies --seed, --duration, --robots and --robot.
-inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
-  if (options.seed) experiment.seed() = *options.seed;
-  if (options.duration_s) experiment.ecology().duration_s = *options.duration_s;
-  if (options.robots) experiment.ecology().robots = *options.robots;
-  if (options.robot) experiment.ecology().robot = *options.robot;
-}
-
-/// The experiment with the numbers of configuration and options.
-[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Selection& selection, const ExperimentOptions& options,
-                                                                  const Config& config) {
-  auto experiment = selection.experiment();
-  std::size_t* threads = experiment->threads();
-  if (threads != nullptr) *threads = std::max(1U, std::thread::hardware_concurrency());
-  read_config_by([&](const toml::table& table) { experiment->read(table); }, experiment->named_params(), config);
-  apply(options, *experiment);
-  if (threads != nullptr && options.replicates) *threads = 1;
-  if (threads != nullptr && options.threads) *threads = *options.threads;
-  experiment->check();
-  return experiment;
-}
-
-/// The experiment of a run.
-[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const Selection& selection, const OriginRun& origin) {
-  auto experiment = selection.experiment();
-  experiment->read(origin.params);
-  return experiment;
-}
-
-/// The experiment of a cell of a sweep, whose runs have one thread each.
-[[nodiscard]] inline std::unique_ptr<AnyExperiment> planned_experiment(const Selection& selection, const Config& config) {
-  ExperimentOptions one_thread;
-  one_thread.threads = 1;
-  return experiment_of(selection, one_thread, config);
-}
-
 /// The numbers of a table on a backend as a configuration file.
 [[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
   TomlWriter writer;
@@ -129,8 +96,10 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
   const bool is_stopped = view.time_s < until_s;
   if (is_stopped) {
-    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << " at " << number_text(view.time_s) << " of "
-              << number_text(until_s) << " s; the same command with --resume --out " << folder.path().string() << " resumes it\n";
+    const int signal = observe::StopOnSignal::caught();
+    std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended by its page") << " at "
+              << number_text(view.time_s) << " of " << number_text(until_s) << " s; the same command with --resume --out "
+              << folder.path().string() << " resumes it\n";
   }
   progress.summary(std::cout, view);
   std::cout << "files   " << folder.path().string() << "/{";
@@ -197,7 +166,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
                                          checkpoint::RunState run_state, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
-                       run_state.opening(), ecology.state_columns(), options.own_tables};
+                       run_state.opening(), ecology.state_columns(), changes::with_changes(options.own_tables, ecology)};
   if (options.states && ecology.state_columns().names.empty()) {
     std::cout << "states  none: no rule of this table has a State; states.csv lists the robots only\n";
   }
@@ -223,17 +192,13 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return report_run(folder, progress, ecology.view(), until_s);
 }
 
-[[nodiscard]] inline int run_once(const ExperimentOptions& options, AnyExperiment& experiment,
-                                  const std::optional<OriginRun>& origin, OpenWindow open_window) {
-  std::unique_ptr<Window> window;
-  if (options.watch && open_window == nullptr) {
-    throw std::invalid_argument{
-        "--watch: this program was built without a window; apt-get install libglfw3-dev libmujoco-dev and build again"};
-  }
-  if (options.watch) window = open_window(options.program);
-  const std::unique_ptr<Simulation> ecology = experiment.simulations(false)(experiment.seed());
+/// One run, shown by a window, which may be null.
+[[nodiscard]] inline int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const MakeSimulation& make,
+                                  const std::optional<OriginRun>& origin, Window* window) {
+  const std::unique_ptr<Simulation> ecology = make(experiment.seed());
   if (!options.save_mjcf.empty()) {
-    if (!experiment.save_mjcf(*ecology, options.save_mjcf)) throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
+    const std::unique_ptr<Simulation> plain = experiment.simulations(false)(experiment.seed());
+    if (!experiment.save_mjcf(*plain, options.save_mjcf)) throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
     if (options.out.empty()) return 0;
   }
   const double until_s = experiment.ecology().duration_s;
@@ -241,8 +206,18 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   if (!run_state) return stopped;
   if (!run_state->remark.empty()) std::cout << options.out << " " << run_state->remark << std::endl;
   if (run_state->complete) return 0;
-  const auto simulate = [&] { return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, window.get()); };
-  return window ? window->show(simulate) : simulate();
+  const auto simulate = [&] { return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, window); };
+  return window != nullptr ? window->show(simulate) : simulate();
+}
+
+/// The window of --watch; null without it.
+[[nodiscard]] inline std::unique_ptr<Window> window_of(const ExperimentOptions& options, OpenWindow open_window) {
+  if (!options.watch) return nullptr;
+  if (open_window == nullptr) {
+    throw std::invalid_argument{
+        "--watch: this program was built without a window; apt-get install libglfw3-dev libmujoco-dev and build again"};
+  }
+  return open_window(options.program);
 }
 
 /// Whether a replicate, or one of its shadow, has nothing to resume from.
@@ -257,11 +232,17 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 }
 
 /// Runs replicates into the folder that the options name, with their shadow if asked for, and returns the exit code.
-[[nodiscard]] inline int run_replicates(const ExperimentOptions& options, AnyExperiment& experiment,
-                                        const std::optional<OriginRun>& origin) {
-  const MakeSimulation make = experiment.simulations(false);
+[[nodiscard]] inline int run_replicates(const Selection& selection, const ExperimentOptions& options, const Config& config,
+                                        AnyExperiment& experiment, const std::optional<OriginRun>& origin) {
+  const MakeSimulation make = simulations(selection, options, config, experiment, false);
   const double until_s = experiment.ecology().duration_s;
   replicates::Plan plan = plan_of(options, experiment.seed());
+  if (options.changes.empty() && options.resume) {
+    for (const replicates::Replicate& one : plan.all()) {
+      if (std::filesystem::exists(one.folder / changes::file_name))
+        throw std::invalid_argument{"--changes: needed to resume, as " + one.folder.string() + " has changes.csv"};
+    }
+  }
   std::optional<checkpoint::SnapshotFolder> room;
   if (origin) {
     plan.check();
@@ -271,8 +252,9 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     if (!options.resume) io::check_new_folder(options.out);
     if (needs_snapshot(plan, options.shadow, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
   }
-  const auto unfinished = replicates::run_with_shadow(make, options.shadow ? experiment.simulations(true) : nullptr, until_s,
-                                                      plan, options.provenance, std::cout);
+  const auto unfinished =
+      replicates::run_with_shadow(make, options.shadow ? simulations(selection, options, config, experiment, true) : nullptr,
+                                  until_s, plan, options.provenance, std::cout);
   if (room && unfinished.empty()) room->clear();
   return report_unfinished(options, unfinished);
 }
@@ -303,6 +285,11 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
+  }
+  if (std::filesystem::exists(origin.moment.run / changes::file_name)) {
+    throw std::invalid_argument{"--from " + options.from +
+                                ": its numbers changed while it ran (changes.csv); make it again with " +
+                                "--changes, or begin from a run without changes"};
   }
   const auto last_s = checkpoint::last_moment_s(origin.moment.run);
   if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no checkpoint"};
@@ -344,8 +331,10 @@ TROPHIC_INLINE int run_experiment(const Selection& selection, const ExperimentOp
     if (!options.unlike_rules.empty()) rules = rules::unlike(rules, options.unlike_rules);
     return print_text(options.print_table == "latex" ? rules::latex_table(rules) : rules::markdown_table(rules));
   }
-  return options.replicates ? detail::run_replicates(options, *experiment, origin)
-                            : detail::run_once(options, *experiment, origin, open_window);
+  if (options.replicates) return detail::run_replicates(selection, options, config, *experiment, origin);
+  const auto window = detail::window_of(options, open_window);
+  return detail::run_once(options, *experiment, detail::simulations(selection, options, config, *experiment, false), origin,
+                          window.get());
 }
 
 TROPHIC_INLINE PlannedFacts facts(const Selection& selection, const Config& config, bool shadow) {

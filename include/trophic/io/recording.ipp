@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/io/recording.hpp>
+#include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
@@ -25,8 +26,7 @@ namespace recording {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-/// Appearance and kinematics of a robot.
-[[nodiscard]] TROPHIC_INLINE Json json_of(const RobotModel& robot) {
+TROPHIC_INLINE Json json_of(const RobotModel& robot) {
   Json json{{"name", robot.name},
             {"forward_rad", robot.forward_rad},
             {"bounding_radius_m", robot.bounding_radius_m},
@@ -50,7 +50,7 @@ namespace recording {
   return json;
 }
 
-[[nodiscard]] TROPHIC_INLINE Json json_of(const Arena& arena) {
+TROPHIC_INLINE Json json_of(const Arena& arena) {
   Json json{{"name", arena.name}, {"half_side_m", arena.half_side_m}, {"extent_m", arena.extent_m}};
   if (arena.height_field) {
     json["height_field"] = {{"nodes", arena.height_field->nodes},
@@ -58,6 +58,13 @@ namespace recording {
                             {"height_m", arena.height_field->height_m}};
   }
   return json;
+}
+
+TROPHIC_INLINE Json json_of(const Units& units) {
+  return {{"position_m", units.position_m},
+          {"yaw_rad", units.yaw_rad},
+          {"tilt_rad", units.tilt_rad},
+          {"joint_rad", units.joint_rad}};
 }
 
 }  // namespace recording
@@ -114,10 +121,7 @@ TROPHIC_INLINE void Recording::write_head(const observe::Frame& frame) {
   head["steps_per_tick"] = frame.times.steps;
   head["robots"] = robots_;
   head["joints"] = joints;
-  head["units"] = {{"position_m", units_.position_m},
-                   {"yaw_rad", units_.yaw_rad},
-                   {"tilt_rad", units_.tilt_rad},
-                   {"joint_rad", units_.joint_rad}};
+  head["units"] = recording::json_of(units_);
   head["robot"] = recording::json_of(frame.robot);
   head["arena"] = recording::json_of(frame.arena);
   file_->file.append(recording::magic);

@@ -20,7 +20,10 @@ struct NamedParam {
   std::string path;
   std::variant<bool, std::int64_t, double, std::string> value;
   std::string help;
-  friend bool operator==(const NamedParam&, const NamedParam&) = default;
+  Bound bound = {};  ///< of a number
+  friend bool operator==(const NamedParam& a, const NamedParam& b) {
+    return a.path == b.path && a.value == b.value && a.help == b.help;
+  }
 };
 using NamedParams = std::vector<NamedParam>;
 
@@ -29,13 +32,10 @@ using NamedParams = std::vector<NamedParam>;
 
 namespace detail {
 
-void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help, bool value);
-void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help,
-                     std::int64_t value);
-void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help,
-                     double value);
-void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name, std::string_view help,
-                     std::string_view value);
+void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, bool value);
+void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, std::int64_t value);
+void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, double value);
+void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, std::string_view value);
 
 template <class P>
 void append_named_params(const P& params, std::string_view path, NamedParams& named_params);
@@ -46,7 +46,7 @@ struct AppendNamedParam {
 
   template <class T>
   void operator()(const FieldText& f, const T& value) const {
-    const auto add = [&](auto plain) { add_named_param(named_params, path, f.name, f.help, plain); };
+    const auto add = [&](auto plain) { add_named_param(named_params, path, f, plain); };
     if constexpr (std::same_as<T, bool>) {
       add(value);
     } else if constexpr (std::integral<T>) {

@@ -39,21 +39,19 @@ TROPHIC_INLINE std::string hash_text(std::string_view text) {
 
 namespace detail {
 
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name,
-                                    std::string_view help, bool value) {
-  named_params.push_back({join_path(path, name), value, std::string{help}});
+TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, bool value) {
+  named_params.push_back({join_path(path, field.name), value, std::string{field.help}});
 }
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name,
-                                    std::string_view help, std::int64_t value) {
-  named_params.push_back({join_path(path, name), value, std::string{help}});
+TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field,
+                                    std::int64_t value) {
+  named_params.push_back({join_path(path, field.name), value, std::string{field.help}, field.bound});
 }
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name,
-                                    std::string_view help, double value) {
-  named_params.push_back({join_path(path, name), value, std::string{help}});
+TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, double value) {
+  named_params.push_back({join_path(path, field.name), value, std::string{field.help}, field.bound});
 }
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, std::string_view name,
-                                    std::string_view help, std::string_view value) {
-  named_params.push_back({join_path(path, name), std::string{value}, std::string{help}});
+TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field,
+                                    std::string_view value) {
+  named_params.push_back({join_path(path, field.name), std::string{value}, std::string{field.help}});
 }
 
 }  // namespace detail

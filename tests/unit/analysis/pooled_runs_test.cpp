@@ -44,6 +44,25 @@ TEST_CASE("pooled runs: runs of two builds -> refused, or pooled with a remark")
   CHECK(pooled_runs(Paths{a, b, mixed, unknown}, false, true).remarks.at(0).starts_with("2 builds of a program made these runs"));
 }
 
+TEST_CASE("pooled runs: different changes of numbers -> refused; the same, or none -> pooled") {
+  const TemporaryFolder folder;
+  const auto run_with = [&](const char* name, int seed, const std::string& changes) {
+    const std::string text = test::manifest("aa", seed);
+    return write_run(folder.path() / name, text.substr(0, text.size() - 1) + R"(, "tables": {)" + changes + "}}");
+  };
+  const auto plain = run_with("plain", 1, "");
+  const auto none = run_with("none", 2, R"("changes.csv": {"rows": 0, "crc32": 5})");
+  const auto one = run_with("one", 3, R"("changes.csv": {"rows": 1, "crc32": 6})");
+  const auto same = run_with("same", 4, R"("changes.csv": {"rows": 1, "crc32": 6})");
+  const auto other = run_with("other", 5, R"("changes.csv": {"rows": 1, "crc32": 7})");
+  CHECK(pooled_runs(Paths{plain, none}, false).manifests.size() == 2);
+  CHECK(pooled_runs(Paths{one, same}, false).manifests.size() == 2);
+  for (const Paths& mixed : {Paths{plain, one}, Paths{one, other}}) {
+    const std::string why = message_of<std::invalid_argument>([&] { static_cast<void>(pooled_runs(mixed, false)); });
+    CHECK(why.find("runs with different changes are not pooled") != std::string::npos);
+  }
+}
+
 TEST_CASE("pooled runs: folder of replicates -> the runs of its list, with a remark on missing ones") {
   const TemporaryFolder folder;
   static_cast<void>(folder.file("replicates.json", R"({"replicates": [{"folder": "replicate-00"}, {"folder": "replicate-01"},

@@ -8,6 +8,8 @@ import { Help } from "./help";
 import { keysOf, listenToKeys } from "./keys";
 import { legendOf } from "./legend";
 import { readLink, writeLink } from "./link";
+import type { Live } from "./live";
+import { NumbersPanel } from "./numbers";
 import { branchOf } from "./phylogeny";
 import type { Event, Run } from "./run";
 import { sentence } from "./sentences";
@@ -47,11 +49,24 @@ export class App {
   private readonly banner = make("p", "banner");
   private readonly frames: HTMLElement[] = [];
   readonly timebar = new TimeBar((time, event) => (event ? this.show(event) : this.seek(time)));
-  readonly side = new Side({ select: (id) => this.select(id), seek: (time) => this.seek(time), jump: (event) => this.jump(event) });
+  readonly side: Side;
   readonly help: Help;
   private readonly controls: Controls;
+  private readonly stopping = new AbortController();
+  /** Of a live run: whether it is shown as it is now, and whether it has grown since the page was drawn. */
+  private isNow = false;
+  private hasGrown = false;
+  private grownAt = -Infinity;
+  private readonly notice = make("p", "notice");
 
-  constructor(readonly runs: Run[]) {
+  /** `live`: of a live run, the only one. */
+  constructor(
+    readonly runs: Run[],
+    readonly live: Live | null = null,
+  ) {
+    const seek = (time: number): void => this.seek(time);
+    this.side = new Side({ select: (id) => this.select(id), seek, jump: (event) => this.jump(event) }, live ? new NumbersPanel(seek) : null);
+    this.isNow = live !== null;
     this.controls = new Controls(
       {
         play: (playing) => this.play(playing),
@@ -63,8 +78,10 @@ export class App {
         copyLink: () => void navigator.clipboard?.writeText(this.writeAddress()).catch(() => undefined),
         help: () => this.help.toggle(),
         sheet: () => this.side.open(!this.side.isOpen),
+        toEnd: () => this.toEnd(),
       },
       this.shown,
+      live !== null,
     );
     const keys = keysOf(this);
     this.help = new Help(keys);
@@ -73,11 +90,18 @@ export class App {
     this.views.style.setProperty("--columns", String(Math.ceil(Math.sqrt(runs.length))));
     this.time = this.firstTime;
     new ResizeObserver(() => this.resize()).observe(this.views);
-    window.addEventListener("hashchange", () => this.follow());
-    listenToKeys(keys, this.help);
-    onThemeChange(() => this.paint());
+    const { signal } = this.stopping;
+    window.addEventListener("hashchange", () => this.follow(), { signal });
+    listenToKeys(keys, this.help, signal);
+    onThemeChange(() => this.paint(), signal);
     this.setCurrent(0);
-    this.follow();
+    if (live) {
+      this.side.numbers?.show(live);
+      this.showState();
+      this.toEnd();
+    } else {
+      this.follow();
+    }
     this.resize();
     requestAnimationFrame((now) => this.tick(now));
   }
@@ -92,17 +116,18 @@ export class App {
     return Math.min(...this.runs.map((run) => run.firstTime));
   }
   get lastTime(): number {
-    return Math.max(...this.runs.map((run) => run.lastTime));
+    return this.live?.newest ?? Math.max(...this.runs.map((run) => run.lastTime));
   }
 
   private build(): void {
     const header = make("header");
+    this.notice.hidden = true;
     header.append(make("h1", "", "trophic"), this.legend);
     const main = make("main");
     main.append(this.views, this.side.element);
     const footer = make("footer");
     footer.append(this.controls.element, this.timebar.element);
-    document.getElementById("app")!.replaceChildren(header, main, footer, this.help.element);
+    document.getElementById("app")!.replaceChildren(header, main, footer, this.notice, this.help.element);
   }
 
   private addWorld(run: Run, number: number): void {
@@ -176,7 +201,54 @@ export class App {
     return this.worlds[this.current]?.view ?? "orbit";
   }
 
+  /** Leaves the page to another app. */
+  stop(): void {
+    this.stopping.abort();
+    for (const world of this.worlds) world?.stop();
+  }
+
+  /** The run has grown: what is drawn of all of it follows when there is time. */
+  grown(): void {
+    this.hasGrown = true;
+    this.dirty = true;
+  }
+  private showGrowth(now: number): void {
+    if (!this.hasGrown || now - this.grownAt < 700) return;
+    this.hasGrown = false;
+    this.timebar.show(this.run, this.firstTime, this.lastTime);
+    this.side.grow(this.run, this.firstTime, this.lastTime);
+    // Half of the time is for the world.
+    this.grownAt = performance.now() + (performance.now() - now);
+  }
+
+  /** Shows what the live run is asked to do. */
+  showState(): void {
+    const { live } = this;
+    if (!live) return;
+    const { paused, speed, steers, over } = live.state;
+    this.playing = !paused && !over && live.isConnected;
+    this.speed = speed;
+    this.controls.enable(steers && !over && live.isConnected);
+    this.side.numbers?.update();
+    this.dirty = true;
+  }
+
+  /** A sentence from the program. */
+  say(sentence: string): void {
+    this.notice.textContent = sentence;
+    this.notice.hidden = false;
+    this.side.numbers?.complain(sentence);
+    const { notice } = this;
+    setTimeout(() => (notice.hidden = notice.hidden || notice.textContent === sentence), 8000);
+  }
+
+  toEnd(): void {
+    this.seek(this.lastTime);
+    this.isNow = this.live !== null;
+  }
+
   play(playing: boolean): void {
+    if (this.live && !this.scene) return this.live.play(playing);
     if (playing && this.time >= this.lastTime) this.time = this.firstTime;
     this.playing = playing;
     if (this.before) this.before.playing = playing;
@@ -184,18 +256,21 @@ export class App {
   }
 
   setSpeed(speed: number): void {
+    if (this.live && !this.scene) return this.live.setSpeed(speed);
     this.speed = speed;
     if (this.before) this.before.speed = speed;
     this.dirty = true;
   }
   /** The next speed of the list. */
   faster(steps: number): void {
-    this.setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, speeds.indexOf(this.speed) + steps))]);
+    const all = this.live ? [...speeds, 0] : speeds; // 0: as fast as it goes
+    this.setSpeed(all[Math.min(all.length - 1, Math.max(0, all.indexOf(this.speed) + steps))]);
   }
 
   /** Goes to a moment; what was played is left. */
   seek(time: number): void {
     this.leaveScene();
+    this.isNow = false;
     this.goTo(time);
   }
   private goTo(time: number): void {
@@ -232,15 +307,17 @@ export class App {
     this.speed = this.before.speed;
     this.playing = this.before.playing;
     this.before = null;
+    if (this.live) this.showState();
     this.worlds[this.current]?.look(this.view);
     this.controls.showView(this.view);
     this.dirty = true;
   }
 
   step(ticks: number): void {
+    if (this.live && ticks > 0 && this.isNow) return this.live.tick();
     const { tick_s } = this.run.recording.head;
     this.leaveScene();
-    this.play(false);
+    if (!this.live) this.play(false);
     const now = this.time / tick_s;
     this.seek((ticks > 0 ? Math.floor(now + 1e-9) + ticks : Math.ceil(now - 1e-9) + ticks) * tick_s);
   }
@@ -304,11 +381,13 @@ export class App {
   }
 
   private tick(now: number): void {
+    if (this.stopping.signal.aborted) return;
     const passed = Math.min(0.25, (now - this.last) / 1000);
     this.last = now;
-    if (this.playing && !this.drawing) this.advance(passed);
+    this.showGrowth(now);
+    if (!this.drawing && (this.scene || this.playing || this.isNow)) this.advance(passed);
     if (this.dirty && !this.drawing) void this.draw();
-    if (now - this.addressAt > 1000 && this.settled) {
+    if (now - this.addressAt > 1000 && this.settled && !this.live) {
       this.addressAt = now;
       if (location.hash !== this.link()) this.writeAddress();
     }
@@ -322,8 +401,20 @@ export class App {
       if (isOver) this.leaveScene();
       return;
     }
+    if (this.live) return this.advanceLive(passed);
     this.goTo(this.time + passed * this.speed);
     if (this.time >= this.lastTime) this.play(false);
+  }
+
+  /** Keeps up with a live run, smoothly where its speed allows. */
+  private advanceLive(passed: number): void {
+    if (!this.isNow || !this.live) return;
+    const { newest } = this.live;
+    const behind = newest - this.time;
+    if (behind <= 0) return;
+    const { tick_s } = this.run.recording.head;
+    const isSmooth = this.speed > 0 && behind <= 3 * tick_s;
+    this.goTo(isSmooth ? Math.min(newest, this.time + passed * this.speed * (behind > 1.5 * tick_s ? 1.25 : 1)) : newest - (this.speed > 0 ? tick_s : 0));
   }
 
   /** Time of the occupants: just before a catch that is shown, because at its own tick the victim's body has its successor. */
@@ -357,6 +448,7 @@ export class App {
       });
     });
     this.controls.show(time, this.playing, this.speed);
+    this.controls.showNow(this.isNow);
     this.timebar.draw(time);
     this.side.at(time);
     this.showTexts(within(this.run, rowTime));

@@ -14,6 +14,7 @@ export interface ControlActions {
   redraw: () => void;
   copyLink: () => void;
   help: () => void;
+  toEnd: () => void;
   sheet: () => void;
 }
 
@@ -28,13 +29,16 @@ export class Controls {
   private readonly clock = make("output", "clock");
   private readonly playButton = make("button", "play", "Play");
   private readonly speedBox = make("select");
+  private readonly nowButton = make("button", "now", "Now");
   private readonly viewButtons = new Map<View, HTMLButtonElement>();
   private playing = false;
 
-  constructor(actions: ControlActions, shown: Shown) {
+  /** `isLive`: of a live run, which can be as fast as it goes. */
+  constructor(actions: ControlActions, shown: Shown, isLive = false) {
     this.playButton.title = "play or pause (space)";
     this.playButton.addEventListener("click", () => actions.play(!this.playing));
     for (const speed of speeds) this.speedBox.append(new Option(`${speed}×`, String(speed)));
+    if (isLive) this.speedBox.append(new Option("max", "0"));
     this.speedBox.title = "ecology seconds a second (up, down)";
     this.speedBox.addEventListener("change", () => {
       actions.setSpeed(Number(this.speedBox.value));
@@ -65,7 +69,7 @@ export class Controls {
     this.element.append(
       withClass("wide", makeButton("−1", "a tick back (←)", () => actions.step(-1))),
       this.playButton,
-      withClass("wide", makeButton("+1", "a tick on (→)", () => actions.step(1))),
+      withClass(isLive ? "tick" : "wide", makeButton("+1", "a tick on (→)", () => actions.step(1))),
       this.speedBox,
       this.clock,
       makeButton("◂ catch", "the catch before, from some seconds before it (p)", () => actions.nextCatch(-1)),
@@ -75,8 +79,10 @@ export class Controls {
       toggle("who perceives whom", "links"),
       views,
     );
-    // A page that stands in another one has no address that leads there.
-    if (location.protocol !== "blob:") this.element.append(withClass("wide", makeButton("Copy link", "a link to this moment and robot", actions.copyLink)));
+    if (isLive) this.element.append(this.nowButton);
+    this.nowButton.addEventListener("click", actions.toEnd);
+    // A page that stands in another one has no address that leads there, nor does a live run.
+    if (location.protocol !== "blob:" && !isLive) this.element.append(withClass("wide", makeButton("Copy link", "a link to this moment and robot", actions.copyLink)));
     this.element.append(withClass("narrow", makeButton("Details", "the robot, curves, phylogeny, events", actions.sheet)), makeButton("?", "keys and marks (?)", actions.help));
   }
 
@@ -90,6 +96,18 @@ export class Controls {
   /** Marks the view in use; null: none of them. */
   showView(view: View | null): void {
     for (const [name, button] of this.viewButtons) button.classList.toggle("on", name === view);
+  }
+
+  /** Whether a live run is shown as it is now. */
+  showNow(isNow: boolean): void {
+    this.nowButton.classList.toggle("on", isNow);
+    this.nowButton.title = isNow ? "this is happening now" : "to what happens now (End)";
+  }
+
+  /** Whether this page steers the run. */
+  enable(isEnabled: boolean): void {
+    this.playButton.disabled = !isEnabled;
+    this.speedBox.disabled = !isEnabled;
   }
 
   isView(view: string | undefined): view is View {

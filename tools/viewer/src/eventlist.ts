@@ -18,6 +18,7 @@ export class EventList {
   private run: Run | null = null;
   private shown: Event[] = [];
   private near = -1;
+  private listedFrom = 0;
 
   constructor(onJump: (event: Event) => void) {
     this.search.type = "search";
@@ -42,9 +43,15 @@ export class EventList {
     this.fill();
   }
 
+  /** As `show`, if there are more events than were listed from. */
+  grow(run: Run): void {
+    if (run !== this.run || run.events.length !== this.listedFrom) this.show(run);
+  }
+
   private fill(): void {
     const { run } = this;
     if (!run) return;
+    this.listedFrom = run.events.length;
     const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     // A catch is also the death of its victim: one line for both, unless deaths are asked for.
     const isAsked = ({ kind, cause }: Event): boolean => (this.kind.value ? kind === this.kind.value : !(kind === "death" && cause === "caught"));

@@ -11,7 +11,7 @@ export function keysOf(app: App): Key[] {
     { keys: ["ArrowUp", "+"], name: "↑, +", meaning: "faster", work: () => app.faster(1) },
     { keys: ["ArrowDown", "-"], name: "↓, −", meaning: "slower", work: () => app.faster(-1) },
     { keys: ["Home"], name: "Home", meaning: "to the start", work: () => app.seek(app.firstTime) },
-    { keys: ["End"], name: "End", meaning: "to the end", work: () => app.seek(app.lastTime) },
+    { keys: ["End"], name: "End", meaning: app.live ? "to what happens now" : "to the end", work: () => app.toEnd() },
     { keys: ["n"], name: "n", meaning: "the next catch, from some seconds before it", work: () => app.nextCatch(1) },
     { keys: ["p"], name: "p", meaning: "the catch before", work: () => app.nextCatch(-1) },
     { keys: ["o"], name: "o", meaning: "turn, zoom and move freely", work: () => app.look("orbit") },
@@ -33,13 +33,13 @@ export function keysOf(app: App): Key[] {
 }
 
 /** Calls the work of a pressed key, unless a text is typed. */
-export function listenToKeys(keys: Key[], help: Help): void {
+export function listenToKeys(keys: Key[], help: Help, signal: AbortSignal): void {
   window.addEventListener("keydown", (e) => {
-    const isText = e.target instanceof HTMLSelectElement || (e.target instanceof HTMLInputElement && e.target.type === "search" && e.key !== "Escape");
+    const isText = e.target instanceof HTMLSelectElement || (e.target instanceof HTMLInputElement && ["search", "number", "range"].includes(e.target.type) && e.key !== "Escape");
     if (isText || e.ctrlKey || e.metaKey || e.altKey || (help.element.open && e.key !== "?")) return;
     const key = keys.find((one) => one.keys.includes(e.key));
     if (!key) return;
     e.preventDefault();
     key.work();
-  });
+  }, { signal });
 }

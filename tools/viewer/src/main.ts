@@ -3,6 +3,7 @@
 import uPlotStyle from "uplot/dist/uPlot.min.css";
 import { App } from "./app";
 import { make } from "./element";
+import { connect } from "./live";
 import { Run, type RunIndex } from "./run";
 import style from "./style.css";
 
@@ -15,8 +16,9 @@ declare global {
 
 async function open(): Promise<void> {
   document.head.append(make("style", "", uPlotStyle + style));
-  const index = JSON.parse(document.getElementById("trophic-index")!.textContent!) as { title: string; runs: RunIndex[] };
+  const index = JSON.parse(document.getElementById("trophic-index")!.textContent!) as { title: string; live?: boolean; runs: RunIndex[] };
   document.title = index.title;
+  if (index.live) return follow();
   const opening = document.getElementById("opening");
   const pause = (): Promise<void> => new Promise((resume) => setTimeout(resume));
   const runs: Run[] = [];
@@ -34,6 +36,27 @@ async function open(): Promise<void> {
     });
     if (run === app.run) app.showPlots();
   }
+}
+
+/** Shows a live run. */
+function follow(): void {
+  let app: App | null = null;
+  document.getElementById("opening")!.textContent = "waiting for the run …";
+  connect({
+    begun: (live) => {
+      app?.stop();
+      document.title = `${live.facts.label}, live`;
+      app = new App([live.run], live);
+      window.trophic = app;
+    },
+    grown: () => app?.grown(),
+    state: () => app?.showState(),
+    changed: () => app?.showState(),
+    said: (sentence) => {
+      if (app) app.say(sentence);
+      else document.getElementById("opening")!.textContent = sentence;
+    },
+  });
 }
 
 open().catch((error: unknown) => {

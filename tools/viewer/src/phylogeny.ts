@@ -125,6 +125,16 @@ export class PhylogenyView {
     this.layOut();
   }
 
+  /** As `show` for a run that has grown: what is looked at closely stays. */
+  grow(run: Run): void {
+    this.run = run;
+    const isWhole = this.fromRow <= -1 && this.toRow >= this.rows + 1;
+    const seen = [this.fromTime, this.toTime, this.fromRow, this.toRow];
+    this.layOut();
+    if (!isWhole) [this.fromTime, this.toTime, this.fromRow, this.toRow] = seen;
+    this.select(this.selected);
+  }
+
   private layOut(): void {
     const { run } = this;
     if (!run) return;

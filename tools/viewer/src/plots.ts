@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import { colourOf, faded } from "./colours";
 import type { Run } from "./run";
-import { theme } from "./theme";
+import { isDark, theme } from "./theme";
 
 /** Curves by species, one value a point of time. */
 export interface Curves {
@@ -84,6 +84,11 @@ function quantile(sorted: number[], part: number): number | null {
   return sorted[low] + (at - low) * (sorted[Math.min(low + 1, sorted.length - 1)] - sorted[low]);
 }
 
+/** Time, means and bounds of bands, as uPlot takes them. */
+function dataOf({ time, bySpecies, bands }: Curves): uPlot.AlignedData {
+  return [time, ...bySpecies, ...(bands ?? []).flatMap(({ low, high }) => [low, high])];
+}
+
 const plotHeight = 76;
 
 export class Plot {
@@ -91,6 +96,8 @@ export class Plot {
   private plot: uPlot | null = null;
   private now = 0;
   private part = 0;
+  private shape = "";
+  private bounds: [number, number] = [0, 1];
 
   constructor(
     private readonly title: string,
@@ -101,8 +108,15 @@ export class Plot {
   }
 
   show(curves: Curves | null, species: string[], first: number, last: number): void {
+    const shape = `${species.join()} ${curves?.bands ? "with bands" : ""} ${isDark() ? "dark" : "light"}`;
+    if (this.plot && curves && curves.time.length > 0 && this.shape === shape) {
+      this.bounds = [first, last];
+      this.plot.setData(dataOf(curves));
+      return;
+    }
     this.plot?.destroy();
     this.plot = null;
+    this.bounds = [first, last];
     this.element.replaceChildren();
     if (!curves || curves.time.length === 0) {
       this.element.textContent = `${this.title}: ${curves ? "the run is too short" : `reading the recording, ${Math.round(100 * this.part)} %`}`;
@@ -120,7 +134,7 @@ export class Plot {
         title: this.title,
         legend: { show: false },
         cursor: { y: false, points: { show: false }, drag: { setScale: false } },
-        scales: { x: { time: false, range: [first, last] }, y: this.range ? { range: this.range } : { range: (_, low, high) => [Math.min(0, low), high * 1.08 || 1] } },
+        scales: { x: { time: false, range: () => this.bounds }, y: this.range ? { range: this.range } : { range: (_, low, high) => [Math.min(0, low), high * 1.08 || 1] } },
         axes: [
           { ...axis, size: 22, values: (_, ticks) => ticks.map((t) => `${t}`) },
           { ...axis, size: 38, space: 16 },
@@ -129,9 +143,10 @@ export class Plot {
         bands: (curves.bands ?? []).map((_, i) => ({ series: [1 + species.length + 2 * i + 1, 1 + species.length + 2 * i], fill: faded(colourOf(i), 0.18) })),
         hooks: { draw: [(u: uPlot) => this.drawNow(u)] },
       },
-      [curves.time, ...curves.bySpecies, ...(curves.bands ?? []).flatMap(({ low, high }) => [low, high])],
+      dataOf(curves),
       this.element,
     );
+    this.shape = shape;
     this.plot.over.addEventListener("click", (e) => this.onJump(this.plot!.posToVal(e.offsetX, "x")));
   }
 

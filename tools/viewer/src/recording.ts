@@ -50,38 +50,56 @@ interface Block {
 const poseChannels = 6;
 
 export class Recording {
-  readonly head: Head;
-  readonly frames: number;
-  readonly firstFrame: number;
   readonly channels: number;
   private readonly blocks: Block[] = [];
   private kept: Block[] = [];
-  private readonly keptAtMost: number;
+
+  /** Of a live run: `append` adds its frames. */
+  constructor(readonly head: Head) {
+    this.channels = poseChannels + head.joints;
+  }
 
   /** Throws for bytes that are not a recording. */
-  constructor(bytes: Uint8Array) {
+  static read(bytes: Uint8Array): Recording {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     if (bytes[0] !== 0x89 || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("replay.trp is not a recording");
     let head: Head | undefined;
+    const poses: Uint8Array[] = [];
     for (let at = 8; at + 12 <= bytes.length; ) {
       const size = view.getUint32(at, true);
       if (at + 12 + size > bytes.length) break;
       const kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
       const data = bytes.subarray(at + 8, at + 8 + size);
       if (kind === "HEAD") head = { ...head, ...(JSON.parse(new TextDecoder().decode(data)) as Head) };
-      if (kind === "POSE") {
-        this.blocks.push({ first: view.getUint32(at + 8, true), frames: view.getUint32(at + 12, true), bytes: data.subarray(8) });
-      }
+      if (kind === "POSE") poses.push(data);
       at += 12 + size;
     }
-    if (!head || this.blocks.length === 0) throw new Error("this recording has no frames");
-    this.head = head;
-    this.channels = poseChannels + head.joints;
-    this.firstFrame = this.blocks[0].first;
+    if (!head || poses.length === 0) throw new Error("this recording has no frames");
+    const recording = new Recording(head);
+    for (const block of poses) recording.append(block);
+    return recording;
+  }
+
+  /** Adds a block: its first frame, its number of frames, the frames. */
+  append(block: Uint8Array): void {
+    const view = new DataView(block.buffer, block.byteOffset, block.byteLength);
+    this.blocks.push({ first: view.getUint32(0, true), frames: view.getUint32(4, true), bytes: block.subarray(8) });
+  }
+
+  get isEmpty(): boolean {
+    return this.blocks.length === 0;
+  }
+  get firstFrame(): number {
+    return this.blocks[0].first;
+  }
+  /** The number of the last frame, plus one. */
+  get frames(): number {
     const last = this.blocks[this.blocks.length - 1];
-    this.frames = last.first + last.frames;
-    const blockBytes = this.blocks[0].frames * head.robots * this.channels * 2;
-    this.keptAtMost = Math.max(4, Math.floor(96e6 / blockBytes));
+    return last.first + last.frames;
+  }
+  /** How many unpacked blocks are kept. */
+  private get keptAtMost(): number {
+    return Math.max(4, Math.floor(96e6 / (this.blocks[0].frames * this.head.robots * this.channels * 2)));
   }
 
   /** The ecology's clock at a frame. */
@@ -114,6 +132,12 @@ export class Recording {
       else high = middle - 1;
     }
     return this.blocks[low];
+  }
+
+  /** The frame, or the last one before it where a fast live run has a gap. */
+  private known(frame: number): number {
+    const block = this.blockOf(frame);
+    return Math.min(frame, block.first + block.frames - 1);
   }
 
   /** Whether a frame can be shown at once. */
@@ -193,8 +217,9 @@ export class Recording {
 
   /** As `frameInto` at any moment whose frames are ready: interpolated between the frames next to it. */
   poseInto(out: Float32Array, time: number, robot: number): void {
-    const frame = this.frameAt(time);
-    const next = Math.min(this.frames - 1, frame + 1);
+    const wanted = this.frameAt(time);
+    const frame = this.known(wanted);
+    const next = frame === wanted ? this.known(Math.min(this.frames - 1, frame + 1)) : frame;
     const { before: a, after: b } = this;
     this.frameInto(a, frame, robot);
     const gap = this.time(next) - this.time(frame);

@@ -2,7 +2,7 @@
 // One run: its recording and its tables, and their contents at a moment.
 import { fromBase64, inflate } from "./bytes";
 import { Table } from "./csv";
-import { Recording } from "./recording";
+import { type Head, Recording } from "./recording";
 
 export interface RunIndex {
   label: string;
@@ -17,6 +17,24 @@ export interface RunIndex {
   /** The sensors whose values senses.csv has, in their order. */
   inputs?: string[];
 }
+
+/** A tick of a live run: a value a body. */
+export interface LiveTick {
+  tick: number;
+  time_s: number;
+  id: number[];
+  species: number[];
+  active: number[];
+  tag: number[];
+  x: number[];
+  y: number[];
+  angle: number[];
+  adversary: (number | null)[];
+  hunger: (number | null)[];
+}
+
+/** time, kind, id, body, species, cause, other, x, y, parent, origin. */
+export type LiveEvent = [number, string, number, number, number, string, number | null, number, number, number | null, string];
 
 export interface Event {
   time: number;
@@ -50,36 +68,95 @@ export interface Individual {
 
 /** The contents of agents.csv: all robots after each tick, in arrays of ticks times robots. */
 export class Agents {
-  readonly id: Int32Array;
-  readonly species: Int8Array;
-  readonly active: Uint8Array;
-  readonly tag: Int8Array;
-  readonly targetAngle: Float32Array;
-  readonly adversary: Int32Array; // -1: none
-  readonly hunger: Float32Array; // NaN: has no prey
+  id: Int32Array;
+  species: Int8Array;
+  active: Uint8Array;
+  tag: Int8Array;
+  targetAngle: Float32Array;
+  adversary: Int32Array; // -1: none
+  hunger: Float32Array; // NaN: has no prey
   readonly extra = new Map<string, string[]>();
-  readonly firstTick: number;
-  readonly ticks: number;
+  ticks = 0;
 
-  constructor(
-    table: Table,
+  private constructor(
     readonly robots: number,
-    species: string[],
+    public firstTick: number,
+    rows: number,
   ) {
-    const names = new Map(species.map((name, index) => [name, index]));
-    this.ticks = Math.floor(table.rows / robots);
-    if (this.ticks === 0) throw new Error("agents.csv has no whole tick");
-    this.firstTick = Number(table.text("tick")[0]);
-    this.id = Int32Array.from(table.text("id"), Number);
-    this.species = Int8Array.from(table.text("species"), (name) => names.get(name) ?? -1);
-    this.active = Uint8Array.from(table.text("active"), Number);
-    this.tag = Int8Array.from(table.text("tag"), Number);
-    this.targetAngle = Float32Array.from(table.text("target_angle_rad"), Number);
-    this.adversary = Int32Array.from(table.text("adversary_id"), (cell) => (cell === "" ? -1 : Number(cell)));
-    this.hunger = Float32Array.from(table.text("hunger_ticks"), (cell) => (cell === "" ? NaN : Number(cell)));
-    const known = ["tick", "body", "id", "species", "active", "tag", "target_angle_rad", "adversary_id", "hunger_ticks"];
-    for (const name of table.names) if (!known.includes(name)) this.extra.set(name, table.text(name));
+    this.id = new Int32Array(rows);
+    this.species = new Int8Array(rows);
+    this.active = new Uint8Array(rows);
+    this.tag = new Int8Array(rows);
+    this.targetAngle = new Float32Array(rows);
+    this.adversary = new Int32Array(rows);
+    this.hunger = new Float32Array(rows);
   }
+
+  /** Of a live run. */
+  static growing(robots: number): Agents {
+    return new Agents(robots, 0, 0);
+  }
+
+  static read(table: Table, robots: number, species: string[]): Agents {
+    const names = new Map(species.map((name, index) => [name, index]));
+    const agents = new Agents(robots, Number(table.text("tick")[0]), 0);
+    agents.ticks = Math.floor(table.rows / robots);
+    if (agents.ticks === 0) throw new Error("agents.csv has no whole tick");
+    agents.id = Int32Array.from(table.text("id"), Number);
+    agents.species = Int8Array.from(table.text("species"), (name) => names.get(name) ?? -1);
+    agents.active = Uint8Array.from(table.text("active"), Number);
+    agents.tag = Int8Array.from(table.text("tag"), Number);
+    agents.targetAngle = Float32Array.from(table.text("target_angle_rad"), Number);
+    agents.adversary = Int32Array.from(table.text("adversary_id"), (cell) => (cell === "" ? -1 : Number(cell)));
+    agents.hunger = Float32Array.from(table.text("hunger_ticks"), (cell) => (cell === "" ? NaN : Number(cell)));
+    const known = ["tick", "body", "id", "species", "active", "tag", "target_angle_rad", "adversary_id", "hunger_ticks"];
+    for (const name of table.names) if (!known.includes(name)) agents.extra.set(name, table.text(name));
+    return agents;
+  }
+
+  /** Adds a tick; those that were left out before it are as the one before them. */
+  append(tick: LiveTick): void {
+    if (this.ticks === 0) this.firstTick = tick.tick;
+    const { robots } = this;
+    const wanted = tick.tick - this.firstTick + 1;
+    if (wanted <= this.ticks) return;
+    this.reserve(wanted * robots);
+    for (; this.ticks > 0 && this.ticks < wanted - 1; ++this.ticks) {
+      const to = this.ticks * robots;
+      for (const column of this.columns) column.copyWithin(to, to - robots, to);
+    }
+    const at = (wanted - 1) * robots;
+    this.id.set(tick.id, at);
+    this.species.set(tick.species, at);
+    this.active.set(tick.active, at);
+    this.tag.set(tick.tag, at);
+    this.targetAngle.set(tick.angle, at);
+    this.adversary.set(tick.adversary.map((id) => id ?? -1), at);
+    this.hunger.set(tick.hunger.map((ticks) => ticks ?? NaN), at);
+    this.ticks = wanted;
+  }
+
+  private get columns(): (Int32Array | Int8Array | Uint8Array | Float32Array)[] {
+    return [this.id, this.species, this.active, this.tag, this.targetAngle, this.adversary, this.hunger];
+  }
+
+  private reserve(rows: number): void {
+    if (rows <= this.id.length) return;
+    const room = Math.max(rows, 2 * this.id.length, 256 * this.robots);
+    this.id = grown(this.id, new Int32Array(room));
+    this.species = grown(this.species, new Int8Array(room));
+    this.active = grown(this.active, new Uint8Array(room));
+    this.tag = grown(this.tag, new Int8Array(room));
+    this.targetAngle = grown(this.targetAngle, new Float32Array(room));
+    this.adversary = grown(this.adversary, new Int32Array(room));
+    this.hunger = grown(this.hunger, new Float32Array(room));
+  }
+}
+
+/** `to` with the values of `from` at its beginning. */
+function grown<T extends Int32Array | Int8Array | Uint8Array | Float32Array>(from: T, to: T): T {
+  to.set(from);
+  return to;
 }
 
 /** The contents of senses.csv: all robots after each tick, row by row as the agents. */
@@ -105,19 +182,55 @@ export class Run {
   readonly roots: Individual[] = [];
   readonly events: Event[] = [];
   /** x, y of every body at every tick of the agents; NaN until the recording has been read. */
-  readonly track: Float32Array;
+  track: Float32Array;
   tracked = false;
 
   private constructor(
     readonly index: RunIndex,
     readonly recording: Recording,
     readonly agents: Agents,
-    events: Table,
-    phylogeny: Table,
     readonly senses: Senses | null,
   ) {
-    const names = new Map(index.species.map((name, i) => [name, i]));
     this.track = new Float32Array(2 * agents.ticks * agents.robots).fill(NaN);
+  }
+
+  /** A live run: it grows by the `add` functions. */
+  static growing(index: RunIndex, head: Head): Run {
+    const run = new Run(index, new Recording(head), Agents.growing(head.robots), null);
+    run.tracked = true;
+    return run;
+  }
+
+  addTick(tick: LiveTick): void {
+    const { agents, robots } = this;
+    const before = agents.ticks;
+    agents.append(tick);
+    if (agents.ticks === before) return;
+    const size = 2 * agents.ticks * robots;
+    if (size > this.track.length) this.track = grown(this.track, new Float32Array(Math.max(size, 2 * this.track.length, 512 * robots)).fill(NaN));
+    for (let body = 0; body < robots; ++body) {
+      const at = size - 2 * robots + 2 * body;
+      this.track[at] = tick.x[body];
+      this.track[at + 1] = tick.y[body];
+    }
+  }
+
+  addEvents(events: LiveEvent[]): void {
+    for (const [time, kind, id, body, species, cause, other, x, y, parent, origin] of events) {
+      const event: Event = { time, kind, id, body, species, cause, other: other ?? NaN, x, y, parent: parent ?? NaN, origin };
+      this.events.push(event);
+      const one = this.individuals.get(id);
+      if (kind === "birth" && !one) {
+        const born = bornOf(event);
+        this.individuals.set(id, born);
+        (this.individuals.get(born.parent)?.children ?? this.roots).push(born);
+      }
+      if (kind === "death" && one) Object.assign(one, { death: time, cause, killer: event.other });
+    }
+  }
+
+  private readTables(events: Table, phylogeny: Table): void {
+    const names = new Map(this.index.species.map((name, i) => [name, i]));
     const time = events.numbers("time_s");
     const id = events.numbers("id");
     const body = events.numbers("body");
@@ -167,11 +280,7 @@ export class Run {
     }
     // Individuals with a birth but without a row lived when the run was interrupted.
     for (const event of this.events) {
-      if (event.kind !== "birth" || this.individuals.has(event.id)) continue;
-      this.individuals.set(event.id, {
-        id: event.id, species: event.species, parent: event.parent, birth: event.time, death: Infinity, cause: "", killer: NaN,
-        origin: event.origin, body: event.body, genome: "", mutation: NaN, children: [], row: 0,
-      });
+      if (event.kind === "birth" && !this.individuals.has(event.id)) this.individuals.set(event.id, bornOf(event));
     }
     const inOrder = [...this.individuals.values()].sort((a, b) => a.birth - b.birth || a.id - b.id);
     for (const one of inOrder) {
@@ -234,12 +343,19 @@ export class Run {
       return found;
     };
     const table = async (file: string): Promise<Table> => new Table(new TextDecoder().decode(await inflate(bytes(file))));
-    const recording = new Recording(bytes("replay"));
+    const recording = Recording.read(bytes("replay"));
     const [agents, events, phylogeny] = await Promise.all([table("agents"), table("events"), table("phylogeny")]);
     const senses = index.inputs ? new Senses(await table("senses"), index.inputs) : null;
     await recording.prepare(recording.firstFrame);
-    return new Run(index, recording, new Agents(agents, recording.head.robots, index.species), events, phylogeny, senses);
+    const run = new Run(index, recording, Agents.read(agents, recording.head.robots, index.species), senses);
+    run.readTables(events, phylogeny);
+    return run;
   }
+}
+
+/** An individual of which only the birth is known. */
+function bornOf({ id, species, parent, time, origin, body }: Event): Individual {
+  return { id, species, parent, birth: time, death: Infinity, cause: "", killer: NaN, origin, body, genome: "", mutation: NaN, children: [], row: 0 };
 }
 
 /** The first event later than a moment. */

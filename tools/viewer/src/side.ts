@@ -3,15 +3,17 @@
 import { make, makeButton } from "./element";
 import { EventList } from "./eventlist";
 import { Inspector } from "./inspector";
+import type { NumbersPanel } from "./numbers";
 import { PhylogenyView } from "./phylogeny";
 import { Plot, seriesOf } from "./plots";
 import type { Event, Run } from "./run";
 
-export type Tab = "overview" | "phylogeny" | "events";
+export type Tab = "overview" | "phylogeny" | "events" | "numbers";
 const tabs: [Tab, string, string][] = [
   ["overview", "Overview", "curves and phylogeny"],
   ["phylogeny", "Phylogeny", "the phylogeny alone"],
   ["events", "Events", "what happened, as a list (e)"],
+  ["numbers", "Numbers", "the numbers of the rules, which can change while the run continues"],
 ];
 
 export interface SideActions {
@@ -30,7 +32,8 @@ export class Side {
   readonly plots: { population: Plot; tags: Plot; speed: Plot };
   private drawnTab: Tab = "overview";
 
-  constructor(actions: SideActions) {
+  /** `numbers`: of a live run. */
+  constructor(actions: SideActions, readonly numbers: NumbersPanel | null = null) {
     const { select, seek, jump } = actions;
     this.inspector = new Inspector(select);
     this.phylogeny = new PhylogenyView(select);
@@ -43,6 +46,7 @@ export class Side {
     this.curves.append(this.plots.population.element, this.plots.tags.element, this.plots.speed.element);
     const row = make("nav", "tabs");
     for (const [tab, text, title] of tabs) {
+      if (tab === "numbers" && !numbers) continue;
       const button = makeButton(text, title, () => this.show(tab));
       this.buttons.set(tab, button);
       row.append(button);
@@ -50,6 +54,7 @@ export class Side {
     row.append(make("span", "space"), makeButton("×", "close (Esc)", () => this.open(false)));
     row.lastElementChild!.className = "close";
     this.element.append(row, this.inspector.element, this.curves, this.phylogeny.element, this.events.element);
+    if (numbers) this.element.append(numbers.element);
     this.show("overview");
   }
 
@@ -61,7 +66,9 @@ export class Side {
     this.drawnTab = tab;
     for (const [name, button] of this.buttons) button.setAttribute("aria-pressed", String(name === tab));
     this.curves.hidden = tab !== "overview";
-    this.phylogeny.element.hidden = tab === "events";
+    this.inspector.element.hidden = tab === "numbers";
+    this.phylogeny.element.hidden = tab === "events" || tab === "numbers";
+    if (this.numbers) this.numbers.element.hidden = tab !== "numbers";
     this.events.element.hidden = tab !== "events";
     this.resize();
   }
@@ -87,6 +94,13 @@ export class Side {
   showRun(run: Run): void {
     this.phylogeny.show(run);
     this.events.show(run);
+  }
+
+  /** The run has grown. */
+  grow(run: Run, first: number, last: number): void {
+    this.phylogeny.grow(run);
+    if (this.tab === "events") this.events.grow(run);
+    if (this.tab === "overview") this.showPlots(run, first, last);
   }
 
   at(time: number): void {

@@ -34,6 +34,6 @@ export function theme(): Theme {
 }
 
 /** Calls `work` when the browser prefers other colours. */
-export function onThemeChange(work: () => void): void {
-  preference.addEventListener("change", work);
+export function onThemeChange(work: () => void, signal: AbortSignal): void {
+  preference.addEventListener("change", work, { signal });
 }

@@ -307,6 +307,13 @@ export class World {
     this.labels.done();
   }
 
+  /** Gives back what it holds of the graphics processor. */
+  stop(): void {
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   /** The picture of the canvas, as a PNG. */
   picture(): string {
     return this.canvas.toDataURL("image/png");

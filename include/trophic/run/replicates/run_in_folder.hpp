@@ -8,6 +8,7 @@
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/run/changes/changing_simulation.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/common_options.hpp>
@@ -22,7 +23,12 @@ void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::p
                    observe::JointProgress::Part progress, const observe::StopOnSignal& stop, Observers&... extra) {
   checkpoint::RunState run_state =
       checkpoint::run_state_in(folder, ecology.describe(until_s), common.snapshot, common.checkpoints.other_build);
-  io::RunFolder files{folder, common.provenance, common.output, run_state.opening(), ecology.state_columns(), common.own_tables};
+  io::RunFolder files{folder,
+                      common.provenance,
+                      common.output,
+                      run_state.opening(),
+                      ecology.state_columns(),
+                      changes::with_changes(common.own_tables, ecology)};
   if (run_state.begins) {
     checkpoint::begin_at(run_state, common.snapshot->moment, ecology, files.manifest(),
                          checkpoint::parts_of(files, progress, stop, extra...));

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// `--live`: a run that a page in a browser shows and steers while it runs, in programs that are linked with trophic::live.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <trophic/command/watching.hpp>
+#include <trophic/params/named_params.hpp>
+#include <trophic/run/changes/change.hpp>
+#include <trophic/run/changes/changing_simulation.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+/// Facts of a run that a page shows.
+struct LiveRun {
+  std::filesystem::path folder;
+  std::string rule_table;
+  std::vector<std::string> rule_tables;  ///< that the program offers
+  std::uint64_t seed = 0;
+  double until_s = 0.0;
+  NamedParams numbers;  ///< that may change: those of rules
+};
+
+/// A run that a page asks for instead of the present one.
+struct Restart {
+  std::uint64_t seed = 0;
+  std::string rule_table;
+  std::vector<changes::ChangeRow> made;  ///< changes of the run before
+};
+
+/// A server of pages on this machine. It is the window of its runs.
+class LiveServer : public Window {
+ public:
+  /// Shows another run from now on.
+  virtual void begin(const LiveRun& run) = 0;
+  [[nodiscard]] virtual changes::Conductor& conductor() = 0;
+  /// After a run: waits until a page asks for another one; `nullopt` once all pages are closed, or if a signal came.
+  [[nodiscard]] virtual std::optional<Restart> next() = 0;
+};
+
+/// Starts a server on a port of this machine, 0 for one that is free, and prints the address of its page. Throws
+/// std::invalid_argument if it cannot.
+using OpenLive = std::unique_ptr<LiveServer> (*)(const std::string& program, std::uint16_t port);
+
+}  // namespace trophic::command
+
+namespace trophic::live {
+
+/// In trophic::live, which is compiled only.
+[[nodiscard]] std::unique_ptr<command::LiveServer> open(const std::string& program, std::uint16_t port);
+
+}  // namespace trophic::live

@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""live_test.py PREDATOR_PREY WITHOUT_LIVE: a live run by its web socket: it is steered, made again to the byte, and shown to its own page alone."""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from in_folder import InFolder
+from live_page import LiveRun
+
+PROGRAM, WITHOUT_LIVE = sys.argv.pop(1), sys.argv.pop(1)
+RUN = [PROGRAM, "--backend", "kinematic", "--seed", "5"]
+
+
+def files_of(folder):
+    """Name and bytes of the files of a run that have no times of the clock on the wall."""
+    return {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir() if path.suffix in (".csv", ".trp")}
+
+
+class Live(InFolder):
+    def start(self, *options):
+        return self.enterContext(LiveRun([*RUN, "--out", "run", *options], self.folder))
+
+    def drive(self, duration="60"):
+        """A run with two changes, to its end. Returns its folder."""
+        run = self.start("--duration", duration)
+        with run.page() as page:
+            page.send({"do": "pause"})
+            page.until(lambda message: message["kind"] == "state" and message["paused"])
+            page.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
+            first = page.until_kind("changed")
+            for _ in range(5):
+                page.send({"do": "tick"})
+                page.until_kind("tick")
+            page.send({"do": "set", "number": "rules.mutation.sd", "value": "0.7"})
+            second = page.until_kind("changed")
+            self.assertEqual([first["value"], second["value"]], ["0.5", "0.7"])
+            self.assertEqual(second["time_s"] - first["time_s"], 10.0)
+            page.send({"do": "speed", "value": 0})
+            page.send({"do": "play"})
+            page.until(lambda message: message["kind"] == "state" and message["over"])
+        code, errors = run.wait()
+        self.assertEqual((code, errors), (0, ""))
+        return self.folder / "run"
+
+    def test_live_run_with_two_changes_is_made_again_to_the_byte(self):
+        live = self.drive()
+        rows = list(csv.DictReader((live / "changes.csv").open()))
+        self.assertEqual([(row["number"], row["value"]) for row in rows], [("rules.capture.reach_m", "0.5"), ("rules.mutation.sd", "0.7")])
+        again = [*RUN, "--duration", "60", "--changes", str(live / "changes.csv"), "--out", "again"]
+        subprocess.run(again, cwd=self.folder, check=True, capture_output=True)
+        without = [*RUN, "--duration", "60", "--out", "without"]
+        subprocess.run(without, cwd=self.folder, check=True, capture_output=True)
+        made = files_of(self.folder / "again")
+        self.assertEqual(files_of(live), made)
+        self.assertNotEqual(files_of(self.folder / "without")["agents.csv"], made["agents.csv"])
+
+    def test_page_is_shown_with_its_token_alone(self):
+        run = self.start("--duration", "60")
+        status, body = run.get(f"/?token={run.token}")
+        self.assertEqual(status, 200)
+        self.assertIn("connect-src 'self'", body)
+        self.assertEqual(run.get("/")[0], 403)
+        self.assertEqual(run.get(f"/?token={'0' * 32}")[0], 403)
+        self.assertEqual(run.get(f"/other?token={run.token}")[0], 404)
+        self.assertEqual(run.get(f"/?token={run.token}", host="evil.example")[0], 403)
+        self.assertEqual(run.get(f"/?token={run.token}", host="localhost:8000")[0], 200, "ssh forwards another port")
+
+    def test_post_of_a_foreign_page_is_refused_in_one_sentence(self):
+        run = self.start("--duration", "60")
+        body = b'{"do": "set", "number": "rules.capture.reach_m", "value": "0.5"}'
+        head = f"POST /live?token={run.token} HTTP/1.1\r\nHost: 127.0.0.1:{run.port}\r\nOrigin: http://evil.example\r\nContent-Length: {len(body)}\r\n\r\n"
+        status, text = run.ask(head.encode() + body)
+        self.assertEqual(status, 405)
+        self.assertEqual(len(text.splitlines()), 1)
+
+    def test_web_socket_of_a_foreign_page_is_refused(self):
+        run = self.start("--duration", "60")
+        for wrong in ({"origin": "http://evil.example"}, {"token": "0" * 32}, {"token": ""}, {"host": "evil.example"}, {"origin": f"http://localhost:{run.port}"}):
+            with self.subTest(**wrong), run.page(**wrong) as page:
+                self.assertEqual(page.status, 403)
+                self.assertEqual(len(page.body().splitlines()), 1)
+        with run.page() as page:
+            self.assertEqual(page.status, 101)
+
+    def test_wrong_wishes_are_refused_in_one_sentence_and_change_nothing(self):
+        run = self.start("--duration", "60")
+        with run.page() as page:
+            page.send({"do": "pause"})
+            page.until(lambda message: message["kind"] == "state" and message["paused"])
+            for wish, sentence in [
+                ("", "JSON object"),
+                ("[1, 2", "JSON object"),
+                ({"do": 5}, "JSON object"),
+                ({"do": "explode"}, "must be"),
+                ({"do": "speed", "value": -1}, "speed = -1: must be 0"),
+                ({"do": "speed", "value": "fast"}, "JSON object"),
+                ({"do": "set", "number": "rules.capture.reach_m", "value": "-1"}, "rules.capture.reach_m = -1: must be > 0"),
+                ({"do": "set", "number": "rules.capture.reach_m", "value": "nan"}, "rules.capture.reach_m = nan: must be finite"),
+                ({"do": "set", "number": "rules.capture.reach_m", "value": "far"}, "must be a number"),
+                ({"do": "set", "number": "ecology.robots", "value": "7"}, "is not a number of a rule"),
+                ({"do": "set", "number": "rules.capture.reach_m", "value": "1\nx = 2"}, "one number"),
+                ({"do": "restart", "seed": -3, "rules": "paper"}, "seed = -3"),
+                ({"do": "restart", "seed": 3, "rules": "nonsense"}, "rules = nonsense"),
+            ]:
+                with self.subTest(wish=wish):
+                    page.send(wish)
+                    text = page.until_kind("refused")["text"]
+                    self.assertIn(sentence, text)
+                    self.assertEqual(len(text.splitlines()), 1)
+        self.assertEqual((self.folder / "run/changes.csv").read_text(), "time_s,tick,number,value,before\n")
+
+    def test_too_long_message_ends_the_connection_and_not_the_run(self):
+        run = self.start("--duration", "60")
+        with run.page() as page:
+            page.until_kind("state")
+            page.send_bytes(b" " * 5000)
+            with self.assertRaises((EOFError, ConnectionError)):
+                for _ in page.messages():
+                    pass
+        status, _ = run.ask(b"GET /" + b"a" * 20000 + b" HTTP/1.1\r\n\r\n")
+        self.assertIsNone(status)
+        with run.page() as page:
+            page.until_kind("state")
+
+    def test_second_page_looks_on_and_steers_once_the_first_one_is_closed(self):
+        run = self.start("--duration", "60")
+        with run.page() as first:
+            self.assertTrue(first.until_kind("state")["steers"])
+            with run.page() as second:
+                self.assertFalse(second.until_kind("state")["steers"])
+                second.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
+                self.assertEqual(second.until_kind("refused")["text"], "Another page steers this run; this one only shows it.")
+                first.socket.close()
+                self.assertTrue(second.until(lambda message: message["kind"] == "state" and message["steers"])["steers"])
+        self.assertEqual((self.folder / "run/changes.csv").read_text(), "time_s,tick,number,value,before\n")
+
+    def test_restart_makes_another_run_with_the_numbers_as_they_are(self):
+        run = self.start("--duration", "20")
+        with run.page() as page:
+            page.send({"do": "pause"})
+            page.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
+            page.until_kind("changed")
+            page.send({"do": "restart", "seed": 9, "rules": "paper"})
+            facts = page.until_kind("run")
+            self.assertEqual(facts["head"]["seed"], 9)
+            self.assertEqual([number["value"] for number in facts["numbers"] if number["path"] == "rules.capture.reach_m"], ["0.5"])
+            page.send({"do": "restart", "seed": 10, "rules": "released"})
+            self.assertEqual(page.until_kind("run")["head"]["rule_table"], "released")
+            page.send({"do": "speed", "value": 0})
+            page.send({"do": "play"})
+            page.until(lambda message: message["kind"] == "state" and message["over"])
+        self.assertEqual(run.wait()[0], 0)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["run", "run-1", "run-2"])
+        alone = [*RUN[:3], "--seed", "10", "--rules", "released", "--duration", "20", "--out", "alone"]
+        subprocess.run(alone, cwd=self.folder, check=True, capture_output=True)
+        made = files_of(self.folder / "run-2")
+        self.assertEqual(made.pop("changes.csv"), b"time_s,tick,number,value,before\n")
+        self.assertEqual(files_of(self.folder / "alone"), made)
+
+    def test_signal_ends_a_paused_run_that_resume_continues(self):
+        run = self.start("--duration", "60")
+        with run.page() as page:
+            page.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
+            page.until_kind("changed")
+            page.send({"do": "pause"})
+            page.until(lambda message: message["kind"] == "state" and message["paused"])
+            run.process.terminate()
+            self.assertEqual(run.wait()[0], 3)
+        subprocess.run([*RUN, "--duration", "60", "--out", "run", "--resume"], cwd=self.folder, check=True, capture_output=True)
+        subprocess.run([*RUN, "--duration", "60", "--out", "again", "--changes", "run/changes.csv"], cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual(files_of(self.folder / "run"), files_of(self.folder / "again"))
+
+    def refused(self, words, *options, program=PROGRAM):
+        done = subprocess.run([program, *RUN[1:], *options], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertIn(words, done.stderr)
+
+    def test_wrong_options_are_refused(self):
+        self.refused("--live: needs a run, and one only", "--live", "--replicates", "2")
+        self.refused("--live-port: needs --live", "--live-port", "4000")
+        self.refused("--live-port 80: must be >= 1024", "--live", "--live-port", "80")
+        self.refused("--live: this program was built without a live page; apt-get install libboost-dev", "--live", program=WITHOUT_LIVE)
+
+
+class Changes(InFolder):
+    def run_with(self, text, *options):
+        (self.folder / "changes.csv").write_text(text)
+        command = [*RUN, "--duration", "40", "--changes", "changes.csv", "--out", "run", *options]
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=60)
+
+    def test_wrong_files_are_refused_before_any_work(self):
+        head = "time_s,number,value\n"
+        for text, words in [
+            ("", "line 1: the column time_s is missing"),
+            ("time_s,number\n", "line 1: the column value is missing"),
+            (head + "soon,rules.capture.reach_m,1\n", "line 2: time_s = soon: must be >= 0"),
+            (head + "-1,rules.capture.reach_m,1\n", "line 2: time_s = -1: must be >= 0"),
+            (head + "8,rules.capture.reach_m,1\n4,rules.capture.reach_m,2\n", "line 3: time_s = 4: must be >= 8"),
+            (head + "8,rules.capture.reach_m\n", "line 2: 2 cells: must be 3"),
+            (head + "8,,1\n", "line 2: number: must not be empty"),
+            (head + "8,rules.capture.reach_m,-1\n", "rules.capture.reach_m = -1: must be > 0"),
+            (head + "8,rules.capture.reach,1\n", "rules.capture.reach: unknown key; did you mean"),
+            (head + "8,ecology.robots,7\n", "ecology.robots: cannot change during a run"),
+            (head + "40,rules.capture.reach_m,1\n", "time_s = 40: must be < 40, the duration of the run"),
+        ]:
+            with self.subTest(text=text):
+                done = self.run_with(text)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(words, done.stderr)
+                self.assertEqual(len(done.stderr.splitlines()), 1)
+                self.assertFalse((self.folder / "run").exists())
+
+    def test_replicates_and_their_shadow_change_as_one_run_does(self):
+        text = "time_s,number,value\n20,rules.capture.reach_m,0.5\n"
+        self.assertEqual(self.run_with(text, "--replicates", "2", "--shadow").returncode, 0)
+        for folder in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
+            rows = list(csv.DictReader((self.folder / "run" / folder / "changes.csv").open()))
+            self.assertEqual([(row["time_s"], row["value"], row["before"]) for row in rows], [("20", "0.5", "1")])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/shipped.hpp>
+#include <trophic/params/archive.hpp>
+#include <trophic/params/toml.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/run/changes/changing_simulation.hpp>
+
+namespace {
+
+using namespace trophic;
+using changes::Change;
+using changes::ChangingSimulation;
+
+std::unique_ptr<Simulation> make(const std::vector<Change>& made) {
+  Experiment<rules::Paper> numbers{.seed = 3};
+  for (const Change& change : made) read_numbers(numbers, read_assignment(change.number + "=" + change.value));
+  validate(numbers, "");
+  return std::make_unique<Ecology<rules::Paper>>(numbers, backend::Kinematic::Params{});
+}
+
+std::string state_of(Simulation& ecology) {
+  Archive archive;
+  ecology.persist(archive);
+  return archive.bytes();
+}
+
+/// Makes changes at moments of the run, as a person would.
+struct Person final : changes::Conductor {
+  std::vector<Change> wishes;
+  std::vector<std::string> refusals;
+  std::vector<changes::ChangeRow> rows;
+  double ends_at_s = 1e9;
+  double now_s = 0.0;
+
+  [[nodiscard]] std::vector<Change> due(double time_s) override {
+    now_s = time_s;
+    std::vector<Change> now;
+    if (!wishes.empty() && wishes.front().time_s <= time_s) {
+      now.push_back(wishes.front());
+      wishes.erase(wishes.begin());
+    }
+    return now;
+  }
+  [[nodiscard]] bool ends() const override { return now_s >= ends_at_s; }
+  void made(const changes::ChangeRow& row) override { rows.push_back(row); }
+  void refused(const Change&, const std::string& why) override { refusals.push_back(why); }
+};
+
+struct Counts {
+  int starts = 0;
+  int ticks = 0;
+  int ends = 0;
+  int lasts = 0;
+  void on_start(const observe::RunDescription&, const View&) { ++starts; }
+  void on_tick(const View&) { ++ticks; }
+  void on_end(const View&) { ++ends; }
+  void between_ticks(Simulation&, bool last) { lasts += last ? 1 : 0; }
+};
+
+const Change halved{20.0, "rules.capture.reach_m", "0.5"};
+const Change moved{40.0, "rules.mutation.sd", "0.7"};
+
+}  // namespace
+
+TEST_CASE("changing ecology: no change, or one to the same value -> state of a plain run") {
+  const auto plain = make({});
+  plain->run_until(60.0);
+  ChangingSimulation none{make, {}};
+  none.run_until(60.0);
+  ChangingSimulation same{make, {{30.0, "rules.capture.reach_m", "1"}}};
+  same.run_until(60.0);
+  const std::string expected = state_of(*plain);
+  CHECK(state_of(none).ends_with(expected));
+  CHECK(state_of(same).ends_with(expected));
+}
+
+TEST_CASE("changing ecology: changes of a schedule and of a person -> same state, which differs from a plain run") {
+  ChangingSimulation scheduled{make, {halved, moved}};
+  Counts counts;
+  scheduled.run_until(100.0, counts);
+  CHECK(counts.starts == 1);
+  CHECK(counts.ends == 1);
+  CHECK(counts.lasts == 1);
+  CHECK(counts.ticks == 51);
+  Person person;
+  person.wishes = {halved, moved};
+  ChangingSimulation steered{make, {}, &person};
+  steered.run_until(100.0);
+  CHECK(state_of(steered) == state_of(scheduled));
+  REQUIRE(person.rows.size() == 2);
+  CHECK(person.rows[0].time_s == 20.0);
+  CHECK(person.rows[0].before == "1");
+  CHECK(person.rows[1].value == "0.7");
+  const auto plain = make({});
+  plain->run_until(100.0);
+  CHECK_FALSE(state_of(scheduled).ends_with(state_of(*plain)));
+}
+
+TEST_CASE("changing ecology: read from its state between changes -> continues to the same state") {
+  ChangingSimulation whole{make, {halved, moved}};
+  whole.run_until(100.0);
+  ChangingSimulation half{make, {halved, moved}};
+  half.run_until(30.0);
+  const std::string bytes = state_of(half);
+  ChangingSimulation resumed{make, {}};
+  Archive archive{bytes};
+  resumed.persist(archive);
+  archive.finish();
+  resumed.run_until(100.0);
+  CHECK(state_of(resumed) == state_of(whole));
+  ChangingSimulation other{make, {moved}};
+  Archive again{bytes};
+  CHECK_THROWS_AS(other.persist(again), std::invalid_argument);
+}
+
+TEST_CASE("changing ecology: wrong change -> schedule refused before the run; wish refused, and the run continues") {
+  for (const auto& [change, what] : {std::pair{Change{20.0, "rules.capture.reach_m", "-1"}, "must be > 0"},
+                                     std::pair{Change{20.0, "rules.capture.nothing", "1"}, "nothing"},
+                                     std::pair{Change{20.0, "ecology.robots", "7"}, "cannot change during a run"}}) {
+    CHECK_THROWS_WITH_AS((ChangingSimulation{make, {change}}), doctest::Contains(what), std::invalid_argument);
+    Person person;
+    person.wishes = {change};
+    ChangingSimulation steered{make, {}, &person};
+    steered.run_until(40.0);
+    REQUIRE(person.refusals.size() == 1);
+    CHECK(person.refusals[0].find(what) != std::string::npos);
+    const auto plain = make({});
+    plain->run_until(40.0);
+    CHECK(state_of(steered).ends_with(state_of(*plain)));
+  }
+}
+
+TEST_CASE("changing ecology: conductor that ends the run -> stops there") {
+  Person person;
+  person.ends_at_s = 20.0;
+  ChangingSimulation steered{make, {}, &person};
+  steered.run_until(100.0);
+  CHECK(steered.time_s() == 20.0);
+}

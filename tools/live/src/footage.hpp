@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A run as messages to its pages: its facts, then each tick's robots, events and poses.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <trophic/command/live.hpp>
+#include <trophic/io/recording_format.hpp>
+#include <trophic/io/tables.hpp>
+#include <trophic/observe/event.hpp>
+#include <trophic/observe/frame.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/support/json.hpp>
+#include <vector>
+
+namespace trophic::live {
+
+/// A message to pages. Shared, as each page gets the same.
+struct Message {
+  enum class Kind { facts, events, tick, poses, state };
+  Kind kind = Kind::state;
+  std::string text;  ///< JSON; of poses the bytes of a block of a recording: docs/recording.md
+};
+using SharedMessage = std::shared_ptr<const Message>;
+
+/// A tick as the run hands it over: copies, which another thread writes as messages.
+struct TickSight {
+  struct Moment {
+    double time_s = 0.0;
+    std::vector<Pose> roots;
+    std::vector<double> angles_rad;
+  };
+  double time_s = 0.0;
+  std::int64_t tick = 0;
+  std::vector<io::EventRow> events;
+  std::vector<io::AgentRow> rows;  ///< empty: only events are shown of this tick
+  std::vector<bool> are_spare;     ///< bodies without an individual
+  std::vector<Moment> frames;
+};
+
+/// Facts of a run that its ticks do not change.
+struct RunFacts {
+  command::LiveRun run;
+  observe::RunDescription description;
+  std::vector<std::string> species;
+  std::vector<std::string> hunters;
+  std::optional<RobotModel> robot;
+  Arena arena;
+  observe::FrameTimes times;
+  std::size_t robots = 0;
+  std::size_t joints = 0;
+};
+
+/// Frames a simulated second, as recordings have them.
+inline constexpr double live_hz = 5.0;
+
+[[nodiscard]] SharedMessage facts_message(const RunFacts& facts);
+/// The messages of a tick, the poses before the robots.
+[[nodiscard]] std::vector<SharedMessage> tick_messages(const TickSight& sight, const RunFacts& facts);
+[[nodiscard]] SharedMessage message_of(const Json& json, Message::Kind kind = Message::Kind::state);
+
+}  // namespace trophic::live

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// A live run: its web socket, the run that grows by it, and what the page asks of it.
+import type { Head } from "./recording";
+import { type LiveEvent, type LiveTick, Run } from "./run";
+
+/** A number of a rule, with its meaning and bounds. */
+export interface LiveNumber {
+  path: string;
+  value: string;
+  help: string;
+  kind: "number" | "whole" | "switch" | "text";
+  lower?: number | null;
+  upper?: number | null;
+  lower_excluded?: boolean;
+}
+
+export interface LiveFacts {
+  label: string;
+  folder: string;
+  rule_tables: string[];
+  until_s: number;
+  species: string[];
+  tags: number[];
+  hunters: string[];
+  numbers: LiveNumber[];
+  head: Head;
+}
+
+export interface LiveState {
+  paused: boolean;
+  speed: number; // 0: as fast as it goes
+  over: boolean;
+  steers: boolean;
+  pages: number;
+  changed: Record<string, string>;
+}
+
+export interface LiveChange {
+  time_s: number;
+  number: string;
+  value: string;
+}
+
+export interface LiveListener {
+  begun: (live: Live) => void;
+  grown: () => void;
+  state: () => void;
+  changed: (change: LiveChange) => void;
+  said: (sentence: string) => void;
+}
+
+type Message =
+  | ({ kind: "run" } & LiveFacts)
+  | { kind: "events"; events: LiveEvent[] }
+  | ({ kind: "tick" } & LiveTick)
+  | ({ kind: "state" } & LiveState)
+  | ({ kind: "changed" } & LiveChange)
+  | { kind: "refused"; text: string };
+
+export class Live {
+  readonly run: Run;
+  readonly changes: LiveChange[] = [];
+  state: LiveState = { paused: false, speed: 10, over: false, steers: false, pages: 1, changed: {} };
+  isConnected = true;
+
+  constructor(
+    readonly facts: LiveFacts,
+    private readonly socket: WebSocket,
+  ) {
+    const { label, species, tags, hunters } = facts;
+    this.run = Run.growing({ label, status: "live", species, tags, hunters }, facts.head);
+  }
+
+  /** The newest moment of which robots are known. */
+  get newest(): number {
+    const { agents, recording } = this.run;
+    return Math.min(recording.lastTime, (agents.firstTick + agents.ticks - 1) * recording.head.tick_s);
+  }
+  /** Whether something of it can be shown. */
+  get isVisible(): boolean {
+    return !this.run.recording.isEmpty && this.run.agents.ticks > 0;
+  }
+
+  play(playing: boolean): void {
+    this.ask({ do: playing ? "play" : "pause" });
+  }
+  tick(): void {
+    this.ask({ do: "tick" });
+  }
+  setSpeed(value: number): void {
+    this.ask({ do: "speed", value });
+  }
+  set(number: string, value: string): void {
+    this.ask({ do: "set", number, value });
+  }
+  restart(seed: number, rules: string): void {
+    this.ask({ do: "restart", seed, rules });
+  }
+  private ask(wish: object): void {
+    if (this.isConnected) this.socket.send(JSON.stringify(wish));
+  }
+}
+
+/** Connects the page to its run. Each run that begins is a new `Live`. */
+export function connect(listener: LiveListener): void {
+  const socket = new WebSocket(`ws://${location.host}/live${location.search}`);
+  socket.binaryType = "arraybuffer";
+  let live: Live | null = null;
+  let isShown = false;
+  const grow = (): void => {
+    if (!live?.isVisible) return;
+    if (!isShown) {
+      isShown = true;
+      listener.begun(live);
+    }
+    listener.grown();
+  };
+  const take = (message: Message): void => {
+    if (message.kind === "run") {
+      const before = live?.state;
+      live = new Live(message, socket);
+      if (before) live.state = { ...before, over: false, changed: {} };
+      isShown = false;
+      return;
+    }
+    if (!live) return;
+    switch (message.kind) {
+      case "events":
+        live.run.addEvents(message.events);
+        return grow();
+      case "tick":
+        live.run.addTick(message);
+        return grow();
+      case "state":
+        live.state = message;
+        return listener.state();
+      case "changed":
+        live.changes.push(message);
+        live.state.changed[message.number] = message.value;
+        return listener.changed(message);
+      case "refused":
+        return listener.said(message.text);
+    }
+  };
+  socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => {
+    if (typeof data === "string") take(JSON.parse(data) as Message);
+    else live?.run.recording.append(new Uint8Array(data));
+  });
+  socket.addEventListener("close", () => {
+    if (live) live.isConnected = false;
+    listener.said("The program has ended. The page keeps what it shows; the run is in its folder.");
+    listener.state();
+  });
+}

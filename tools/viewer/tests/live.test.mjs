@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// A run with --live in a real browser. PREDATOR_PREY and CHROMIUM name the programs.
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { Browser } from "./opened_page.mjs";
+
+const folder = mkdtempSync(join(tmpdir(), "trophic-live-"));
+const at = (name) => join(folder, name);
+const options = (out, ...more) => ["--backend", "kinematic", "--seed", "7", "--duration", "600", "--out", at(out), ...more];
+const started = [];
+
+/** A program with --live: its address, and its end. */
+async function start(out) {
+  const program = spawn(process.env.PREDATOR_PREY, options(out, "--live"));
+  started.push(program);
+  const ended = new Promise((resume) => program.on("exit", resume));
+  const address = await new Promise((resume, reject) => {
+    let text = "";
+    program.stdout.on("data", (part) => {
+      text += part;
+      const found = text.match(/http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/);
+      if (found) resume(found[0]);
+    });
+    program.on("exit", () => reject(new Error("the program ended")));
+  });
+  return { address, ended };
+}
+
+let browser;
+before(async () => {
+  browser = await Browser.start();
+});
+after(async () => {
+  await browser?.close();
+  for (const program of started) program.kill("SIGKILL");
+  rmSync(folder, { recursive: true, force: true });
+});
+
+const tablesOf = (run) => Object.fromEntries(readdirSync(at(run)).filter((name) => /\.(csv|trp)$/.test(name)).map((name) => [name, readFileSync(join(at(run), name), "latin1")]));
+
+/** Opens a live page and waits until it shows something. */
+async function open(address) {
+  const opened = await browser.openAt(address);
+  await opened.until(() => window.trophic?.live?.isVisible && window.trophic.settled);
+  return opened;
+}
+
+test("live: run of 600 s with two changes -> shown as it is recorded, and made again from its record to the same bytes", async () => {
+  const run = await start("live");
+  const opened = await open(run.address);
+  const { page } = opened;
+  await page.keyboard.press("Space");
+  await opened.until(() => window.trophic.live.state.paused);
+  await page.getByRole("button", { name: "Numbers" }).click();
+  const row = page.locator(".number", { hasText: "capture.reach_m" });
+  assert.match(await row.locator(".hint").innerText(), /> 0$/);
+  await row.locator("input[type=number]").fill("0.5");
+  await row.locator("input[type=number]").press("Enter");
+  await opened.until(() => window.trophic.live.changes.length === 1);
+  const time = await opened.evaluate(() => window.trophic.live.newest);
+  await page.locator("h1").click();
+  for (let i = 1; i <= 3; ++i) {
+    await page.keyboard.press("ArrowRight");
+    await opened.until((wanted) => window.trophic.live.newest >= wanted, time + 2 * i);
+  }
+  assert.equal(await opened.evaluate(() => window.trophic.live.newest), time + 6);
+  const slider = page.locator(".number", { hasText: "mutation.sd" }).locator("input[type=range]");
+  await slider.focus();
+  await slider.press("ArrowRight");
+  await opened.until(() => window.trophic.live.changes.length === 2);
+  await page.locator(".controls select").selectOption("0");
+  await page.locator("button.play").click();
+  await opened.until(() => window.trophic.live.state.over);
+  await opened.until(() => window.trophic.time === window.trophic.lastTime && window.trophic.settled);
+  assert.equal(await opened.evaluate(() => window.trophic.lastTime), 600);
+
+  // The page has the individuals, events and last robots of the run's tables.
+  const lines = (file) => readFileSync(join(at("live"), file), "utf8").trim().split("\n").slice(1);
+  const seen = await opened.evaluate(() => {
+    const { run: shown } = window.trophic;
+    const row_ = (shown.agents.ticks - 1) * shown.robots;
+    return { events: shown.events.length, individuals: shown.individuals.size, last: [...shown.agents.id.slice(row_, row_ + shown.robots)], dead: [...shown.individuals.values()].filter((one) => one.death !== Infinity).length };
+  });
+  const agents = lines("agents.csv").map((line) => line.split(","));
+  assert.equal(seen.events, lines("events.csv").length);
+  assert.equal(seen.individuals, lines("phylogeny.csv").length);
+  assert.equal(seen.dead, lines("events.csv").filter((line) => line.split(",")[2] === "death").length);
+  assert.deepEqual(seen.last, agents.slice(-seen.last.length).map((cells) => Number(cells[3])));
+  assert.ok((await opened.pixels("#0072b2")) > 100);
+  assert.deepEqual(opened.complaints, []);
+  await page.close();
+  assert.equal(await run.ended, 0);
+  execFileSync(process.env.PREDATOR_PREY, options("again", "--changes", join(at("live"), "changes.csv")));
+  assert.deepEqual(tablesOf("live"), tablesOf("again"));
+});
+
+test("live: number out of bounds, a second page, another run -> one sentence each, and the run is what it was", async () => {
+  const run = await start("hostile");
+  const opened = await open(run.address);
+  const { page } = opened;
+  await page.getByRole("button", { name: "Numbers" }).click();
+  const box = page.locator(".number", { hasText: "capture.reach_m" }).locator("input[type=number]");
+  await box.fill("-1");
+  await box.press("Enter");
+  await opened.until(() => document.querySelector(".problem").textContent !== "");
+  assert.equal(await page.locator(".problem").innerText(), "rules.capture.reach_m = -1: must be > 0");
+  await opened.until(() => document.querySelector("[aria-label='rules.capture.reach_m']").value === "1");
+
+  const second = await open(run.address);
+  await second.page.getByRole("button", { name: "Numbers" }).click();
+  assert.equal(await second.page.locator(".numbers .hint").first().innerText(), "Another page steers this run; this one only shows it.");
+  assert.equal(await second.page.locator("button.play").isDisabled(), true);
+  assert.equal(await second.page.locator(".number input[type=range]").first().isDisabled(), true);
+  await second.page.close();
+
+  await page.locator(".again input").fill("11");
+  await page.getByRole("button", { name: "Start again" }).click();
+  await opened.until(() => window.trophic.live.facts.head.seed === 11 && window.trophic.live.isVisible);
+  assert.equal(readFileSync(join(at("hostile"), "changes.csv"), "utf8"), "time_s,tick,number,value,before\n");
+  assert.deepEqual(opened.complaints, []);
+  await page.close();
+});
+
+test("live: on a phone and in the dark -> numbers in a sheet from below", async () => {
+  const run = await start("phone");
+  const phone = await browser.with({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: "dark" });
+  const opened = await phone.openAt(run.address);
+  await opened.until(() => window.trophic?.live?.isVisible);
+  assert.equal(await opened.page.evaluate(() => document.documentElement.scrollWidth), 390);
+  await opened.page.getByRole("button", { name: "Details" }).click();
+  await opened.page.getByRole("button", { name: "Numbers" }).click();
+  assert.equal(await opened.page.locator(".number").first().isVisible(), true);
+  await opened.page.close();
+});
