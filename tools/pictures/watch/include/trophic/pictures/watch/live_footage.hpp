@@ -19,8 +19,8 @@
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/pictures/drawing/footage.hpp>
-#include <trophic/population/phenotype.hpp>
 #include <trophic/pictures/watch/catch_scene.hpp>
+#include <trophic/population/phenotype.hpp>
 #include <trophic/population/view.hpp>
 #include <utility>
 #include <vector>
