@@ -61,10 +61,8 @@ TROPHIC_INLINE Json json_of(const Arena& arena) {
 }
 
 TROPHIC_INLINE Json json_of(const Units& units) {
-  return {{"position_m", units.position_m},
-          {"yaw_rad", units.yaw_rad},
-          {"tilt_rad", units.tilt_rad},
-          {"joint_rad", units.joint_rad}};
+  return {
+      {"position_m", units.position_m}, {"yaw_rad", units.yaw_rad}, {"tilt_rad", units.tilt_rad}, {"joint_rad", units.joint_rad}};
 }
 
 }  // namespace recording
