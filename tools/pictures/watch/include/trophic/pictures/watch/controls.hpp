@@ -149,7 +149,7 @@ class Controls {
     if (!scene_) was_paused_ = clock_.is_paused();
     scene_.reset();
   }
-  /// The clock goes on from where the scene left it, as it did before.
+  /// The clock continues from the end of the scene, as it ran before.
   void leave_scene() {
     scene_.reset();
     wanted_after_s_.reset();
