@@ -129,6 +129,7 @@ class Help(InFolder):
             self.assertEqual(len(examples.splitlines()), 3)
             for group in ("The experiment:", "How long and how many:", "A sweep:", "Output:", "Look:", "Resume and branch:", "Print:"):
                 self.assertIn(f"\n\n{group}\n  --", head)
+            self.assertNotIn("\n\n\n", text)
             self.assertIn("\n\nExit codes: 0 done; 1 ", head)
 
     def test_examples_are_accepted(self):

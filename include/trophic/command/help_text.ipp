@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of --help, for run_command.ipp.
+// The text of --help, for command_parser.ipp.
 #pragma once
 
 #include <unistd.h>
@@ -45,9 +45,9 @@ class HelpText : public CLI::Formatter {
     label("SUBCOMMAND", "COMMAND");
   }
   std::string make_description(const CLI::App* app) const override { return wrapped(app->get_description(), 0, width_) + "\n"; }
-  std::string make_group(std::string group, bool is_positional, std::vector<const CLI::Option*> options) const override {
-    std::string text = CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
-    if (text.ends_with("\n\n")) text.pop_back();
+  std::string make_groups(const CLI::App* app, CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_groups(app, mode);
+    for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
     return text;
   }
   std::string make_footer(const CLI::App* app) const override {

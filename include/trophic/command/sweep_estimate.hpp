@@ -142,10 +142,10 @@ struct Estimates {
   const std::string tasks = std::to_string(*options.sbatch);
   return print_text(
       "#!/bin/bash\n# " + estimate_text(file, plan, *estimates) +
-      ". Time is 1.5 times the longest task's and ten minutes.\n"
+      ". The time limit is 1.5 times the longest task's, plus ten minutes.\n"
       "# Submit it again to finish what was interrupted; `" +
       options.program + " --status --out " + options.out +
-      "` says what that is.\n"
+      "` lists it.\n"
       "#SBATCH --job-name=" +
       options.program + "\n#SBATCH --array=1-" + tasks + "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() +
       "\n#SBATCH --mem=" + std::to_string(megabytes) + "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\nexec " +
