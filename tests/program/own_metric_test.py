@@ -81,9 +81,12 @@ class OwnMetric(unittest.TestCase):
         rows = self.rows("swept/sweep_differences.csv")
         self.assertEqual({(row["metric"], row["species"]) for row in rows}, {("from_centre", "prey"), ("from_centre", "predator")})
         refused = self.call("analyze", "sweep", "--out", "nothing", metric="throws")
-        self.assertEqual(refused.returncode, 2)
-        self.assertIn("replicate-01: no robot is there", refused.stderr)
+        self.assertEqual((refused.returncode, refused.stdout), (1, ""))
+        self.assertEqual(refused.stderr, f"{NAME} analyze: metric odd: sweep/cell-000/replicate-01: no robot is there\n")
         self.assertFalse((self.folder / "nothing").exists())
+        done = self.call_ok("analyze", "sweep", "--metric", "odd", "--out", "without", metric="nan")
+        for cell in ("000", "001"):
+            self.assertIn(f"{NAME} analyze: sweep/cell-{cell}/replicate-01: odd has no value; the run is left out of its mean\n", done.stderr)
 
     def test_what_goes_wrong_in_one_run_names_the_run_and_leaves_nothing(self):
         for metric, sentence in (("throws", "no robot is there"), ("throws_a_number", "throws something that is not a std::exception"),
@@ -117,6 +120,13 @@ class OwnMetric(unittest.TestCase):
         self.assertEqual((refused.returncode, refused.stderr), (2, f"{NAME} analyze: --seed: not with analyze\n"))
         self.assertIn("analyze", self.call_ok("--help").stdout)
         self.assertIn(f"{NAME} analyze runs/paper", self.call_ok("analyze", "--help").stdout)
+
+    def test_zsh_completes_the_options_of_runs_and_of_analyze(self):
+        script = self.call_ok("--completion", "zsh").stdout
+        of_analyze, of_runs = script.split("analyze) shift words")[1].split("esac")
+        for option, part, other in (("--published", of_analyze, of_runs), ("--replicates", of_runs, of_analyze)):
+            self.assertIn(f"'{option}[", part)
+            self.assertNotIn(f"'{option}[", other)
 
     def test_the_page_names_the_program_that_makes_it(self):
         self.call_ok("analyze", "runs", "--html", "page.html")

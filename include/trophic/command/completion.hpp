@@ -157,18 +157,16 @@ namespace detail {
     for (const Command& subcommand : command.subcommands) {
       text += "\n    '" + subcommand.name + ":" + detail::zsh_escaped(subcommand.about) + "'";
     }
-    text += ")\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n  case $words[2] in\n";
+    text += ")\n  if (( CURRENT == 2 )); then\n    _describe command commands\n  else\n    case $words[2] in\n";
     for (const Command& subcommand : command.subcommands) {
       text += "  " + subcommand.name + ") shift words; (( CURRENT-- )); _arguments -S" + help +
-              detail::zsh_arguments(subcommand) + " ;;\n";
+              detail::zsh_arguments(subcommand) + "; return ;;\n";
     }
-    text += "  esac\n";
-  } else {
-    text += "  _arguments -S" + help +
-            " \\\n    '--version[print the version]' \\\n    '--completion[print the completion]:shell:(bash zsh)'" +
-            detail::zsh_arguments(command) + "\n";
+    text += "    esac\n  fi\n";
   }
-  return text + "}\ncompdef _" + program + " " + program + "\n";
+  return text + "  _arguments -S" + help +
+         " \\\n    '--version[print the version]' \\\n    '--completion[print the completion]:shell:(bash zsh)'" +
+         detail::zsh_arguments(command) + "\n}\ncompdef _" + program + " " + program + "\n";
 }
 
 }  // namespace trophic::command
