@@ -47,6 +47,12 @@ class Cite(InFolder):
         self.assertTrue(sentence.startswith("3 runs of 20 s with the rule table `paper`"), sentence)
         self.assertTrue(sentence.endswith("with the numbers of the table."), sentence)
 
+    def test_a_sweep_is_refused(self):
+        (self.folder / "sweep").mkdir()
+        (self.folder / "sweep/plan.jsonl").write_text("{}\n")
+        refused = self.call(TROPHIC, "cite", "sweep")
+        self.assertEqual((refused.returncode, refused.stderr), (2, "trophic cite: sweep: is a sweep; name one of its cells\n"))
+
     def test_readme_citation_file_and_program_make_the_same_request(self):
         self.make("--out", "run")
         _, entries = self.cited("run")

@@ -188,6 +188,19 @@ class SweepAnalysis(InFolderWithSets):
         self.assertIn("run 15: ", result.stderr)
         self.assertFalse((self.folder / "analysis").exists())
 
+    def test_a_column_is_a_metric_of_every_cell_and_a_run_without_it_is_named(self):
+        for line in self.lines:
+            (self.folder / "sweep" / line["folder"] / "own.csv").write_text(f"level\n{1 + line['cell'] + line['replicate'] / 10}\n")
+        self.analyzed("--column", "own.csv:level", "--metric", "level")
+        rows = table(self.folder / "analysis/sweep_differences.csv")
+        self.assertEqual([(row["cell"], round(float(row["difference"]), 9)) for row in rows], [("1", 1.0), ("2", 2.0), ("3", 3.0)])
+        (self.folder / "sweep/cell-001/replicate-02/own.csv").write_text("level\nnan\n")
+        done = self.analyzed("--column", "own.csv:level", "--metric", "level", out="without")
+        self.assertIn("sweep/cell-001/replicate-02/own.csv: level has no value; the run is left out of its mean\n", done.stderr)
+        (self.folder / "sweep/cell-002/shadow/replicate-01/own.csv").unlink()
+        shutil.rmtree(self.folder / "analysis")
+        self.refused("--column own.csv:level: sweep/cell-002/shadow/replicate-01 has no such file", "sweep", "--column", "own.csv:level")
+
     def test_broken_plans_are_refused(self):
         for change, part in ((lambda lines: lines[3].update(index=2), "plan.jsonl:4: index = 2: must be 3"),
                              (lambda lines: lines[3].update(folder=lines[2]["folder"]), "plan.jsonl:4: folder = "),
@@ -233,6 +246,11 @@ class SweepAnalysis(InFolderWithSets):
         for cell in (1, 2, 3):
             for metric in ("deaths prey", "hunger predator"):
                 self.assertRegex(shown, rf"\n{metric} +{cell} \(speed_scale [14].0, base_ticks \d+\) .*\[.*\] +[<0-9].* 6\+6")
+
+    def test_named_metrics_that_never_differ_are_one_line(self):
+        shown = self.analyzed("--metric", "deaths:prey").stdout
+        self.assertIn("\nthe same in all runs, or without a value: deaths prey (senescence)\n", shown)
+        self.assertEqual(shown.count("deaths prey (senescence)"), 1)
 
     def test_rule_tables_may_be_an_axis(self):
         plan = [line for line in self.lines if line["cell"] == 0]

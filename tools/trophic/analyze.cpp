@@ -199,13 +199,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
   std::size_t runs = 0;
   for (const analysis::PooledRuns& pooled : all) {
     runs += pooled.manifests.size();
-    for (const analysis::RunManifest& manifest : pooled.manifests) {
-      for (const analysis::OwnColumn& column : how.columns) {
-        if (std::filesystem::exists(manifest.folder / column.file)) continue;
-        throw std::invalid_argument{"--column " + column.file + ":" + column.column + ": " + manifest.folder.string() +
-                                    " has no such file"};
-      }
-    }
+    for (const analysis::RunManifest& manifest : pooled.manifests) check_columns(manifest.folder, how);
   }
   analysis::check_names({&all[0].manifests.front().web, 1}, how, options.metrics);
   return runs;

@@ -64,8 +64,22 @@ analysis::Measuring with_progress(const analysis::Measuring& how, std::size_t ru
   return shown;
 }
 
+/// Prints the first few; a sweep has hundreds of runs.
+void print_remarks(const std::string& who, const std::vector<std::string>& remarks) {
+  constexpr std::size_t most = 5;
+  for (std::size_t i = 0; i < std::min(most, remarks.size()); ++i) std::cerr << who << ": " << remarks[i] << "\n";
+  if (remarks.size() > most) std::cerr << who << ": and " << remarks.size() - most << " more\n";
+}
+
 void write_json(const std::filesystem::path& path, const Json& json) {
   write_new_file(path, json_text(json, 2) + '\n');
+}
+
+void check_columns(const std::filesystem::path& run, const analysis::Measuring& how) {
+  for (const analysis::OwnColumn& column : how.columns) {
+    if (std::filesystem::exists(run / column.file)) continue;
+    throw std::invalid_argument{"--column " + column.file + ":" + column.column + ": " + run.string() + " has no such file"};
+  }
 }
 
 void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const SweepOptions& options,
@@ -91,6 +105,9 @@ void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const 
   if (!sweep.missing.empty() && !options.allow_missing) {
     throw std::invalid_argument{sweep.folder.string() + ": " + analysis::missing_line(sweep) +
                                 " (--allow-missing leaves them out)"};
+  }
+  for (std::size_t i = 0; i < sweep.plan.size(); ++i) {
+    if (sweep.is_there[i]) check_columns(sweep.folder_of(i), how);
   }
   if (analysis::detail::runs_there(sweep, *base, &analysis::GridReplicate::run) == 0) {
     throw std::invalid_argument{"--reference " + std::to_string(reference) + ": must be a cell with a complete run"};
@@ -126,6 +143,7 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
               << "; their rules may be other code under the same names\n";
   }
   if (!sweep.missing.empty()) std::cerr << options.who << ": " << analysis::missing_line(sweep) << "; left out\n";
+  print_remarks(options.who, values.remarks);
   const auto differences = analysis::compare_cells(sweep.grid, values, reference, names);
   std::vector<analysis::RunsForDifference> answers;
   if (options.difference) answers = analysis::runs_for_difference(differences, *options.difference);

@@ -46,6 +46,9 @@ class ResultFolder {
 
 void write_json(const std::filesystem::path& path, const Json& json);
 
+/// Throws std::invalid_argument unless a run's folder has the files of all columns.
+void check_columns(const std::filesystem::path& run, const analysis::Measuring& how);
+
 /// Everything that can be known of a sweep without measuring it. Throws std::invalid_argument.
 void check_sweep(const analysis::SweepRuns& sweep, std::size_t reference, const SweepOptions& options,
                  const analysis::Measuring& how);

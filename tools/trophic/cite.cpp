@@ -9,6 +9,7 @@
 #include <string_view>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/data/run_manifest.hpp>
+#include <tools/analysis/data/sweep_runs.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/named_params.hpp>
@@ -77,6 +78,7 @@ namespace detail::cite {
 }
 
 [[nodiscard]] int run(const std::string& folder) {
+  if (analysis::is_sweep(folder)) throw std::invalid_argument{folder + ": is a sweep; name one of its cells"};
   std::vector<std::string> remarks;
   const auto runs = analysis::run_folders(folder, remarks);
   if (runs.empty()) throw std::invalid_argument{folder + ": no run is there"};
@@ -99,7 +101,7 @@ namespace detail::cite {
     for (std::size_t i = 0; i < changed.size(); ++i) sentence += (i > 0 ? "; " : "") + changed[i];
   }
   sentence += ".";
-  if (!manifest.begins.empty()) sentence += " They begin " + manifest.begins + ".";
+  if (!manifest.begins.empty()) sentence += (runs.size() > 1 ? " They begin " : " It begins ") + manifest.begins + ".";
   return print_text(sentence + R"(
 
 @misc{trophic,

@@ -61,7 +61,7 @@ struct Options {
   if (folders.empty()) throw std::invalid_argument{"runs: no run is there"};
   if (folders.size() > most_runs) {
     throw std::invalid_argument{std::to_string(folders.size()) + " runs: must be <= " + std::to_string(most_runs) +
-                                " in one page; name the folders of some"};
+                                " in one page; name some, such as " + folders.front().string()};
   }
   return folders;
 }

@@ -63,6 +63,8 @@ void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<
 SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
   SweepValues values{metric_names(sweep.webs), std::vector<std::vector<std::optional<double>>>(sweep.plan.size())};
   std::vector<std::vector<Measurement>> own(sweep.plan.size());
+  std::vector<std::vector<std::string>> remarks(sweep.plan.size());
+  std::vector<std::string> thrown(sweep.plan.size());
   std::atomic<bool> has_failed = false;
   std::mutex one_at_a_time;
   const auto measure = [&](std::size_t i) {
@@ -75,10 +77,14 @@ SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
       std::vector<std::optional<double>> numbers(values.names.size());
       for (const Measurement& measurement : measured.measurements) numbers[values.place_of(measurement.name)] = measurement.value;
       values.of_run[i] = std::move(numbers);
-      RunMetrics columns;
-      std::vector<std::string> remarks;
-      measure_users(how, run, columns, remarks);
-      own[i] = std::move(columns.measurements);
+      RunMetrics users;
+      try {
+        measure_users(how, run, users, remarks[i]);
+      } catch (const std::runtime_error& error) {
+        thrown[i] = error.what();
+        throw;
+      }
+      own[i] = std::move(users.measurements);
       const std::scoped_lock lock{one_at_a_time};
       if (how.on_run) how.on_run();
     } catch (...) {
@@ -88,8 +94,10 @@ SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
   };
   const auto attempts = replicates::in_parallel(sweep.plan.size(), how.jobs, measure, [&] { return !has_failed; });
   for (std::size_t i = 0; i < attempts.size(); ++i) {
+    if (!thrown[i].empty()) throw std::runtime_error{thrown[i]};
     if (!attempts[i].error.empty()) throw std::invalid_argument{"run " + std::to_string(i) + ": " + attempts[i].error};
   }
+  for (const auto& of_run : remarks) values.remarks.insert(values.remarks.end(), of_run.begin(), of_run.end());
   for (const auto& of_run : own) {
     for (const Measurement& each : of_run) {
       if (values.place_of(each.name) == values.names.size()) values.names.push_back(each.name);

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
@@ -21,6 +22,7 @@ struct SweepValues {
   /// By planned run, then in the order of `names`; of a run that is not there nothing, of one with another food web or in which
   /// it could not be computed none.
   std::vector<std::vector<std::optional<double>>> of_run;
+  std::vector<std::string> remarks = {};  ///< about runs in which a metric of the user has no value, in the plan's order
 
   [[nodiscard]] std::size_t place_of(const MetricName& name) const;
   [[nodiscard]] std::optional<double> value(std::optional<std::size_t> run, std::size_t metric) const;
@@ -34,8 +36,8 @@ struct SweepValues {
 void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<const std::string> choices);
 
 /// Reads and measures the runs that are there; what was read of a run is gone when it is measured. The values do not depend on
-/// `how.jobs`. Throws std::invalid_argument for the first run in the plan's order that cannot be read as a whole; the others are
-/// given up.
+/// `how.jobs`. Throws for the first run in the plan's order that cannot be measured, and gives up the others:
+/// std::invalid_argument if it cannot be read as a whole, std::runtime_error if a metric of the user throws.
 [[nodiscard]] SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how = {});
 
 /// One metric of a cell: its values by seed, and by seed how far above its shadow a run is.

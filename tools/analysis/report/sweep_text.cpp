@@ -159,7 +159,13 @@ void print_cell_differences(std::ostream& out, const SweepGrid& grid, const Cell
 void print_named_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences) {
   if (differences.all.empty()) return;
   Columns columns{{"metric", "cell", "mean", "reference", "difference [95 %]", "p", "g", "runs", "runs needed"}};
+  std::vector<std::string> constant;
   for (const CellDifference& d : differences.all) {
+    const auto is_same = [&](const CellDifference& other) { return other.name == d.name && detail::is_comparison(other); };
+    if (std::ranges::none_of(differences.all, is_same)) {
+      if (std::ranges::find(constant, metric_title(d.name)) == constant.end()) constant.push_back(metric_title(d.name));
+      continue;
+    }
     const Reading reading{d.name};
     const bool is_open = detail::is_comparison(d) && !d.difference.differs();
     columns.add({detail::compared_title(d), std::to_string(d.cell) + " (" + detail::cell_title(grid, d.cell) + ")",
@@ -172,6 +178,7 @@ void print_named_metrics(std::ostream& out, const SweepGrid& grid, const CellDif
                                  : "more than " + std::to_string(most_runs)});
   }
   columns.print(out);
+  for (const std::string& title : constant) out << "the same in all runs, or without a value: " << title << "\n";
   out << "p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in 80 % of "
          "studies\n";
 }
