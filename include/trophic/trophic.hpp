@@ -128,6 +128,7 @@
 #include <trophic/initialization/placement/scattered.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
 #include <trophic/io/agent_log.hpp>
+#include <trophic/io/body_log.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/csv.hpp>
 #include <trophic/io/csv_file.hpp>

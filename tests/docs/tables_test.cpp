@@ -88,6 +88,16 @@ table, such as starvation.exemption.adversary_distance_m. Numbers are exact, anc
 cells mean none. Without a State there are no further columns.
 )";
 
+constexpr std::string_view bodies = R"(
+## bodies.csv
+
+The body of every newborn, one per row. Written only if bodies differ. Plans are trees of modules, numbered from 0 in the order of their
+first births. The first columns are id (of the newborn), time_s, species, plan, parent_plan and edit_distance. The distance counts modules
+that are inserted, deleted or changed since the parent's plan; both cells are empty without a parent. The columns modules_text, modules,
+hinges, bricks, mass_kg and reach_m follow. The reach is the largest distance of a point from the root. The last columns are
+the descriptors of trophic/habitat/body/descriptors.hpp, from size to joints; size is relative to 20 modules. Numbers are exact.
+)";
+
 std::string document() {
   std::string text{introduction};
   text += section<io::EventRow>("events.csv", "The events of a run, one per row, in the order in which they happened.");
@@ -109,6 +119,7 @@ brains grow.)");
   text += section<changes::ChangeRow>("changes.csv",
                                       "The numbers of rules that changed during a run, in the order of their changes. Written "
                                       "only with --changes and --live; --changes reads it.");
+  text += bodies;
   text += section<analysis::MetricRow>("metrics.csv",
                                        "Results of the analysis: every value and every curve of every run, one value per row.");
   text += section<analysis::MeanRow>("means.csv", "Each metric of a set next to each of its nulls, for tables of a paper.");

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 #include <trophic/io/agent_log.hpp>
+#include <trophic/io/body_log.hpp>
 #include <trophic/io/event_log.hpp>
 #include <trophic/io/genome_log.hpp>
 #include <trophic/io/phylogeny.hpp>
@@ -57,6 +58,7 @@ struct RunFolder::Tables {
   std::optional<SenseLog> senses;
   std::optional<StateLog> states;
   std::optional<GeneLog> genes;
+  std::optional<BodyLog> bodies;
 
   [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const {
     std::vector<std::pair<std::string, TableSum>> all{{"events.csv", events.sum()},
@@ -66,6 +68,7 @@ struct RunFolder::Tables {
     if (senses) all.emplace_back(SenseLog::file_name, senses->sum());
     if (states) all.emplace_back(StateLog::file_name, states->sum());
     if (genes) all.emplace_back(GeneLog::file_name, genes->sum());
+    if (bodies) all.emplace_back(BodyLog::file_name, bodies->sum());
     return all;
   }
 };
@@ -81,7 +84,8 @@ TROPHIC_INLINE RunFolder::RunFolder(const std::filesystem::path& path, Provenanc
                                               .genomes = GenomeLog{path_ / "genomes.csv", opening},
                                               .senses = std::nullopt,
                                               .states = std::nullopt,
-                                              .genes = std::nullopt})},
+                                              .genes = std::nullopt,
+                                              .bodies = std::nullopt})},
       manifest_{path_ / "manifest.json", std::move(provenance)},
       recording_{path_ / "replay.trp", output.replay_hz, opening} {
   if (opening == Opening::created) open_more(output.senses, output.states, opening);
@@ -96,12 +100,15 @@ TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   bool senses = tables_->senses.has_value();
   bool states = tables_->states.has_value();
   bool genes = tables_->genes.has_value();
-  archive(senses, states, genes);
+  bool bodies = tables_->bodies.has_value();
+  archive(senses, states, genes, bodies);
   if (archive.reads()) open_more(senses, states, Opening::resumed);
   if (archive.reads() && genes) tables_->genes.emplace(path_ / GeneLog::file_name, Opening::resumed);
   if (senses) archive(*tables_->senses);
   if (states) archive(*tables_->states);
+  if (archive.reads() && bodies) tables_->bodies.emplace(path_ / BodyLog::file_name, Opening::resumed);
   if (genes) archive(*tables_->genes);
+  if (bodies) archive(*tables_->bodies);
   for (const auto& table : own_tables_) {
     std::string name = table->file_name();
     archive(name);
@@ -129,6 +136,7 @@ TROPHIC_INLINE void RunFolder::on_start(const observe::RunDescription& run, cons
     manifest_.set_inputs(run.inputs);
   }
   if (run.has_more_genes && !tables_->genes) tables_->genes.emplace(path_ / GeneLog::file_name, Opening::created);
+  if (run.bodies_differ && !tables_->bodies) tables_->bodies.emplace(path_ / BodyLog::file_name, Opening::created);
   if (tables_->genes) tables_->genes->on_start(run, view);
   tables_->genomes.on_start(run, view);
   manifest_.on_start(run, view);
@@ -141,6 +149,7 @@ TROPHIC_INLINE void RunFolder::on_event(const observe::Event& event, const View&
   tables_->phylogeny.on_event(event, view);
   tables_->genomes.on_event(event, view);
   if (tables_->genes) tables_->genes->on_event(event, view);
+  if (tables_->bodies) tables_->bodies->on_event(event, view);
   manifest_.on_event(event, view);
   for (const auto& table : own_tables_) table->observer().event(event, view);
 }
@@ -185,6 +194,7 @@ TROPHIC_INLINE void RunFolder::on_tick(const View& view) {
   tables_->phylogeny.on_tick(view);
   tables_->genomes.on_tick(view);
   if (tables_->genes) tables_->genes->on_tick(view);
+  if (tables_->bodies) tables_->bodies->on_tick(view);
   if (tables_->senses) tables_->senses->on_tick(view);
   if (tables_->states) tables_->states->on_tick(view);
   manifest_.on_tick(view);
@@ -198,6 +208,7 @@ TROPHIC_INLINE void RunFolder::on_end(const View& view) {
   tables_->phylogeny.on_end(view);
   tables_->genomes.on_end(view);
   if (tables_->genes) tables_->genes->on_end(view);
+  if (tables_->bodies) tables_->bodies->on_end(view);
   for (const auto& table : own_tables_) table->observer().end(view);
   recording_.on_end(view);
   manifest_.set_tables(sums());

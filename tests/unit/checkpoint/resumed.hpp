@@ -33,7 +33,7 @@ namespace trophic::test {
   std::vector<std::string> results;
   for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp"})
     results.push_back(content(folder / table));
-  for (const auto* name : {"senses.csv", "states.csv"}) {
+  for (const auto* name : {"senses.csv", "states.csv", "genes.csv", "bodies.csv"}) {
     if (std::filesystem::exists(folder / name)) results.push_back(content(folder / name));
   }
   results.push_back(checkpoint::read_last(folder).section(checkpoint::ecology_section));

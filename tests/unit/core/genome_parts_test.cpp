@@ -269,6 +269,11 @@ TEST_CASE("bodies of species: spiders that hunt geckos -> own bodies and gaits, 
     CHECK(toys->model(body).name == view.phenotypes[body].robot->name);
     CHECK(view.phenotypes[body].gait->robot == view.phenotypes[body].robot->name);
   }
+  const std::string bodies = content(folder.path() / "run" / "bodies.csv");
+  CHECK(bodies.starts_with(
+      "id,time_s,species,plan,parent_plan,edit_distance,modules_text,modules,hinges,bricks,mass_kg,reach_m,size,"));
+  CHECK(bodies.find("\n0,0,predator,0,,,core[front:hinge") != std::string::npos);
+  CHECK(bodies.find(",prey,1,1,0,core[") != std::string::npos);  // an offspring with its parent's plan
   const io::RecordingReader recording{folder.path() / "run" / "replay.trp"};
   CHECK(recording.head().bodies_differ);
   CHECK(recording.bodies().size() == 2);
