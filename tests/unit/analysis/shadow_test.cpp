@@ -35,6 +35,16 @@ TEST_CASE("shadow: run that is not the neutral shadow -> refused, naming the dif
   CHECK(refusal(same) == same.string() + from + "its rule in slot heredity is copy: must be nothing_inherited");
   const auto floor = run_of(folder.path() / "floor", "nothing_inherited", 6);
   CHECK(refusal(floor) == floor.string() + from + "params/rules/floor/floor = 6: must be 7");
+  const auto parent = [](const char* rule) {
+    analysis::RunManifest manifest;
+    manifest.policies = {{"heredity", "nothing_inherited"}, {"parent", rule}};
+    manifest.params = Json::object();
+    manifest.status = "complete";
+    manifest.reached_s = manifest.until_s = 60.0;
+    return manifest;
+  };
+  CHECK_THROWS_AS(analysis::check_shadow(parent("killer"), parent("none")), std::invalid_argument);
+  CHECK_NOTHROW(analysis::check_shadow(parent("killer"), parent("none"), true));
   const auto stopped = run_of(folder.path() / "stopped", "nothing_inherited", 7, 1, "stopped");
   CHECK(refusal(stopped) == stopped.string() + from +
                                 "it has status \"stopped\" at an unknown time of 6000 s: must be as status "

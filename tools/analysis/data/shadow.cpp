@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/support/json.hpp>
+#include <vector>
 
 namespace trophic::analysis {
 
@@ -16,7 +17,7 @@ std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesyste
   return found;
 }
 
-void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
+void check_shadow(const RunManifest& ours, const RunManifest& shadow, bool any_parent) {
   const auto refuse = [&](const std::string& why) {
     throw std::invalid_argument{shadow.folder.string() + ": is not a neutral shadow of " + ours.folder.string() + ": " + why};
   };
@@ -27,9 +28,11 @@ void check_shadow(const RunManifest& ours, const RunManifest& shadow) {
   }
   const auto rest_of = [&](const RunManifest& manifest) {
     Json rest{{"backend", manifest.backend}, {"params", manifest.params}, {"rules", manifest.policies}};
-    rest["rules"].erase(slot);
     rest["params"].erase("seed");
-    if (rest["params"].contains("rules")) rest["params"]["rules"].erase(slot);
+    for (const std::string& free : any_parent ? std::vector{slot, std::string{"parent"}} : std::vector{slot}) {
+      rest["rules"].erase(free);
+      if (rest["params"].contains("rules")) rest["params"]["rules"].erase(free);
+    }
     return rest;
   };
   if (const std::string why = first_difference(rest_of(ours), rest_of(shadow)); !why.empty()) refuse(why);

@@ -138,7 +138,7 @@ Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<
   const auto folders = shadow ? std::vector{*shadow} : analysis::shadow_folders(runs);
   if (folders.empty()) return sets;
   sets.shadow = analysis::pooled_runs(folders, false, any_build).manifests;
-  analysis::check_shadow(first, sets.shadow.front());
+  analysis::check_shadow(first, sets.shadow.front(), true);
   return sets;
 }
 
