@@ -66,6 +66,7 @@
 #include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/death/starvation/procedure.hpp>
+#include <trophic/ecology/ask_brain.hpp>
 #include <trophic/ecology/bodies.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>

@@ -13,8 +13,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tools/analysis/data/lineages.hpp>
+#include <tools/analysis/data/met_inputs.hpp>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/data/shadow.hpp>
+#include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
@@ -33,6 +36,7 @@
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
+#include <trophic/command/play_contests.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/new_file.hpp>
@@ -46,6 +50,9 @@ namespace detail::analyze {
 struct Options {
   std::string program;
   analysis::OwnMetrics own_metrics;
+  Offer offer;  ///< the rule tables of the program
+  bool lineages = false;
+  std::optional<double> window_s;
   std::vector<std::string> runs;
   std::vector<std::string> compare;
   std::optional<std::string> shadow;
@@ -108,6 +115,8 @@ void print_remarks(const Options& options, const analysis::ShadowedSet& set) {
   if (!options.compare.empty()) command += " --compare " + options.compare[0] + " " + options.compare[1];
   if (options.shadow) command += " --shadow " + *options.shadow;
   if (options.until_s) command += " --until " + number_text(*options.until_s);
+  if (options.lineages) command += " --lineages";
+  if (options.window_s) command += " --window " + number_text(*options.window_s);
   if (options.published) command += " --published";
   if (!options.figures.empty()) command += " --figures " + options.figures;
   return command + " --html " + options.html;
@@ -186,10 +195,42 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
   return how;
 }
 
+/// Asks the brain of a run's rule table. Throws std::invalid_argument if the program does not have that table as it was.
+[[nodiscard]] analysis::Decide brain_of(const analysis::RunManifest& run, const Offer& offer) {
+  const contest::Plan plan{.rule_table = run.rules,
+                           .engine = run.backend.substr(0, run.backend.find(' ')),
+                           .fingerprint = run.fingerprint,
+                           .params = run.params};
+  if (const std::string why = why_not_played(plan, offer, "analyze them with the program that made them, built with ANALYZE");
+      !why.empty()) {
+    throw std::invalid_argument{run.folder.string() + ": " + why};
+  }
+  return experiment_of(plan, offer)->brain();
+}
+
+/// How the lineages of runs are measured, which must be checked. Signatures have inputs that were met in the first run and the
+/// first one of the shadow.
+[[nodiscard]] analysis::LineageMeasuring lineages_of(const std::vector<analysis::PooledRuns>& sets, const Options& options) {
+  const analysis::RunManifest& first = sets.front().manifests.front();
+  std::vector<analysis::RunManifest> met;
+  for (const analysis::PooledRuns& set : sets) {
+    for (const analysis::RunManifest& run : set.manifests) analysis::check_lineages(run);
+    met.push_back(set.manifests.front());
+  }
+  const double window_s = options.window_s.value_or(analysis::default_window_s(*first.reached_s));
+  for (const analysis::PooledRuns& set : sets) {
+    for (const analysis::RunManifest& run : set.manifests) analysis::check_window(window_s, *run.reached_s);
+  }
+  const analysis::Decide brain = brain_of(first, options.offer);
+  return {.decide = [brain](const analysis::RunManifest&) { return brain; },
+          .inputs = analysis::met_inputs(met, analysis::signature_inputs),
+          .window_s = window_s};
+}
+
 /// Checks, before anything is measured, that runs may be pooled, that metrics exist, and that each run has the wanted columns.
-/// Returns the number of runs.
+/// With --lineages adds to `how` what it takes from the runs. Returns the number of runs.
 [[nodiscard]] std::size_t check_runs(std::span<const std::filesystem::path> paths, const std::optional<std::string>& shadow,
-                                     const Options& options, const analysis::Measuring& how) {
+                                     const Options& options, analysis::Measuring& how) {
   std::vector<analysis::PooledRuns> all{analysis::pooled_runs(paths, how.until_s.has_value(), how.any_build)};
   const auto shadows = shadow ? std::vector<std::filesystem::path>{*shadow} : analysis::shadow_folders(paths);
   if (!shadows.empty()) {
@@ -201,6 +242,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
     runs += pooled.manifests.size();
     for (const analysis::RunManifest& manifest : pooled.manifests) check_columns(manifest.folder, how);
   }
+  if (options.lineages) how.lineages = lineages_of(all, options);
   analysis::check_names({&all[0].manifests.front().web, 1}, how, options.metrics);
   return runs;
 }
@@ -213,7 +255,7 @@ template <class Print>
 }
 
 void measure(const Options& options) {
-  const analysis::Measuring how = measuring_of(options);
+  analysis::Measuring how = measuring_of(options);
   const auto paths = folders(options.runs);
   const std::size_t runs = check_runs(paths, options.shadow, options, how);
   const auto out = make_out(options);
@@ -236,7 +278,7 @@ void measure(const Options& options) {
 }
 
 void compare(const Options& options) {
-  const analysis::Measuring how = measuring_of(options);
+  analysis::Measuring how = measuring_of(options);
   const auto both = folders(options.compare);
   const auto one = [&](std::size_t i) { return std::span{both}.subspan(i, 1); };
   const std::size_t runs = check_runs(one(0), {}, options, how) + check_runs(one(1), {}, options, how);
@@ -287,6 +329,10 @@ void run(const Options& options) {
   if (options.published && !options.metrics.empty()) {
     throw std::invalid_argument{"--metric: not with --published, which has a list of its own"};
   }
+  if (options.window_s && !options.lineages) throw std::invalid_argument{"--window: needs --lineages"};
+  if (options.lineages && (options.published || options.until_s || !options.compare.empty() || !options.columns.empty())) {
+    throw std::invalid_argument{"--lineages: not with --published, --until, --compare or --column"};
+  }
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
   if (options.until_s && !(*options.until_s > 0.0 && std::isfinite(*options.until_s))) {
     throw std::invalid_argument{"--until " + number_text(*options.until_s) + ": must be > 0"};
@@ -301,6 +347,7 @@ void run(const Options& options) {
     if (options.shadow || options.published)
       throw std::invalid_argument{*sweep + ": is a sweep: not with --shadow or --published"};
     if (!options.html.empty()) throw std::invalid_argument{*sweep + ": is a sweep: not with --html; name one of its cells"};
+    if (options.lineages) throw std::invalid_argument{*sweep + ": is a sweep: not with --lineages; name one of its cells"};
     measure_sweep(*sweep, options.out, options.sweep, measuring_of(options), options.metrics);
     return;
   }
@@ -310,13 +357,14 @@ void run(const Options& options) {
 
 }  // namespace detail::analyze
 
-Command analyze(const std::string& program, const io::OwnMetrics& own_metrics) {
+Command analyze(const std::string& program, const io::OwnMetrics& own_metrics, const Offer& offer) {
   const auto options = std::make_shared<detail::analyze::Options>();
   const FoodWeb any_web{{"prey", "predator"}, {{1, 0}}};
   analysis::check_names({&any_web, 1}, {.metrics = own_metrics}, {});
   options->program = program;
   options->sweep.who = program + " analyze";
   options->own_metrics = own_metrics;
+  options->offer = offer;
   return {
       .name = "analyze",
       .about =
@@ -343,6 +391,11 @@ Command analyze(const std::string& program, const io::OwnMetrics& own_metrics) {
             "a metric of your own: FILE:COLUMN or FILE:COLUMN:UNIT, a CSV table in each run's folder, of which the mean over "
             "rows "
             "is tested like any metric; may be repeated"},
+           {"--lineages", &options->lineages,
+            "measure lineages instead: change, novelty, ecology and complexity of what persists, evolutionary activity and "
+            "descent, next to the shadow and to drift; docs/how-to/is-it-open-ended.md explains them"},
+           {"--window", &options->window_s,
+            "of --lineages: seconds for which a type must persist (500, or a quarter of shorter runs)"},
            {"--accept-other-build", &options->accept_other_build,
             "pool runs that several builds of a program made, whose rules may be other code under the same names"},
            {"--published", &options->published,

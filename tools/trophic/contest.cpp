@@ -22,14 +22,11 @@
 #include <tools/analysis/report/contest_progress.hpp>
 #include <tools/analysis/report/progress_table.hpp>
 #include <tools/trophic/analyze_sweep.hpp>
-#include <trophic/command/backends.hpp>
+#include <tools/trophic/shipped_offer.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/play_contests.hpp>
-#include <trophic/command/table_experiment.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/rules/paper.hpp>
-#include <trophic/rules/released.hpp>
 #include <trophic/support/new_file.hpp>
 #include <vector>
 
@@ -99,20 +96,6 @@ void check(const Options& options) {
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
 }
 
-/// The tables that trophic ships, on the backends that this program is linked with.
-[[nodiscard]] Offer shipped() {
-  return {.tables = {{table_name<rules::Paper>(),
-                      [](const LinkedBackend& backend) -> std::unique_ptr<AnyExperiment> {
-                        return std::make_unique<TableExperiment<rules::Paper>>(backend);
-                      }},
-                     {table_name<rules::Released>(),
-                      [](const LinkedBackend& backend) -> std::unique_ptr<AnyExperiment> {
-                        return std::make_unique<TableExperiment<rules::Released>>(backend);
-                      }}},
-          .backends = linked_backends<LinkedBackends>(),
-          .default_backend = std::string{LinkedBackends::default_backend}};
-}
-
 /// A file that is removed at the end.
 class Passing {
  public:
@@ -169,7 +152,7 @@ void run(const Options& options) {
     planned.plan.params.erase("backend");
   }
   static_cast<void>(analysis::progress_of(planned.rows, options.split_s));  // refuses a split before any work
-  const Offer offer = shipped();
+  const Offer offer = shipped_offer();
   if (options.program.empty()) {
     if (const std::string why = why_not_played(planned.plan, offer); !why.empty()) {
       throw std::invalid_argument{sets.ours.front().folder.string() + ": " + why};

@@ -5,19 +5,21 @@
 #include <trophic/command/run_command.hpp>
 
 #include "commands.hpp"
+#include "shipped_offer.hpp"
 
 namespace {
 
 trophic::command::Command program() {
   using namespace trophic::command;
-  return {.name = {},
-          .about = "From runs to results: analyses, figures, pages and films; gaits for robots.",
-          .options = {},
-          .work = {},
-          .subcommands = {analyze(), contest_command(), plot(), cite(), show(), film(), export_run(), ablation_table(),
-                          cross_check_engines(), evolve_gait(), measure_gait(), convert_body(), help(&program)},
-          .version = version_text(backend_versions<LinkedBackends>()),
-          .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
+  return {
+      .name = {},
+      .about = "From runs to results: analyses, figures, pages and films; gaits for robots.",
+      .options = {},
+      .work = {},
+      .subcommands = {analyze("trophic", {}, shipped_offer()), contest_command(), plot(), cite(), show(), film(), export_run(),
+                      ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), convert_body(), help(&program)},
+      .version = version_text(backend_versions<LinkedBackends>()),
+      .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <trophic/ecology/ask_brain.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/ecology_params.hpp>
@@ -40,6 +41,8 @@ class AnyExperiment {
   [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
   /// Makes contests in its arena, with its brains and backend.
   [[nodiscard]] virtual MakeContest contests() const = 0;
+  /// The brain of its table.
+  [[nodiscard]] virtual AskBrain brain() const = 0;
   /// Writes the engine's model of an ecology that `simulations` made. Returns false if the engine has no such file.
   virtual bool save_mjcf(const Simulation& ecology, const std::string& path) const = 0;
 };

@@ -23,7 +23,7 @@ namespace trophic::command {
 using FindTeam = std::unique_ptr<sweep::Team> (*)();
 
 /// The command `analyze` of a program with own metrics.
-using MakeAnalyze = Command (*)(const std::string& program, const io::OwnMetrics& own_metrics);
+using MakeAnalyze = Command (*)(const std::string& program, const io::OwnMetrics& own_metrics, const Offer& offer);
 
 /// Optional parts that a program is linked with, besides its backends; null for those that it lacks.
 struct LinkedParts {

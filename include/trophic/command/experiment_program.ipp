@@ -236,8 +236,9 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
 }
 
 /// `analyze`, if the program is linked with it.
-[[nodiscard]] TROPHIC_INLINE std::vector<Command> subcommands_of(const std::string& program, const LinkedParts& linked) {
-  if (linked.make_analyze != nullptr) return {linked.make_analyze(program, linked.own_metrics)};
+[[nodiscard]] TROPHIC_INLINE std::vector<Command> subcommands_of(const std::string& program, const Offer& offer,
+                                                                 const LinkedParts& linked) {
+  if (linked.make_analyze != nullptr) return {linked.make_analyze(program, linked.own_metrics, offer)};
   if (linked.own_metrics.empty()) return {};
   throw std::invalid_argument{"metric " + linked.own_metrics.front().name +
                               ": this program was built without `analyze`: trophic_add_experiment(" + program + " ... ANALYZE)"};
@@ -252,7 +253,7 @@ TROPHIC_INLINE int experiment_program(int argc, const char* const* argv, const O
   options.own_tables = linked.own_tables;
   std::vector<Command> subcommands;
   try {
-    subcommands = detail::subcommands_of(options.program, linked);
+    subcommands = detail::subcommands_of(options.program, offer, linked);
   } catch (const std::invalid_argument& error) {
     static_cast<void>(report_failure(argv[0], error));
     return usage_error;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <trophic/command/selection.hpp>
 #include <trophic/run/contest/contest_plan.hpp>
@@ -13,8 +14,12 @@
 
 namespace trophic::command {
 
-/// Why an offer cannot play a plan: a sentence; empty if it can.
-[[nodiscard]] std::string why_not_played(const contest::Plan& plan, const Offer& offer);
+/// Why an offer cannot play a plan: a sentence; empty if it can. `otherwise`: what helps if it lacks the rule table.
+[[nodiscard]] std::string why_not_played(const contest::Plan& plan, const Offer& offer,
+                                         const std::string& otherwise = "--program names the one that made the runs");
+
+/// The experiment of a plan, with one thread for each contest. The offer must have its table and backend.
+[[nodiscard]] std::unique_ptr<AnyExperiment> experiment_of(const contest::Plan& plan, const Offer& offer);
 
 /// Plays the matches of a plan, `jobs` at a time; outcomes do not depend on it. `on_match` is called after each, by any thread.
 /// Throws std::invalid_argument as `why_not_played`, and for genomes that the table's brain does not take.

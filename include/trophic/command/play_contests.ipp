@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <memory>
 #include <stdexcept>
 #include <trophic/command/backends.hpp>
 #include <trophic/command/play_contests.hpp>
@@ -14,10 +13,7 @@
 
 namespace trophic::command {
 
-namespace detail {
-
-/// The experiment of a plan, with one thread for each contest. Its table and backend must be there.
-[[nodiscard]] TROPHIC_INLINE std::unique_ptr<AnyExperiment> contest_experiment(const contest::Plan& plan, const Offer& offer) {
+TROPHIC_INLINE std::unique_ptr<AnyExperiment> experiment_of(const contest::Plan& plan, const Offer& offer) {
   auto experiment = Selection{offer.table(plan.rule_table), offer.backend(plan.engine)}.experiment();
   experiment->read(toml_of(plan.params));
   if (std::size_t* threads = experiment->threads()) *threads = 1;
@@ -25,15 +21,12 @@ namespace detail {
   return experiment;
 }
 
-}  // namespace detail
-
-TROPHIC_INLINE std::string why_not_played(const contest::Plan& plan, const Offer& offer) {
+TROPHIC_INLINE std::string why_not_played(const contest::Plan& plan, const Offer& offer, const std::string& otherwise) {
   if (offer.table(plan.rule_table) == nullptr) {
-    return "rule table " + plan.rule_table + ": must be " + one_of(offer.table_names()) +
-           ", those of this program; --program names the one that made the runs";
+    return "rule table " + plan.rule_table + ": must be " + one_of(offer.table_names()) + ", those of this program; " + otherwise;
   }
   if (offer.backend(plan.engine) == nullptr) return about_missing_backend(plan.engine, offer.backend_names());
-  const auto description = detail::contest_experiment(plan, offer)->simulations(false)(1)->describe(0.0);
+  const auto description = experiment_of(plan, offer)->simulations(false)(1)->describe(0.0);
   if (plan.fingerprint.empty() || description.fingerprint == plan.fingerprint) return "";
   return "fingerprint " + plan.fingerprint + ": must be " + description.fingerprint +
          ", what this program makes of the runs' numbers; rules, models or engine changed";
@@ -42,7 +35,7 @@ TROPHIC_INLINE std::string why_not_played(const contest::Plan& plan, const Offer
 TROPHIC_INLINE std::vector<contest::Outcome> play(const contest::Plan& plan, const Offer& offer, std::size_t jobs,
                                                   const std::function<void()>& on_match) {
   if (const std::string why = why_not_played(plan, offer); !why.empty()) throw std::invalid_argument{why};
-  const MakeContest make = detail::contest_experiment(plan, offer)->contests();
+  const MakeContest make = experiment_of(plan, offer)->contests();
   std::vector<contest::Outcome> outcomes(plan.matches.size());
   std::atomic<bool> has_failed = false;
   const auto attempts = replicates::in_parallel(

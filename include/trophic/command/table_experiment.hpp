@@ -48,6 +48,7 @@ class TableExperiment final : public AnyExperiment {
     return simulations_of(shadow ? shadow_of(numbers_) : numbers_, choice_);
   }
   [[nodiscard]] MakeContest contests() const override { return contests_of(numbers_, choice_); }
+  [[nodiscard]] AskBrain brain() const override { return ask_brain(numbers_); }
   bool save_mjcf(const Simulation& ecology, const std::string& path) const override {
     std::vector<Colour> colours;
     for (const Individual& individual : ecology.view().robots) colours.push_back(species_colour(individual.species));

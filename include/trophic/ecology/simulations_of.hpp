@@ -4,13 +4,19 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <trophic/backend/backend_choice.hpp>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/ecology/ask_brain.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/rules/table.hpp>
 #include <utility>
 
 namespace trophic {
@@ -36,6 +42,29 @@ template <class Rules>
     own.ecology.robots = lineup.size();
     own.lineup = std::move(lineup);
     return std::make_unique<Ecology<Rules>>(std::move(own), loaded->backend, loaded->habitat);
+  };
+}
+
+/// The brain of these numbers. The result throws std::invalid_argument for inputs or weights that the brain does not take.
+template <class Rules>
+[[nodiscard]] AskBrain ask_brain(const Experiment<Rules>& experiment) {
+  using Brain = PolicyIn<Rules, RuleSlot::brain>;
+  const auto brain = std::make_shared<const Brain>(make_policies<Rules>(experiment.rules).brain);
+  return [brain](std::span<const double> inputs, std::span<const double> weights) {
+    constexpr std::size_t taken = PolicyIn<Rules, RuleSlot::sensors>::size;
+    const auto check = [](const char* what, std::size_t given, std::size_t must) {
+      if (given == must) return;
+      throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + std::to_string(must) +
+                                  ", as the rule table's brain takes"};
+    };
+    check("inputs", inputs.size(), taken);
+    if constexpr (control::BrainOfOneSize<Brain>) {
+      check("weights", weights.size(), brain->genome_size(taken, control::Decision::outputs));
+    } else if (!brain->fits(weights, taken, control::Decision::outputs)) {
+      throw std::invalid_argument{"weights: must be a genome that the rule table's brain takes"};
+    }
+    StateOf<Brain> own{};
+    return control::ask::decide(*brain, own, inputs, weights);
   };
 }
 

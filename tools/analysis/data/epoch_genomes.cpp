@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <string>
 #include <tools/analysis/data/read_run.hpp>
-#include <tools/analysis/data/table_reader.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>
@@ -24,20 +23,6 @@ struct Wanted {
   std::size_t epoch;
   std::size_t place;
 };
-
-/// Calls `visit(row)` for each row of a table of the run.
-template <class Row, class Visit>
-void for_each_row(const RunManifest& run, const char* name, Visit&& visit) {
-  const std::filesystem::path path = run.folder / name;
-  try {
-    TableReader<Row> table{path, run.web};
-    detail::check_sum(table.csv(), path, run.tables);
-    for (Row row; table.next(row);) visit(row);
-    if (table.csv().truncated()) throw std::invalid_argument{path.string() + ": the last line was cut off; resume the run"};
-  } catch (const std::runtime_error& error) {
-    throw std::invalid_argument{error.what()};
-  }
-}
 
 }  // namespace
 

@@ -6,10 +6,13 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/data/run_manifest.hpp>
+#include <tools/analysis/data/table_reader.hpp>
 #include <tools/analysis/data/tables.hpp>
+#include <trophic/io/column.hpp>
 #include <trophic/population/food_web.hpp>
 #include <vector>
 
@@ -58,5 +61,20 @@ void check_files(const RunManifest& manifest);
 /// Reads a run's folder. Throws std::runtime_error for the manifest, and std::invalid_argument for a table that cannot be read,
 /// and for any file that is not what the run wrote. The end of a table that a killed program left is left out and remarked on.
 [[nodiscard]] RunData read_run(const std::filesystem::path& folder);
+
+/// Calls `visit(row)` for each row of the table `name` in the run's folder. Throws std::invalid_argument, a sentence that names
+/// the file, if it cannot be read, was cut off, or was changed after the run.
+template <io::TableRow Row, class Visit>
+void for_each_row(const RunManifest& run, const char* name, Visit&& visit) {
+  const std::filesystem::path path = run.folder / name;
+  try {
+    TableReader<Row> table{path, run.web};
+    detail::check_sum(table.csv(), path, run.tables);
+    for (Row row; table.next(row);) visit(row);
+    if (table.csv().truncated()) throw std::invalid_argument{path.string() + ": the last line was cut off; resume the run"};
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument{error.what()};
+  }
+}
 
 }  // namespace trophic::analysis

@@ -42,6 +42,12 @@ RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& h
   set.runs.resize(set.manifests.size());
   const auto measure = [&](std::size_t i) {
     RunManifest& manifest = set.manifests[i];
+    if (how.lineages) {
+      set.runs[i] = measure_lineages(manifest, *how.lineages);
+      const std::scoped_lock lock{one_at_a_time};
+      if (how.on_run) how.on_run();
+      return;
+    }
     RunData run = read_run(manifest.folder);
     if (how.until_s) cut_to(run, *how.until_s);
     manifest.until_s = run.manifest.until_s;

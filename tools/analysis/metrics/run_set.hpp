@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <tools/analysis/data/pooled_runs.hpp>
+#include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/own_metric.hpp>
@@ -26,12 +27,13 @@ struct RunSet {
 
 /// How runs are measured.
 struct Measuring {
-  std::optional<double> until_s = {};   ///< only the first seconds
-  bool any_build = false;               ///< runs of several builds of a program may be pooled
-  std::vector<OwnColumn> columns = {};  ///< metrics that are columns of tables
-  OwnMetrics metrics = {};              ///< of the user's program
-  std::size_t jobs = 1;                 ///< runs measured at a time; results do not depend on it
-  std::function<void()> on_run = {};    ///< called after each run, by any thread, one at a time
+  std::optional<double> until_s = {};             ///< only the first seconds
+  bool any_build = false;                         ///< runs of several builds of a program may be pooled
+  std::vector<OwnColumn> columns = {};            ///< metrics that are columns of tables
+  OwnMetrics metrics = {};                        ///< of the user's program
+  std::optional<LineageMeasuring> lineages = {};  ///< lineage measures, and no others
+  std::size_t jobs = 1;                           ///< runs measured at a time; results do not depend on it
+  std::function<void()> on_run = {};              ///< called after each run, by any thread, one at a time
 };
 
 /// Adds what the user defined: columns of tables and metrics of a program.

@@ -37,6 +37,10 @@ std::vector<MetricName> metric_names(std::span<const FoodWeb> webs) {
 }
 
 void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<const std::string> choices) {
+  if (how.lineages) {
+    static_cast<void>(chosen(lineage_metric_names(webs.front()), choices));
+    return;
+  }
   std::vector<MetricName> known = metric_names(webs);
   std::vector<std::string> taken;
   for (const MetricName& name : known) taken.push_back(name.metric);

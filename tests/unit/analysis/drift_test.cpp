@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <tools/analysis/metrics/drift.hpp>
+#include <unit/analysis/forests.hpp>
+
+using namespace trophic;
+using namespace trophic::analysis;
+using doctest::Approx;
+using trophic::test::alive;
+using trophic::test::one;
+
+TEST_CASE("drift: 4000 draws -> parents evenly among the living of the species, with the same mutation") {
+  // 0 and 1 may be the parent of 5; 2 has died at its birth, 3 is of another species, 4 is born with it.
+  const Forest forest{one({}, 0.0, alive, 0.0),  one({}, 0.0, alive, 10.0), one({}, 0.0, 5.0, 20.0), one({}, 0.0, alive, 30.0, 1),
+                      one({}, 5.0, alive, 40.0), one(0, 5.0, alive, 0.5),   one(5, 6.0, alive, 0.25)};
+  int first = 0;
+  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+    Rng rng{seed, Stream::user};
+    const Forest drifted = drift_of(forest, rng);
+    REQUIRE(drifted[5].parent);
+    const std::size_t parent = *drifted[5].parent;
+    REQUIRE((parent == 0 || parent == 1));
+    first += parent == 0 ? 1 : 0;
+    CHECK(drifted[5].weights[0] == Approx(forest[parent].weights[0] + 0.5));
+    CHECK(drifted[6].weights[0] == Approx(drifted[*drifted[6].parent].weights[0] - 0.25));
+    CHECK_FALSE(drifted[4].parent);
+    CHECK(drifted[4].weights == forest[4].weights);
+    CHECK(drifted[5].death_s == forest[5].death_s);
+  }
+  CHECK(first / 4000.0 == Approx(0.5).epsilon(0.05));
+}
+
+TEST_CASE("drift: no other member alive -> the parent is kept") {
+  const Forest forest{one({}, 0.0, 5.0, 1.0), one(0, 5.0, alive, 1.5)};
+  Rng rng{1, Stream::user};
+  const Forest drifted = drift_of(forest, rng);
+  CHECK(*drifted[1].parent == 0);
+  CHECK(drifted[1].weights == forest[1].weights);
+}

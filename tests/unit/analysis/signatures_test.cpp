@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <span>
+#include <tools/analysis/metrics/signatures.hpp>
+#include <vector>
+
+using namespace trophic;
+using namespace trophic::analysis;
+
+namespace {
+
+using Weights = std::vector<double>;
+
+/// Turns by the first input and shows a tag by the second.
+control::Decision decide_by_weights(std::span<const double> inputs, std::span<const double> weights) {
+  return {.target_angle_rad = weights[0] * inputs[0], .tag = weights[1] * inputs[1] > 0.0 ? 1 : -1};
+}
+
+}  // namespace
+
+TEST_CASE("signatures: same sides and tags at all inputs -> one type; another species or decision -> another") {
+  Signatures signatures{decide_by_weights, {{{-1.0, 1.0}, {1.0, 0.5}}, {{1.0, 1.0}}}};
+  const Type type = signatures.type_of(0, Weights{1.0, 1.0});
+  CHECK(signatures.type_of(0, Weights{2.0, 0.1}) == type);
+  CHECK(signatures.type_of(0, Weights{-1.0, 1.0}) != type);
+  CHECK(signatures.type_of(0, Weights{1.0, -1.0}) != type);
+  CHECK(signatures.type_of(0, Weights{0.0, 1.0}) != type);
+  CHECK(signatures.type_of(1, Weights{1.0, 1.0}) != type);
+}
+
+TEST_CASE("signatures: complexity -> pairs of an input and an output that depend on each other") {
+  const Signatures signatures{decide_by_weights, {{{-1.0, 1.0}, {1.0, 0.5}}, {{-1.0, 1.0}, {1.0, -1.0}}, {}}};
+  CHECK(signatures.complexity(0, Weights{1.0, 1.0}) == 1);  // the second input is always positive
+  CHECK(signatures.complexity(1, Weights{1.0, 1.0}) == 2);
+  CHECK(signatures.complexity(1, Weights{0.0, 1.0}) == 1);
+  CHECK(signatures.complexity(1, Weights{0.0, 0.0}) == 0);
+  CHECK(signatures.complexity(2, Weights{1.0, 1.0}) == 0);
+}

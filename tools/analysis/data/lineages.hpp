@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The descent of all individuals of a run, with their genomes.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <tools/analysis/data/run_manifest.hpp>
+#include <trophic/population/food_web.hpp>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// An individual of a forest of descent.
+struct Taxon {
+  std::optional<std::size_t> parent = {};  ///< its place in the forest; none for a root
+  double birth_s = 0.0;
+  double death_s = std::numeric_limits<double>::infinity();
+  Species species = 0;
+  std::vector<double> weights = {};  ///< of its genome
+
+  /// Whether it is alive after the rules of the tick at this time.
+  [[nodiscard]] bool lives_at(double time_s) const { return birth_s <= time_s && death_s > time_s; }
+};
+
+/// Individuals in the order of their births: each parent is before its offspring.
+using Forest = std::vector<Taxon>;
+
+/// Throws std::invalid_argument, a sentence that names the file, unless the manifest says that the run has what lineage measures
+/// need: it was written to its end, has phylogeny.csv and genomes.csv, and no genome changes after its individual's birth.
+void check_lineages(const RunManifest& run);
+
+/// Reads phylogeny.csv and genomes.csv. Throws as check_lineages, and std::invalid_argument for a table that is cut, was changed
+/// since the run, or lacks a genome or a parent.
+[[nodiscard]] Forest read_lineages(const RunManifest& run);
+
+}  // namespace trophic::analysis

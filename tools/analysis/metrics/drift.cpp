@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Definitions of drift.hpp.
+#include <tools/analysis/metrics/drift.hpp>
+
+#include <cstddef>
+
+namespace trophic::analysis {
+
+Forest drift_of(const Forest& forest, Rng& rng) {
+  Forest drifted = forest;
+  std::vector<std::size_t> living;  // of any species, by place; those that have died are removed when met
+  std::vector<std::size_t> candidates;
+  for (std::size_t place = 0; place < forest.size(); ++place) {
+    const Taxon& born = forest[place];
+    std::erase_if(living, [&](std::size_t one) { return forest[one].death_s <= born.birth_s; });
+    if (born.parent) {
+      candidates.clear();
+      for (const std::size_t one : living) {
+        if (forest[one].species == born.species && forest[one].birth_s < born.birth_s) candidates.push_back(one);
+      }
+      const std::size_t parent = candidates.empty() ? *born.parent : candidates[rng.index(candidates.size())];
+      drifted[place].parent = parent;
+      const std::vector<double>& before = forest[*born.parent].weights;
+      for (std::size_t i = 0; i < born.weights.size(); ++i) {
+        drifted[place].weights[i] = drifted[parent].weights[i] + (born.weights[i] - before[i]);
+      }
+    }
+    living.push_back(place);
+  }
+  return drifted;
+}
+
+}  // namespace trophic::analysis

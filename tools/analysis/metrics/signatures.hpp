@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Behavioural signatures: types of genomes by what their brains decide.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <tools/analysis/data/met_inputs.hpp>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/population/food_web.hpp>
+#include <unordered_map>
+#include <vector>
+
+namespace trophic::analysis {
+
+/// A brain's decision from its inputs and the weights of a genome.
+using Decide = std::function<control::Decision(std::span<const double> inputs, std::span<const double> weights)>;
+
+/// A type of genomes; equal numbers are equal types.
+using Type = std::uint32_t;
+
+/// Types of the genomes of each species. Weights are real numbers, so that each birth has a new genome, and genomes are not
+/// types. Two genomes are of one type if their brains choose the same side and the same tag for each of a list of inputs. A brain
+/// with a state is asked with its initial one.
+class Signatures {
+ public:
+  /// @param inputs by species.
+  Signatures(Decide decide, std::vector<std::vector<Inputs>> inputs);
+
+  [[nodiscard]] Type type_of(Species species, std::span<const double> weights);
+
+  /// How many pairs of an input and an output (side, tag) of the brain depend on each other: at one of the inputs met, the
+  /// output changes when the input is replaced by its smallest or greatest value.
+  [[nodiscard]] std::size_t complexity(Species species, std::span<const double> weights) const;
+
+ private:
+  Decide decide_;
+  std::vector<std::vector<Inputs>> inputs_;
+  std::vector<std::vector<Inputs>> extremes_;  ///< by species: the smallest and the greatest value of each input
+  std::unordered_map<std::string, Type> types_;
+};
+
+}  // namespace trophic::analysis
