@@ -2,6 +2,7 @@
 """Two-level designs, their effects, and rows from the output of `trophic analyze`."""
 import csv
 import itertools
+import json
 import math
 import pathlib
 
@@ -191,3 +192,54 @@ def orphans(runs):
                     births += 1
                     inherited += row["parent_id"] != ""
     return f"{inherited / births / (2 / 3):.3f}" if births else ""
+
+
+def cells_of(sweep, grid):
+    """(number, settings) of each cell of a sweep; the settings are its values of the grid's axes, as one text."""
+    cells = {}
+    for line in (pathlib.Path(sweep) / "plan.jsonl").read_text().splitlines():
+        run = json.loads(line)
+        of_run = {**run["settings"], "rule_table": run["rule_table"]}
+        words = [str(of_run[key]) if key == "rule_table" else f"{key.split('.')[-1]} {of_run[key]:.3g}" for key in axes_of(grid)]
+        cells[run["cell"]] = ", ".join(words)
+    return sorted(cells.items())
+
+
+def axes_of(grid, path=""):
+    """The keys of a grid, also of nested tables."""
+    for key, value in grid.items():
+        name = f"{path}.{key}" if path else key
+        yield from axes_of(value, name) if isinstance(value, dict) else [name]
+
+
+def progress_rows(cell, progress):
+    """Progress over the shadow, by kind of opponents, species and period, from a progress.csv."""
+    with open(progress, newline="") as file:
+        return [{**cell, "measure": f"{'global' if row['against'] == 'others' else 'historical'} {row['period']}", "species": row["species"],
+                 "runs": row["runs"], **{key: row[name] and number(float(row[name])) for key, name in
+                                         (("mean", "mean_s"), ("shadow", "shadow_s"), ("over_shadow", "over_shadow_s"),
+                                          ("lower", "over_shadow_lower_s"), ("upper", "over_shadow_upper_s"), ("p_holm", "p_holm"))}}
+                for row in csv.DictReader(file)]
+
+
+def raced_rows(cell, summary):
+    """Velocities over the shadow, in cm/s."""
+    rows = []
+    for row in set_rows("", summary):
+        if row["metric"] == "velocity" and row["group"] == "inherited" and row["mean"]:
+            rows.append({**cell, "measure": "velocity", "species": row["species"], "runs": row["runs"],
+                         **{key: row[name] and number(100.0 * float(row[name])) for key, name in
+                            (("mean", "mean"), ("shadow", "shadow"), ("over_shadow", "difference"), ("lower", "difference_lower"),
+                             ("upper", "difference_upper"))}, "p_holm": ""})
+    return rows
+
+
+def lineage_rows(cell, summary):
+    """Each lineage measure with its difference from each null."""
+    rows = []
+    for metric in summary["sets"][0]["metrics"]:
+        for null in metric["baselines"]:
+            rows.append({**cell, "measure": metric["metric"], "species": metric["species"], "group": metric["group"], "unit": metric["unit"],
+                         "runs": metric["runs"], "mean": number(metric["mean"]), "null": null["name"], "null_mean": number(null.get("value")),
+                         **{key: number(null.get(key)) for key in ("difference", "lower", "upper")}, "p_holm": number(null.get("p_adjusted"))})
+    return rows

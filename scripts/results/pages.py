@@ -249,6 +249,60 @@ def inheritance(rows):
     return table(["parameter", "change", *heads], lines)
 
 
+def seconds(row):
+    return f"{float(row['over_shadow']):+.1f} [{float(row['lower']):+.1f}, {float(row['upper']):+.1f}]" if row and row["lower"] else "too few runs"
+
+
+def race_answer(late):
+    """The decision rule of the study: late global progress of both species above the shadow, Holm over the two."""
+    better = [species for species, row in late.items() if row["p_holm"] and float(row["p_holm"]) <= 0.05 and float(row["over_shadow"]) > 0.0]
+    if any(not row["p_holm"] for row in late.values()):
+        return "too few runs"
+    return "arms race" if len(better) == 2 else f"progress of {better[0].replace('predator', 'predators')}" if better else "none found"
+
+
+def race(rows):
+    """Velocity and global progress over the shadow, and the answer of the decision rule, in each cell."""
+    lines = []
+    for cell in dict.fromkeys(row["cell"] for row in rows):
+        of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}
+        velocity = [of_cell.get(("velocity", species)) for species in ("prey", "predator")]
+        late = {species: of_cell["global late", species] for species in ("predator", "prey")}
+        lines.append([f"`{cell}`", *(f"{float(row['over_shadow']):+.2f} [{float(row['lower']):+.2f}, {float(row['upper']):+.2f}]" if row and row["lower"] else "" for row in velocity),
+                      *(seconds(of_cell.get((f"global {period}", species))) for period in ("early", "late") for species in ("predator", "prey")),
+                      late["prey"]["runs"], race_answer(late)])
+    return table(["cell", "prey, cm/s", "predators, cm/s", "predators early, s", "prey early, s", "predators late, s", "prey late, s", "runs", "arms race"], lines)
+
+
+def historical(rows):
+    """Progress against opponents of the own run."""
+    lines = []
+    for cell in dict.fromkeys(row["cell"] for row in rows):
+        of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}
+        lines.append([f"`{cell}`", *(seconds(of_cell.get((f"historical {period}", species))) for period in ("early", "late") for species in ("predator", "prey"))])
+    return table(["cell", "predators early, s", "prey early, s", "predators late, s", "prey late, s"], lines)
+
+
+LINEAGES = ["modes_change", "modes_novelty", "modes_ecology", "modes_complexity", "activity_excess", "activity_new", "descent_roots",
+            "descent_largest_clade", "descent_common_ancestor"]
+
+
+def lineages(rows):
+    """Lineage measures of each cell with their difference from the null that fits: drift for types, the shadow for descent."""
+    lines = []
+    for cell in dict.fromkeys(row["cell"] for row in rows):
+        for measure in LINEAGES:
+            group, null = ("all", "shadow") if measure.startswith("descent") else ("late", "drift")
+            line = [f"`{cell}`", f"{measure}, {group}", null]
+            for species in ("prey", "predator"):
+                row = next(row for row in rows if (row["cell"], row["measure"], row["species"], row["group"], row["null"]) == (cell, measure, species, group, null))
+                star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
+                line.append(f"{float(row['mean']):.3g}" if row["mean"] else "")
+                line.append(f"{float(row['difference']):+.3g} [{float(row['lower']):+.3g}, {float(row['upper']):+.3g}]{star}" if row["lower"] else "")
+            lines.append(line)
+    return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
+
+
 def open_choices(choices):
     """The list of open choices."""
     lines = [[f"`{choice['name']}`", choice["question"], choice["text"], choice["first"], choice["other"]] for choice in choices]
@@ -268,7 +322,10 @@ def tables(data, choices):
             "answers in brief": lambda: table(ANSWER_HEADS, answers.in_brief(data)),
             "ablations paper": lambda: swaps(data("ablations"), "paper"),
             "ablations released": lambda: swaps(data("ablations"), "released"),
-            "inheritance": lambda: inheritance(data("inheritance"))}
+            "inheritance": lambda: inheritance(data("inheritance")), "lineages": lambda: lineages(data("race_arms_race_lineages")),
+            "historical": lambda: historical(data("race_arms_race"))}
+    for name in ("arms_race", "ranges", "room", "mujoco"):
+        made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):
         for rules in ("paper", "released"):
             name = f"{backend} {rules}"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""contest_test.py PREDATOR_PREY TROPHIC OWN_TABLE: contests across generations, from runs to tables, and what is refused."""
+"""contest_test.py PREDATOR_PREY TROPHIC OWN_TABLE ARMS_RACE: contests and lineages across generations, from runs to tables, and what is refused."""
 
 import csv
 import json
@@ -12,6 +12,7 @@ import unittest
 import figures_python
 from in_folder import InFolder
 
+ARMS_RACE = sys.argv.pop(4)
 OWN_TABLE = sys.argv.pop(3)
 TROPHIC = sys.argv.pop(2)
 PREDATOR_PREY = sys.argv.pop(1)
@@ -87,6 +88,54 @@ class Contest(InFolder):
         done = self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 2 * 4)
+
+    def test_one_shadow_serves_all_parent_rules_of_a_base_and_no_table_with_other_deaths(self):
+        for table in ("paper", "paper_most_escapes", "paper_ageing"):
+            made = self.call(ARMS_RACE, "--backend", "kinematic", "--duration", 900, "--replicates", 3, "--replay-hz", 0, "--rules", table, "--shadow",
+                             "--out", table)
+            self.assertEqual(made.returncode, 0, made.stderr)
+        for name in ("genomes.csv", "agents.csv"):
+            own, other = (self.rows(f"{table}/shadow/replicate-01/{name}") for table in ("paper", "paper_most_escapes"))
+            self.assertEqual(*([{key: row[key] for key in row if key != "origin"} for row in rows] for rows in (own, other)))
+        short = ["--shadow", "paper/shadow", "--program", ARMS_RACE, "--duration", 20, "--team-size", 3, "--epochs", "0,900"]
+        done = self.contest("paper_most_escapes", *short, "--out", "contests")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.refused("paper_ageing", *short, says="paper/shadow/replicate-00: is not a neutral shadow of paper_ageing/replicate-00")
+
+    def test_lineages_have_a_shadow_and_drift_and_say_what_they_lack(self):
+        self.runs("study", "--shadow", "--senses")
+        lineages = lambda *arguments: self.call(TROPHIC, "analyze", *arguments)
+        done = lineages("study", "--lineages", "--window", 20, "--all", "--html", "page.html", "--out", "measured")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in ("modes_novelty prey", "activity_excess predator", "descent_roots prey", "= drift", "= shadow"):
+            self.assertIn(words, done.stdout)
+        self.assertIn("descent_roots", (self.folder / "page.html").read_text())
+        rows = [row for row in self.rows("measured/metrics.csv") if not row["time_s"]]
+        self.assertEqual(len(rows), 3 * 2 * 23 * 3)  # runs, species, measures; own, drift, shadow
+        self.assertEqual({row["baseline"] for row in rows}, {"", "drift", "shadow"})
+        again = lineages("study", "--lineages", "--window", 20, "--jobs", 2, "--out", "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(*((self.folder / name / "metrics.csv").read_bytes() for name in ("measured", "again")))
+
+        def refused(*arguments, says):
+            result = lineages(*arguments, "--lineages", "--out", "refused")
+            self.assertEqual(result.returncode, 2, result.stdout)
+            self.assertIn(says, result.stderr)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+            self.assertFalse((self.folder / "refused").exists())
+
+        refused("study", "--window", 31, says="--window 31: must be > 0 and <= 30, a quarter of the runs")
+        refused("study", "--until", 60, says="--lineages: not with")
+        refused("study", "--metric", "velocity", says="velocity")
+        self.runs("shared", "--rules", "released", "--senses")
+        refused("shared", says="rule heredity = shared_copy: must give each individual a genome of its own")
+        self.runs("mine", "--senses", program=OWN_TABLE)
+        refused("mine", says="rule table ageing: must be paper or released, those of this program; analyze them with the program that made them")
+        first = self.folder / "study/replicate-00"
+        (first / "senses.csv").unlink()
+        refused("study", says="senses.csv: is missing: lineage measures need it of the first run; run with --senses")
+        (first / "genomes.csv").unlink()
+        refused("study", says="genomes.csv: is missing: lineage measures need phylogeny and genomes")
 
     def test_a_run_with_spare_bodies_is_not_shown_as_if_every_body_had_an_individual(self):
         made = self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, "--out", "run")
