@@ -12,6 +12,7 @@ namespace trophic::gait_evolution {
 struct Track {
   double control_hz = 60.0;
   std::vector<GroundPose> poses;  ///< at least one
+  double engine_share = 0.0;      ///< of the steps, those that the engine took although the backend has a faster way
 
   [[nodiscard]] double duration_s() const { return static_cast<double>(poses.size() - 1) / control_hz; }
 

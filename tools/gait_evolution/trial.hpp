@@ -84,6 +84,7 @@ template <JointDriven B, control::Steering SteeringRule>
     }
     track.poses.push_back(ground_pose(backend.pose(0), robot.forward_rad));
   }
+  if constexpr (requires { backend.engine_share(); }) track.engine_share = backend.engine_share();
   return track;
 }
 

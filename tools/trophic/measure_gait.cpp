@@ -2,7 +2,9 @@
 // `trophic measure-gait`, how a gait walks and steers: a CSV table on standard output.
 #include "commands.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <memory>
@@ -40,6 +42,14 @@ void complain(const Physics& how, const Diverged& error) {
   std::cerr << "trophic measure-gait: " << enum_name(how.integrator) << " " << how.timestep_s << " s: " << error.what() << "\n";
 }
 
+/// Says it if most steps were not those of the fast mode: runs of such a robot are slow.
+void remark_speed(const Physics& how, double engine_share) {
+  if (engine_share <= 0.5) return;
+  std::cerr << "trophic measure-gait: " << enum_name(how.integrator) << " " << how.timestep_s << " s: the engine itself took "
+            << number_text(std::round(100.0 * engine_share))
+            << " % of the steps; with this robot the fast stepping is as slow as islands\n";
+}
+
 /// The [walk] of a robot file.
 /// Returns how many walks could be measured.
 template <Backend B>
@@ -69,6 +79,7 @@ std::size_t print_table(const RobotModel& robot, const Gait& gait, double durati
   std::size_t measured = 0;
   std::cout << "robot,gait,integrator,timestep_s,target_angle_rad,displacement_m,forward_m_s,left_m_s,turn_rate_rad_s\n";
   for (const Physics& how : physics) {
+    double engine_share = 0.0;
     for (const double target_angle_rad : {0.7, 0.0, -0.7}) {
       std::cout << robot.name << "," << gait.name << "," << enum_name(how.integrator) << "," << how.timestep_s << ","
                 << target_angle_rad << ",";
@@ -80,11 +91,13 @@ std::size_t print_table(const RobotModel& robot, const Gait& gait, double durati
         std::cout << track.displacement_m() << "," << forward_m_s << "," << left_m_s << "," << track.turn_rate_rad_s()
                   << std::endl;
         ++measured;
+        engine_share = std::max(engine_share, track.engine_share);
       } catch (const Diverged& error) {
         std::cout << ",,," << std::endl;
         complain(how, error);
       }
     }
+    remark_speed(how, engine_share);
   }
   return measured;
 }

@@ -110,6 +110,19 @@ TEST_CASE("steered displacement: only a walker that turns to both sides gets far
   CHECK(steered.fitness(walker(-1.0, -1.0, -1.0)) < 1.0);
 }
 
+namespace {
+
+/// Its engine takes most steps.
+struct DecliningToy : trophic::test::ToyBackend {
+  struct Params : trophic::test::ToyBackend::Params {
+    using Backend = DecliningToy;
+  };
+  using ToyBackend::ToyBackend;
+  [[nodiscard]] static double engine_share() { return 0.75; }
+};
+
+}  // namespace
+
 TEST_CASE("trial: facing -> its start pose, and the pilot is asked at the control rate") {
   const trophic::RobotModel robot = trophic::load_robot("spider");
   const trophic::Gait gait = trophic::load_gait("spider_published");
@@ -136,4 +149,14 @@ TEST_CASE("trial: facing -> its start pose, and the pilot is asked at the contro
   CHECK(run(0.5).poses[0].heading_rad == Approx(0.5 - pi));
   trial.facing = gait_evolution::Facing::core_x;
   CHECK(run(0.0).poses[0].heading_rad == Approx(robot.forward_rad - pi));
+}
+
+TEST_CASE("trial: backend with a share of steps that its engine took -> the track has it") {
+  const trophic::RobotModel robot = trophic::load_robot("spider");
+  const trophic::Gait gait = trophic::load_gait("spider_published");
+  const trophic::control::steering::TargetedSteering steering;
+  const gait_evolution::Trial trial{.duration_s = 1.0};
+  const auto straight = gait_evolution::steady(0.0);
+  CHECK(gait_evolution::try_out<DecliningToy>(robot, gait, steering, trial, {}, {}, straight).engine_share == 0.75);
+  CHECK(gait_evolution::try_out<trophic::test::ToyBackend>(robot, gait, steering, trial, {}, {}, straight).engine_share == 0.0);
 }
