@@ -214,7 +214,7 @@ void check_threads_and_restore(const std::string& name, const std::string& other
     CHECK(walk(several, 2.0) == expected);
   }
   Mujoco other{robot, arena, starts, physics, {.threads = 2, .box_depth = depth}};
-  CHECK_THROWS_AS(other.restore(expected), std::invalid_argument);
+  if (bodies[1].hinges.size() != robot.hinges.size()) CHECK_THROWS_AS(other.restore(expected), std::invalid_argument);
   embody(other, bodies);
   other.restore(expected);
   set_own_targets(other, 2.0);

@@ -9,7 +9,7 @@ import socket
 import struct
 import subprocess
 
-OPENING_S = 60
+OPENING_S = 25
 
 
 class LiveRun:

@@ -45,8 +45,8 @@ class HelpText : public CLI::Formatter {
     label("SUBCOMMAND", "COMMAND");
   }
   std::string make_description(const CLI::App* app) const override { return wrapped(app->get_description(), 0, width_) + "\n"; }
-  std::string make_groups(const CLI::App* app, CLI::AppFormatMode mode) const override {
-    std::string text = CLI::Formatter::make_groups(app, mode);
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
     for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
     return text;
   }

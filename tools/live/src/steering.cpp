@@ -19,11 +19,8 @@ void Steering::begin(double tick_s) {
   const std::lock_guard lock{mutex_};
   tick_s_ = tick_s;
   due_at_s_ = watch_.elapsed_s();
-  is_visible_ = false;
-  steps_ = 0;
-  wishes_.clear();
+  is_visible_ = false;  // wishes stay: a page may be faster than the start of its run
   made_.clear();
-  restart_.reset();
 }
 
 void Steering::set_visible() {
@@ -141,6 +138,8 @@ std::optional<command::Restart> Steering::wait_for_restart(double grace_s) {
     changed_.wait_for(lock, glance);
   }
   restart_->made = made_;
+  steps_ = 0;
+  wishes_.clear();
   return std::exchange(restart_, std::nullopt);
 }
 
