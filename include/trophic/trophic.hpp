@@ -13,6 +13,7 @@
 #include <trophic/control/brain/cognitive_network.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>

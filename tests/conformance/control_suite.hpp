@@ -11,6 +11,30 @@
 #include <trophic/support/rule_error.hpp>
 #include <vector>
 
+namespace trophic::conformance {
+
+/// Random genes of a brain; those of one that grows after some births.
+template <class Policy>
+[[nodiscard]] std::vector<double> brain_genes(const Policy& policy, std::size_t inputs, Rng& rng) {
+  std::vector<double> genes;
+  if constexpr (control::GrowingBrain<Policy>) {
+    genes = policy.first(inputs, control::Decision::outputs, rng);
+    for (int birth = 0; birth < 30; ++birth) {
+      CHECK(policy.fits(genes, inputs, control::Decision::outputs));
+      for (double& weight : policy.weights_of(genes)) weight = rng.uniform(-3.0, 3.0);
+      policy.mutate_structure(genes, inputs, control::Decision::outputs, rng);
+    }
+    CHECK(policy.fits(genes, inputs, control::Decision::outputs));
+    CHECK_FALSE(policy.fits({}, inputs, control::Decision::outputs));
+  } else {
+    genes.resize(policy.genome_size(inputs, control::Decision::outputs));
+    for (double& weight : genes) weight = rng.uniform(-3.0, 3.0);
+  }
+  return genes;
+}
+
+}  // namespace trophic::conformance
+
 TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
   using namespace trophic;
   static_assert(control::Brain<Policy>);
@@ -24,8 +48,7 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
   };
   for (const std::uint64_t seed : conformance::seeds) {
     Rng rng{seed, Stream::user};
-    std::vector<double> weights(policy.genome_size(given, control::Decision::outputs));
-    for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
+    const std::vector<double> weights = conformance::brain_genes(policy, given, rng);
     std::vector<double> inputs(given);
     for (double& input : inputs) input = rng.uniform(-1.0, 1.0);
     const std::vector<double> genome = weights;
@@ -42,9 +65,7 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
     conformance::Answers answers;
     for (const std::uint64_t seed : conformance::seeds) {
       Rng rng{seed, Stream::user};
-      std::vector<double> weights(made.genome_size(given, control::Decision::outputs));
-      for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
-      const std::vector<double> genome = weights;
+      const std::vector<double> genome = conformance::brain_genes(made, given, rng);
       auto own = born_with(seed);
       for (int tick = 0; tick < 20; ++tick) {
         std::vector<double> inputs(given);

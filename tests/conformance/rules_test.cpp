@@ -9,6 +9,7 @@
 #include <conformance/reproduction_suite.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
@@ -88,7 +89,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, c
                           control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases,
                           control::brain::HebbianBrain, control::brain::FeedForwardBrain, control::brain::RecurrentBrain,
                           control::brain::Hebbian<control::brain::FeedForwardBrain>,
-                          control::brain::Hebbian<control::brain::RecurrentBrain>);
+                          control::brain::Hebbian<control::brain::RecurrentBrain>, control::brain::GrowingBrain,
+                          control::brain::Hebbian<control::brain::GrowingBrain>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::NoSteering);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
@@ -28,6 +29,21 @@ TEST_CASE("hebbian: feed-forward network of 3 hidden neurons -> the hebbian brai
     CHECK((learning.decide(inputs, weights, own) == known.decide(inputs, weights, other)));
     CHECK(own.learnt == other.learnt);
   }
+}
+
+TEST_CASE("hebbian: growing network -> one step of Oja's rule on its weights, none on its structure") {
+  const Hebbian<GrowingBrain> learning{{.network = {}, .rate = 0.1}};
+  const std::vector<double> genes{1, 0, 2, 1, 3, 2, 4, 0.5, -1, 2};  // links 0 -> 2 -> 4 and 1 -> 3
+  Hebbian<GrowingBrain>::State own;
+  static_cast<void>(learning.decide(std::array{0.4, 0.3}, genes, own));
+  const double hidden = std::tanh(0.5 * 0.4);
+  const double out0 = std::tanh(-0.3);
+  const double out1 = std::tanh(2.0 * hidden);
+  REQUIRE(own.learnt.size() == genes.size());
+  for (std::size_t i = 0; i < 7; ++i) CHECK(own.learnt[i] == 0.0);
+  CHECK(own.learnt[7] == doctest::Approx(0.1 * hidden * (0.4 - hidden * 0.5)));
+  CHECK(own.learnt[8] == doctest::Approx(0.1 * out0 * (0.3 - out0 * -1.0)));
+  CHECK(own.learnt[9] == doctest::Approx(0.1 * out1 * (hidden - out1 * 2.0)));
 }
 
 TEST_CASE("hebbian: recurrent network -> learns and remembers") {

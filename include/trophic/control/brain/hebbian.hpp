@@ -82,6 +82,22 @@ struct Hebbian {
   }
   { return network().genome_size(inputs, outputs); }
 
+  [[nodiscard]] std::vector<double> first(std::size_t inputs, std::size_t outputs,
+                                          Rng& rng) const requires control::GrowingBrain<Network> {
+    return network().first(inputs, outputs, rng);
+  }
+  [[nodiscard]] bool fits(std::span<const double> genes, std::size_t inputs,
+                          std::size_t outputs) const requires control::GrowingBrain<Network> {
+    return network().fits(genes, inputs, outputs);
+  }
+  [[nodiscard]] std::span<double> weights_of(std::span<double> genes) const requires control::GrowingBrain<Network> {
+    return network().weights_of(genes);
+  }
+  void mutate_structure(std::vector<double>& genes, std::size_t inputs, std::size_t outputs,
+                        Rng& rng) const requires control::GrowingBrain<Network> {
+    network().mutate_structure(genes, inputs, outputs, rng);
+  }
+
   [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
     own.learnt.resize(weights.size(), 0.0);
     const std::vector<double> sum = learnt_weights(weights, own);

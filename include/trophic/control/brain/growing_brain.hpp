@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// A feed-forward network whose neurons and links are inherited and change at births.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/control/brain/detail/network.hpp>
+#include <trophic/control/brain/detail/network_genes.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/support/rng.hpp>
+#include <tuple>
+#include <vector>
+
+namespace trophic::control::brain {
+
+/// Rule: neuron i = tanh(sum of weight * neuron before, over its links), without biases, in the order inputs, hidden neurons,
+/// output neurons; a link leads from a neuron to a later one. Decision as in CognitiveBrain. The first genomes have `hidden`
+/// neurons in one layer (0: inputs are linked to outputs), so that 3 is the paper's network. At a birth with inheritance, after
+/// the rule Mutation has changed the weights, each operator acts with its probability, in this order, if it is possible:
+///   add_link       a link between two neurons that have none, of weight N(0, new_weight_sd)   3 draws
+///   remove_link    a link                                                                      1 draw
+///   split_link     a neuron in a link: weight 1 before it, the link's weight after it          1 draw
+///   remove_neuron  a hidden neuron with its links                                              1 draw
+/// after NEAT [stanley2002], without its crossover and innovation numbers: no individual here has two parents.
+/// Genome: hidden neurons, then the two ends of each link, then the weight of each link; links ascend by end, then by start.
+/// Reads: the sensors.   Random draws: 4 at a birth, and those above.
+struct GrowingBrain {
+  static constexpr std::string_view name = "growing_brain";
+  static constexpr std::string_view source = "not in the paper; operators after [stanley2002]";
+
+  struct Params {
+    std::size_t hidden = 3;
+    std::size_t most_hidden = 30;
+    double add_link = 0.1;
+    double remove_link = 0.1;
+    double split_link = 0.03;
+    double remove_neuron = 0.03;
+    double new_weight_sd = 0.5;
+    double turn_angle_rad = 0.7;
+    static constexpr auto fields() {
+      return std::tuple{
+          field("hidden", &Params::hidden, between(0.0, 100.0), "hidden neurons of the first genomes"),
+          field("most_hidden", &Params::most_hidden, between(0.0, 100.0), "hidden neurons that a genome may have"),
+          field("add_link", &Params::add_link, between(0.0, 1.0), "probability of a new link"),
+          field("remove_link", &Params::remove_link, between(0.0, 1.0), "probability that a link is lost"),
+          field("split_link", &Params::split_link, between(0.0, 1.0), "probability of a new neuron in a link"),
+          field("remove_neuron", &Params::remove_neuron, between(0.0, 1.0), "probability that a neuron is lost"),
+          field("new_weight_sd", &Params::new_weight_sd, at_least(0.0), "standard deviation of a new link's weight"),
+          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
+
+  /// A genome of the first generation, its weights 0. Draws: 0.
+  [[nodiscard]] std::vector<double> first(std::size_t inputs, std::size_t outputs, Rng&) const {
+    return detail::layered_genes(inputs, std::min(params.hidden, params.most_hidden), outputs);
+  }
+
+  /// Whether these genes are a network of this brain.
+  [[nodiscard]] bool fits(std::span<const double> genes, std::size_t inputs, std::size_t outputs) const {
+    return detail::are_network(genes, inputs, outputs, params.most_hidden);
+  }
+
+  /// The weights among the genes: the numbers that the rules InitialGenome and Mutation may change.
+  [[nodiscard]] std::span<double> weights_of(std::span<double> genes) const { return genes.last(genes.size() / 3); }
+
+  void mutate_structure(std::vector<double>& genes, std::size_t inputs, std::size_t outputs, Rng& rng) const {
+    detail::Network network{genes, inputs, outputs};
+    if (rng.chance(params.add_link)) network.add_link(params.new_weight_sd, rng);
+    if (rng.chance(params.remove_link)) network.remove_link(rng);
+    if (rng.chance(params.split_link) && network.hidden() < params.most_hidden) network.split_link(rng);
+    if (rng.chance(params.remove_neuron)) network.remove_neuron(rng);
+    genes = network.genes();
+  }
+
+  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> genes) const {
+    return detail::decision_of(outputs(inputs, genes), params.turn_angle_rad);
+  }
+
+  /// The two output neurons (target angle, tag), each in (-1, 1).
+  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs,
+                                                              std::span<const double> genes) const {
+    const std::vector<double> neurons = detail::network_neurons(inputs, genes, Decision::outputs);
+    return {neurons[neurons.size() - 2], neurons[neurons.size() - 1]};
+  }
+
+  /// Calls `visit(gene's index, neuron before, neuron after)` for each link.
+  template <class Visit>
+  void for_each_link(std::span<const double> inputs, std::span<const double> genes, const Visit& visit) const {
+    const std::vector<double> neurons = detail::network_neurons(inputs, genes, Decision::outputs);
+    const std::size_t links = genes.size() / 3;
+    for (std::size_t link = 0; link < links; ++link) {
+      visit(1 + 2 * links + link, neurons[static_cast<std::size_t>(genes[1 + 2 * link])],
+            neurons[static_cast<std::size_t>(genes[2 + 2 * link])]);
+    }
+  }
+};
+static_assert(Brain<GrowingBrain>);
+
+}  // namespace trophic::control::brain
