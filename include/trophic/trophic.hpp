@@ -212,12 +212,14 @@
 #include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/reproduction/body_plan/contract.hpp>
+#include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/body_plan/one_body.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/genome_source/random_or_inherited.hpp>
 #include <trophic/reproduction/genome_source/random_or_inherited_in_name.hpp>
+#include <trophic/reproduction/heredity/all_but.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/heredity/own_copy.hpp>
@@ -229,6 +231,7 @@
 #include <trophic/reproduction/mutation/no_mutation.hpp>
 #include <trophic/reproduction/mutation/normal_mutation.hpp>
 #include <trophic/reproduction/mutation/uniform_mutation.hpp>
+#include <trophic/reproduction/parent/at_random.hpp>
 #include <trophic/reproduction/parent/by_cause.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
@@ -246,6 +249,7 @@
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/reproduction/viability/always_viable.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
+#include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/check.hpp>

@@ -41,11 +41,14 @@
 #include <trophic/perception/visibility/all_active.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
+#include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
+#include <trophic/reproduction/heredity/all_but.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/mutation/no_mutation.hpp>
+#include <trophic/reproduction/parent/at_random.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
 #include <trophic/reproduction/parent/last_escapee.hpp>
 #include <trophic/reproduction/parent/most_escapes.hpp>
@@ -53,6 +56,7 @@
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
+#include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -101,7 +105,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::FastestEsc
                           reproduction::parent::MostEscapes, reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::LastSeenVictim, reproduction::parent::NearestConspecific,
                           reproduction::parent::NearestActiveVictim, reproduction::parent::NearestVictim,
-                          reproduction::parent::NoParent, rules::Paper::Parent, rules::Released::Parent);
+                          reproduction::parent::NoParent, reproduction::parent::AtRandom<reproduction::parent::Killer>,
+                          rules::Paper::Parent, rules::Released::Parent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, rules::Released::Parent,
                           reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::NearestConspecific, reproduction::parent::NoParent,
@@ -111,10 +116,13 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::
                           reproduction::recruitment::AfterEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
                           control::gait::InheritedCppn);
-TEST_CASE_TEMPLATE_INVOKE(trophic_body_plan_suite, reproduction::body_plan::OneBody, reproduction::body_plan::NamedBody);
-TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::AlwaysViable, reproduction::viability::WithinMass);
+TEST_CASE_TEMPLATE_INVOKE(trophic_body_plan_suite, reproduction::body_plan::OneBody, reproduction::body_plan::NamedBody,
+                          reproduction::body_plan::InheritedModules);
+TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::AlwaysViable, reproduction::viability::WithinMass,
+                          reproduction::viability::ModuleLimits);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
-                          reproduction::heredity::NothingInherited);
+                          reproduction::heredity::NothingInherited, reproduction::heredity::AllButBrain,
+                          reproduction::heredity::AllButGait, reproduction::heredity::AllButBody);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
                           reproduction::mutation::NoMutation);
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Bodies that are inherited: a tree of modules, changed at births.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <trophic/habitat/body/plan.hpp>
+#include <trophic/habitat/body/variation.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/body_plan/contract.hpp>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace trophic::reproduction::body_plan {
+
+/// Rule: the genes are a plan, four numbers a module (habitat/body/plan.hpp). An individual without a parent has the plan of
+/// `ecology.robot` (`first_modules` 0) or a random tree of `first_modules` modules; an inherited plan is changed by each operator
+/// with its probability (habitat/body/variation.hpp, [sims1994]), unless nothing but the core would be left. Masses, servos,
+/// friction and forward axis are those of `ecology.robot`; another plan has the name "modules" and no measured walk.   Reads:
+/// nothing.   Random draws: of a first plan 0, or 3 a module but the core; of a mutation 8, and those of the operators that act.
+struct InheritedModules {
+  static constexpr std::string_view name = "inherited_modules";
+  static constexpr std::string_view source = "not in the paper; operators of [sims1994]";
+
+  struct Params {
+    std::size_t first_modules = 0;
+    body::TreeMutation mutation;
+    static constexpr auto fields() {
+      return std::tuple{field("first_modules", &Params::first_modules, between(0.0, 50.0),
+                              "modules of a random first body; 0: the body of ecology.robot"),
+                        field("mutation", &Params::mutation)};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] body::Design grow(std::span<const double> genes, Species, const Habitat& habitat) const {
+    body::Design design = base(habitat);
+    body::ModuleTree tree = body::tree_of(genes);
+    if (body::genes_of(tree) == body::genes_of(design.modules)) return design;
+    design.modules = std::move(tree);
+    design.name = "modules";
+    design.gait.clear();
+    design.walk = {};
+    return design;
+  }
+
+  [[nodiscard]] std::vector<double> draw(Species, const Habitat& habitat, Rng& rng) const {
+    if (params.first_modules == 0) return body::genes_of(base(habitat).modules);
+    return body::genes_of(body::random_tree(params.first_modules, rng));
+  }
+
+  void mutate(std::vector<double>& genes, const Individual&, const Habitat& habitat, Rng& rng) const {
+    const body::ModuleTree tree = body::mutated(body::tree_of(genes), params.mutation, base(habitat).forward_deg, rng);
+    if (tree.modules().size() > 1) genes = body::genes_of(tree);
+  }
+
+ private:
+  [[nodiscard]] static const body::Design& base(const Habitat& habitat) {
+    if (habitat.design) return *habitat.design;
+    throw std::invalid_argument{"rules.body_plan = inherited_modules: the habitat must have the design of its robot"};
+  }
+};
+static_assert(InheritedBody<InheritedModules>);
+
+}  // namespace trophic::reproduction::body_plan

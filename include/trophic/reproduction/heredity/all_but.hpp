@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// One part of the genome is not inherited: the shadow of that part.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <trophic/population/individual.hpp>
+#include <trophic/reproduction/heredity/contract.hpp>
+
+namespace trophic::reproduction::heredity {
+
+/// The parts of a genome.
+enum class Part { brain, gait, body };
+
+/// Rule: the offspring's genome is a copy without this part, which is drawn anew as for an individual without a parent. Compared
+/// with OwnCopy it measures what inheritance of the part adds.   Reads: parent's genome.   Random draws: 0.
+template <Part part>
+struct AllBut {
+  static constexpr std::string_view name = std::array{"all_but_brain", "all_but_gait", "all_but_body"}[static_cast<int>(part)];
+  static constexpr std::string_view source = "control";
+  [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
+    auto genome = std::make_shared<Genome>(*parent);
+    (part == Part::brain ? genome->weights : part == Part::gait ? genome->gait : genome->body).clear();
+    return genome;
+  }
+};
+using AllButBrain = AllBut<Part::brain>;
+using AllButGait = AllBut<Part::gait>;
+using AllButBody = AllBut<Part::body>;
+static_assert(Heredity<AllButBrain>);
+
+}  // namespace trophic::reproduction::heredity

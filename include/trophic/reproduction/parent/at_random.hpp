@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A random individual reproduces instead of the one that another rule names: the null of drift.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <trophic/population/parts.hpp>
+#include <trophic/population/state.hpp>
+#include <trophic/population/vacancy.hpp>
+#include <trophic/population/view.hpp>
+#include <trophic/reproduction/parent/contract.hpp>
+#include <trophic/support/joined_text.hpp>
+#include <vector>
+
+namespace trophic::reproduction::parent {
+
+namespace detail {
+
+template <class Rule>
+struct AtRandomWords {
+  static constexpr std::array<std::string_view, 2> words{"at_random", Rule::name};
+  static constexpr std::string_view separator = "_";
+};
+
+}  // namespace detail
+
+/// Rule: if `Rule` names a parent, the parent is a living individual of the same species, each as likely; without another than
+/// the dying one it is the parent that `Rule` names. Deaths, species and the share of inherited genomes stay those of `Rule`, but
+/// nothing is selected: what changes, changes by mutation and chance alone. Of a ByCause give each part:
+/// `with_parent_after<Paper, Cause::caught, AtRandom<Killer>>`.   Reads: species, what Rule reads.   Random draws: 1 if Rule
+/// names a parent, after Rule's.
+template <class Rule>
+struct AtRandom : Rule {
+  static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AtRandom takes a parent rule that is not made of parts");
+  static constexpr std::string_view name = JoinedText<detail::AtRandomWords<Rule>>::view;
+  static constexpr std::string_view source = "control";
+
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng& rng) const
+      requires(!Stateful<Rule>) {
+    return instead_of(Rule::parent(vacancy, view, rng), vacancy, view, rng);
+  }
+  [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng& rng,
+                                               AllStates<Rule> states) const requires Stateful<Rule> {
+    return instead_of(ask::parent(static_cast<const Rule&>(*this), states, vacancy, view, rng), vacancy, view, rng);
+  }
+
+ private:
+  [[nodiscard]] static std::optional<Ancestor> instead_of(std::optional<Ancestor> named, const Vacancy& vacancy, const View& view,
+                                                          Rng& rng) {
+    if (!named) return named;
+    std::vector<BodyIndex> possible;
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      if (body != vacancy.body && view.robots[body].species == named->species) possible.push_back(body);
+    }
+    std::ranges::sort(possible, {}, [&](BodyIndex body) { return view.robots[body].id; });
+    const std::size_t drawn = rng.index(possible.empty() ? 1 : possible.size());
+    return possible.empty() ? named : view.robots[possible[drawn]].as_ancestor();
+  }
+};
+
+}  // namespace trophic::reproduction::parent

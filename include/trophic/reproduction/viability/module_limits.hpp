@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Bodies have bounds on their parts, can be steered, and do not overlap with themselves.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <trophic/habitat/body/limits.hpp>
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/viability/contract.hpp>
+#include <tuple>
+
+namespace trophic::reproduction::viability {
+
+/// Rule: a body is refused with more modules or hinges, or fewer hinges, than the limits, without a hinge on the left or the
+/// right, or with boxes that overlap at rest (habitat/body/limits.hpp).   Reads: the body.   Random draws: 0.
+struct ModuleLimits {
+  static constexpr std::string_view name = "module_limits";
+  static constexpr std::string_view source = "not in the paper";
+
+  struct Params {
+    body::Limits limits;
+    std::size_t attempts = 10;
+    static constexpr auto fields() {
+      return std::tuple{field("limits", &Params::limits), field("attempts", &Params::attempts, between(1.0, 1000.0),
+                                                                "tries of a mutation before the parent's body stays")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::optional<std::string> refusal(const body::Design& design, const RobotModel& robot) const {
+    return body::refusal(design.modules, robot, params.limits);
+  }
+  [[nodiscard]] std::size_t attempts() const { return params.attempts; }
+};
+static_assert(Viability<ModuleLimits>);
+
+}  // namespace trophic::reproduction::viability
