@@ -9,7 +9,7 @@ import socket
 import struct
 import subprocess
 
-OPENING_S = 25
+OPENING_S = 60
 
 
 class LiveRun:

@@ -122,7 +122,7 @@ TEST_CASE("changing ecology: read from its state between changes -> continues to
 TEST_CASE("changing ecology: wrong change -> schedule refused before the run; wish refused, and the run continues") {
   for (const auto& [change, what] : {std::pair{Change{20.0, "rules.capture.reach_m", "-1"}, "must be > 0"},
                                      std::pair{Change{20.0, "rules.capture.nothing", "1"}, "nothing"},
-                                     std::pair{Change{20.0, "ecology.robots", "7"}, "cannot change during a run"}}) {
+                                     std::pair{Change{20.0, "ecology.robots", "40"}, "cannot change during a run"}}) {
     CHECK_THROWS_WITH_AS((ChangingSimulation{make, {change}}), doctest::Contains(what), std::invalid_argument);
     Person person;
     person.wishes = {change};
