@@ -76,7 +76,7 @@ def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
     if not struct:
         return read_made_of_parts(path, include) or read_alias(path, include)
     doc = doc_lines(struct[1])
-    body = text[struct.start() :]
+    body = re.sub(r"^ *///.*\n", "", text[struct.start() :], flags=re.MULTILINE)  # a doc block may have formulas like "hidden = ..."
     kind, *folders = pathlib.PurePath(header).parts[1:-1]
     name = re.search(r'string_view name = "([^"]*)"', body)
     source = re.search(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', body)
