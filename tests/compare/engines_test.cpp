@@ -75,6 +75,18 @@ double resting_m() {
   return backend.pose(0).position_m.z();
 }
 
+/// Heights at which a spider and a gecko rest, of which the second took a spider's place.
+template <class B>
+std::array<double, 2> resting_pair_m() {
+  const RobotModel spider = load_robot("spider");
+  const RobotModel gecko = load_robot("gecko");
+  const std::vector<Pose> starts{{.position_m = {0.0, 0.0, spider.rest_height_m}}, {.position_m = {1.0, 0.0, 2.0}}};
+  B backend{spider, load_arena("walled_square"), starts, Physics{}, {}};
+  backend.embody(1, gecko, {.position_m = {1.0, 0.0, gecko.rest_height_m}});
+  backend.advance_to(2.0);
+  return {backend.pose(0).position_m.z() - spider.rest_height_m, backend.pose(1).position_m.z() - gecko.rest_height_m};
+}
+
 /// Energy gained and distance moved by standing spiders in a minute, after one to come to rest.
 template <class B>
 test::Resting after_a_minute_at_rest(test::Resting resting) {
@@ -202,6 +214,11 @@ TEST_CASE("engines: free fall -> g t^2 / 2 in both") {
 
 TEST_CASE("engines: robot at rest -> the model's rest height") {
   CHECK(std::abs(resting_m<Mujoco>() - resting_m<Ode>()) < resting_height_m);
+}
+
+TEST_CASE("engines: spider and gecko in one world at rest -> the rest heights of their models in both") {
+  for (const double sunk_m : resting_pair_m<Mujoco>()) CHECK(std::abs(sunk_m) < resting_height_m);
+  for (const double sunk_m : resting_pair_m<Ode>()) CHECK(std::abs(sunk_m) < resting_height_m);
 }
 
 TEST_CASE("engines: robots at rest -> no energy gain") {

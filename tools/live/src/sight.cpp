@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Definitions of sight.hpp.
 #include <tools/live/src/sight.hpp>
+
+#include <stdexcept>
 #include <trophic/io/agent_log.hpp>
 #include <utility>
 
@@ -14,6 +16,10 @@ void Sight::begin(const command::LiveRun& run) {
 }
 
 void Sight::on_start(const observe::RunDescription& run, const View& view) {
+  if (run.bodies_differ) {
+    throw std::invalid_argument{
+        "--live: robots with bodies of their own: must be shown by --watch, trophic film or trophic export"};
+  }
   facts_->description = run;
   facts_->robots = view.robots.size();
   for (Species species = 0; species < view.web.size(); ++species) facts_->species.push_back(view.web.name(species));
