@@ -9,7 +9,7 @@
 using namespace trophic;
 using namespace trophic::test;
 using death::starvation::choice::HungriestElseOldest;
-using Bodies = std::vector<BodyIndex>;
+using Chosen = std::vector<BodyIndex>;
 
 TEST_CASE("hungriest else oldest: exempt predators -> the one that dies") {
   // hungriest: body 2; in order of birth: bodies 3, 1, 2; the prey, older and hungrier than all, never
@@ -19,7 +19,7 @@ TEST_CASE("hungriest else oldest: exempt predators -> the one that dies") {
                                {.species = predator, .fed_tick = 30, .id = 5}}};
   struct Case {
     std::set<BodyIndex> exempt;
-    Bodies dies;
+    Chosen dies;
   };
   for (const auto& [exempt, dies] : {Case{{}, {2}}, Case{{1, 3}, {2}}, Case{{2}, {3}}, Case{{2, 3}, {1}}, Case{{1, 2, 3}, {}}}) {
     CAPTURE(exempt.size());
@@ -29,7 +29,7 @@ TEST_CASE("hungriest else oldest: exempt predators -> the one that dies") {
 
 TEST_CASE("hungriest else oldest: equal hunger -> the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Bodies{1});
+  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Chosen{1});
 }
 
 TEST_CASE("hungriest else oldest: without predators -> none dies") {
@@ -44,6 +44,6 @@ TEST_CASE("hungriest else oldest: food chain -> every species that eats can star
                                {.species = hunter, .fed_tick = 5, .id = 9},
                                {.species = grazer, .fed_tick = 7, .id = 2}},
                               chain_web()};
-  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Bodies{1});
-  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{3});
+  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Chosen{1});
+  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Chosen{3});
 }

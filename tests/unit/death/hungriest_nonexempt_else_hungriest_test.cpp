@@ -8,7 +8,7 @@
 using namespace trophic;
 using namespace trophic::test;
 using death::starvation::choice::HungriestNonexemptElseHungriest;
-using Bodies = std::vector<BodyIndex>;
+using Chosen = std::vector<BodyIndex>;
 
 namespace {
 
@@ -22,15 +22,15 @@ TEST_CASE("hungriest nonexempt else hungriest: some exempt -> skipped, all exemp
                                {.species = predator, .fed_tick = 10},
                                {.species = predator, .fed_tick = 20}}};
   const HungriestNonexemptElseHungriest rule;
-  CHECK(rule.victims(robots.view(), [](BodyIndex) { return false; }) == Bodies{2});
-  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Bodies{3});
-  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
-  CHECK(rule.victims(robots.view(), all_spared) == Bodies{2});
+  CHECK(rule.victims(robots.view(), [](BodyIndex) { return false; }) == Chosen{2});
+  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Chosen{3});
+  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Chosen{1});
+  CHECK(rule.victims(robots.view(), all_spared) == Chosen{2});
 }
 
 TEST_CASE("hungriest nonexempt else hungriest: equal hunger -> the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestNonexemptElseHungriest{}.victims(robots.view(), all_spared) == Bodies{1});
+  CHECK(HungriestNonexemptElseHungriest{}.victims(robots.view(), all_spared) == Chosen{1});
 }
 
 TEST_CASE("hungriest nonexempt else hungriest: no predators -> none dies") {

@@ -10,7 +10,7 @@
 using namespace trophic;
 using namespace trophic::test;
 using death::starvation::choice::HungriestNonexempt;
-using Bodies = std::vector<BodyIndex>;
+using Chosen = std::vector<BodyIndex>;
 
 namespace {
 
@@ -24,14 +24,14 @@ TEST_CASE("hungriest nonexempt: different hunger -> predator with most ticks sin
                                {.species = predator, .fed_tick = 30},
                                {.species = predator, .fed_tick = 10},
                                {.species = predator, .fed_tick = 20}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{2});
-  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Bodies{3});
-  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Bodies{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Chosen{2});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Chosen{3});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Chosen{1});
 }
 
 TEST_CASE("hungriest nonexempt: equal hunger -> the earlier born") {
   const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Chosen{1});
 }
 
 TEST_CASE("hungriest nonexempt: all exempt -> none dies") {
@@ -47,8 +47,8 @@ TEST_CASE("hungriest nonexempt: no predators -> none dies") {
 TEST_CASE("hungriest nonexempt: food chain -> every hunting species can starve") {
   const HandPopulation robots{
       {{.species = plant, .fed_tick = 0}, {.species = grazer, .fed_tick = 3}, {.species = hunter, .fed_tick = 5}}, chain_web()};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Bodies{1});
-  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Bodies{2});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Chosen{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Chosen{2});
 }
 
 TEST_CASE("hungriest nonexempt: random populations -> no hungrier one left, any order of bodies") {

@@ -9,13 +9,13 @@
 using namespace trophic;
 using namespace trophic::test;
 using death::starvation::choice::HungriestShare;
-using Bodies = std::vector<BodyIndex>;
+using Chosen = std::vector<BodyIndex>;
 
 namespace {
 
 const auto none_exempt = [](BodyIndex) { return false; };
 
-/// Bodies 1 to 4 are predators, the hungriest first; body 0 is a hungrier prey.
+/// Chosen 1 to 4 are predators, the hungriest first; body 0 is a hungrier prey.
 const HandPopulation hungry{{{.species = prey, .fed_tick = 0},
                              {.species = predator, .fed_tick = 10},
                              {.species = predator, .fed_tick = 20},
@@ -26,15 +26,15 @@ const HandPopulation hungry{{{.species = prey, .fed_tick = 0},
 
 TEST_CASE("hungriest share: share of the predators -> rounded up, the hungriest first") {
   CHECK(HungriestShare{{.share = 0.0}}.victims(hungry.view(), none_exempt).empty());
-  CHECK(HungriestShare{{.share = 0.01}}.victims(hungry.view(), none_exempt) == Bodies{1});
-  CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), none_exempt) == Bodies{1, 2});
-  CHECK(HungriestShare{{.share = 0.51}}.victims(hungry.view(), none_exempt) == Bodies{1, 2, 3});
-  CHECK(HungriestShare{{.share = 1.0}}.victims(hungry.view(), none_exempt) == Bodies{1, 2, 3, 4});
+  CHECK(HungriestShare{{.share = 0.01}}.victims(hungry.view(), none_exempt) == Chosen{1});
+  CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), none_exempt) == Chosen{1, 2});
+  CHECK(HungriestShare{{.share = 0.51}}.victims(hungry.view(), none_exempt) == Chosen{1, 2, 3});
+  CHECK(HungriestShare{{.share = 1.0}}.victims(hungry.view(), none_exempt) == Chosen{1, 2, 3, 4});
 }
 
 TEST_CASE("hungriest share: exempt predators -> skipped") {
   const auto exempt = [](BodyIndex body) { return body == 1 || body == 3; };
-  CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), exempt) == Bodies{2, 4});
+  CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), exempt) == Chosen{2, 4});
   CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), [](BodyIndex) { return true; }).empty());
 }
 

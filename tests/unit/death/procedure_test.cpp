@@ -17,7 +17,7 @@
 using namespace trophic;
 using namespace trophic::test;
 using namespace death::starvation;
-using Bodies = std::vector<BodyIndex>;
+using Chosen = std::vector<BodyIndex>;
 using PaperProcedure = Procedure<interval::DelayedCrowdingInterval, exemption::NearPerceivedVictim, choice::HungriestNonexempt>;
 
 static_assert(death::Starvation<PaperProcedure>);
