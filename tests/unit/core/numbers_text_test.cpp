@@ -7,7 +7,9 @@
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/habitat/load/robot.hpp>
 #include <trophic/params/numbers_text.hpp>
+#include <utility>
 #include <vector>
 
 using namespace trophic;
@@ -16,8 +18,10 @@ namespace {
 
 template <class... Models>
 constexpr bool all_listed = ((trophic::detail::members_of<Models> == trophic::detail::fields_of<Models>)&&...);
-static_assert(all_listed<Box, Link, Servo, Hinge, MeasuredWalk, RobotModel, HeightField, Arena, Gait, Habitat>,
+static_assert(all_listed<Box, Link, Servo, Hinge, MeasuredWalk, RobotModel, HeightField, Arena, Gait>,
               "a model's struct has a member that its fields() lack");
+static_assert(trophic::detail::members_of<Habitat> == trophic::detail::fields_of<Habitat> + 3,
+              "numbers_text of a habitat adds design, robots and gaits to its fields");
 
 /// A copy in which the number at a place is another one; none behind the last. Counts of elements are constant: no places.
 std::optional<Habitat> with_other_number(const Habitat& habitat, std::size_t place) {
@@ -49,6 +53,25 @@ TEST_CASE("fingerprints: number changed -> other text, name changed -> same text
   Habitat renamed = habitat;
   renamed.robot.name = renamed.robot.links[0].boxes[0].part = renamed.arena.name = renamed.gait.provenance = "other";
   CHECK(numbers_text(renamed) == text);
+}
+
+TEST_CASE("fingerprints: other number of a model that rules name -> other text") {
+  Habitat habitat = load_habitat(EcologyParams{});
+  std::string text = numbers_text(habitat);
+  const auto changes = [&] { return std::exchange(text, numbers_text(habitat)) != text; };
+  CHECK_FALSE(changes());
+  habitat.design = load_design("spider");
+  CHECK(changes());
+  habitat.design->friction += 1.0;
+  CHECK(changes());
+  habitat.design->servo.position_gain += 1.0;
+  CHECK(changes());
+  habitat.robots.push_back({.name = "other", .design = *habitat.design, .robot = habitat.robot, .gait = habitat.gait});
+  CHECK(changes());
+  habitat.robots[0].robot.friction += 1.0;
+  CHECK(changes());
+  habitat.gaits.push_back({.name = "other", .gait = habitat.gait});
+  CHECK(changes());
 }
 
 TEST_CASE("fingerprints: same numbers, other element boundaries -> other text") {
