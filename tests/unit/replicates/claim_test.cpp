@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -143,7 +144,12 @@ TEST_CASE("claim: space of a process -> has this start of the machine, as initia
   std::string boot;
   std::ifstream{"/proc/sys/kernel/random/boot_id"} >> boot;
   REQUIRE(boot.size() == 36);
-  CHECK(sweep::detail::process_space().starts_with(boot + " "));
+  const TemporaryFolder folder;
+  const auto taken = Claim::take(folder.path(), 3, long_lease_s);
+  REQUIRE(taken);
+  std::ifstream owner{folder.path() / "3.0" / "owner.json"};
+  const std::string text{std::istreambuf_iterator<char>{owner}, {}};
+  CHECK(text.find("\"" + boot + " ") != std::string::npos);
 }
 
 TEST_CASE("claim: of another machine, not renewed for its lease -> stale") {
