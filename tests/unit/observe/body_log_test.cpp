@@ -5,6 +5,7 @@
 #include <string>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/io/body_log.hpp>
+#include <trophic/io/growing_file.hpp>
 #include <unit/observe/scene.hpp>
 #include <vector>
 
@@ -32,7 +33,7 @@ TEST_CASE("body log: births -> plans numbered by their first births, and the dis
   const std::vector<Phenotype> phenotypes{with_hinges(1), with_hinges(2), with_hinges(3)};
   View view = robots.view();
   view.phenotypes = phenotypes;
-  io::BodyLog log{path, io::Opening::created};
+  io::BodyLog log{path, Opening::created};
   for (BodyIndex body = 0; body < 3; ++body) {
     log.on_event({.kind = EventKind::activation, .body = body, .individual = view.robots[body], .cause = {}, .other = {}}, view);
     log.on_event({.kind = EventKind::birth, .body = body, .individual = view.robots[body], .cause = {}, .other = {}}, view);
