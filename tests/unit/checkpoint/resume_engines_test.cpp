@@ -10,8 +10,10 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
+#include <trophic/death/senescence/old_age.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
+#include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/released.hpp>
 #include <unit/checkpoint/resumed.hpp>
@@ -33,8 +35,10 @@ Experiment<rules::Released> crowd(const std::string& arena, double half_extent_m
   return experiment;
 }
 
-/// The same with spiders as predators and geckos as prey, whose gaits are inherited.
-using Mixed = with_gait<with_embodiment<with_body_plan<rules::Released, rules::by_species<reproduction::body_plan::NamedBody>>,
+/// The same with spiders as predators and geckos as prey, whose gaits are inherited. All die of age every few seconds.
+using Ageing = with_parent_after<with_senescence<rules::Released, death::senescence::OldAge>, Cause::senescence,
+                                 reproduction::parent::NearestConspecific>;
+using Mixed = with_gait<with_embodiment<with_body_plan<Ageing, rules::by_species<reproduction::body_plan::NamedBody>>,
                                         initialization::embodiment::StandsUp>,
                         control::gait::InheritedCpg>;
 
@@ -45,6 +49,7 @@ void check_mixed(const BackendParams& backend, double duration_s, double every_s
   mixed.rules.community.predators = 3;
   mixed.rules.placement.half_extent_m = 0.8;
   mixed.rules.body_plan.get<test::prey>().robot = "gecko";
+  mixed.rules.senescence.max_age_s = 6.0;
   const TemporaryFolder folder;
   check_resumed(mixed, backend, folder.path(), {cut}, every_s,
                 [](std::size_t part, auto& numbers) { numbers.threads = part % 2 == 0 ? 2 : 1; });

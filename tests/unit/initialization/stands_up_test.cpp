@@ -60,7 +60,7 @@ TEST_CASE("stands up: at a wall -> moved inwards until it does not touch it, and
   const GroundPose corner{.x_m = arena.half_side_m - 0.05, .y_m = 0.05 - arena.half_side_m};
   const Pose pose = StandsUp{}.set_down(corner, spider(), arena, {});
   CHECK_FALSE(touch_wall(placed_boxes(spider(), pose, {}), arena.half_side_m));
-  CHECK(touch_wall(placed_boxes(spider(), pose, {}), arena.half_side_m - 0.006));
+  CHECK(touch_wall(placed_boxes(spider(), pose, {}), arena.half_side_m - 0.012));
 }
 
 TEST_CASE("stands up: place taken -> the nearest ring that is free; no ring free -> above, in an arena of one body's size") {
