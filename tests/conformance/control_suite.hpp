@@ -24,6 +24,7 @@ template <class Policy>
       for (double& weight : policy.weights_of(genes)) weight = rng.uniform(-3.0, 3.0);
       policy.mutate_structure(genes, inputs, control::Decision::outputs, rng);
     }
+    for (int birth = 0; birth < 20; ++birth) policy.mutate_structure(genes, inputs, control::Decision::outputs, rng);
     CHECK(policy.fits(genes, inputs, control::Decision::outputs));
     CHECK_FALSE(policy.fits({}, inputs, control::Decision::outputs));
   } else {

@@ -59,10 +59,10 @@ template <class Draw, class Mutate>
 std::vector<double> check_genes(std::uint64_t seed, std::size_t generations, Draw&& draw, Mutate&& mutate) {
   const auto lineage = [&] {
     std::vector<double> genes = asked_twice(seed, draw);
+    CHECK_FALSE(genes.empty());
     for (std::size_t generation = 0; generation < generations; ++generation) {
       Rng rng{seed, Stream::user, 1, generation};
       mutate(genes, rng);
-      CHECK_FALSE(genes.empty());
       for (const double gene : genes) CHECK(std::isfinite(gene));
     }
     return genes;
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE_DEFINE("gait", Policy, trophic_gait_suite) {
     std::vector<double> genes;
     if constexpr (control::InheritedGait<Policy>) {
       genes = conformance::check_genes(
-          seed, 10, [&](Rng& rng) { return policy.draw(habitat.robot, habitat, rng); },
+          seed, 30, [&](Rng& rng) { return policy.draw(habitat.robot, habitat, rng); },
           [&](std::vector<double>& own, Rng& rng) { policy.mutate(own, offspring, rng); });
       std::vector<double> foreign(genes.size() + 1, 0.5);
       CHECK_THROWS_AS(static_cast<void>(policy.express(foreign, habitat.robot, habitat)), std::invalid_argument);

@@ -30,7 +30,7 @@ struct InheritedCppn {
     double first_limit = 0.05;
     double weight_probability = 0.8;
     double weight_sd = 0.02;
-    double weight_limit = 8.0;
+    double weight_limit = 2.0;
     double link_probability = 0.1;
     double node_probability = 0.05;
     static constexpr auto fields() {
