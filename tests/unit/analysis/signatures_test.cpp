@@ -19,7 +19,7 @@ control::Decision decide_by_weights(std::span<const double> inputs, std::span<co
 
 }  // namespace
 
-TEST_CASE("signatures: same sides and tags at all inputs -> one type; another species or decision -> another") {
+TEST_CASE("signatures: same sides and tags at all inputs -> one type, another species or decision -> another") {
   Signatures signatures{decide_by_weights, {{{-1.0, 1.0}, {1.0, 0.5}}, {{1.0, 1.0}}}};
   const Type type = signatures.type_of(0, Weights{1.0, 1.0});
   CHECK(signatures.type_of(0, Weights{2.0, 0.1}) == type);

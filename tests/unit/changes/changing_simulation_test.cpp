@@ -119,7 +119,7 @@ TEST_CASE("changing ecology: read from its state between changes -> continues to
   CHECK_THROWS_AS(other.persist(again), std::invalid_argument);
 }
 
-TEST_CASE("changing ecology: wrong change -> schedule refused before the run; wish refused, and the run continues") {
+TEST_CASE("changing ecology: wrong change -> schedule refused before the run, wish refused, and the run continues") {
   for (const auto& [change, what] : {std::pair{Change{20.0, "rules.capture.reach_m", "-1"}, "must be > 0"},
                                      std::pair{Change{20.0, "rules.capture.nothing", "1"}, "nothing"},
                                      std::pair{Change{20.0, "ecology.robots", "40"}, "cannot change during a run"}}) {

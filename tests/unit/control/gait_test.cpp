@@ -76,7 +76,7 @@ TEST_CASE("gait: published gait -> its CPPN at the spider's grid positions") {
 TEST_CASE("gait: saved and loaded -> same bits") {
   const TemporaryFolder folder;
   Gait gait = load_gait("gecko_paper");
-  gait.name = "quotes \" and \\ and\nlines";
+  gait.name = "quotes \" and \\ and spaces";
   gait.internal << 0.1, 1.0 / 3.0, -1e-300, 5e300, 3.0, -0.0;
   save_gait(gait, folder.path() / "gait.toml");
   const Gait again = load_gait((folder.path() / "gait.toml").string());

@@ -63,7 +63,7 @@ TEST_CASE("stands up: at a wall -> moved inwards until it does not touch it, and
   CHECK(touch_wall(placed_boxes(spider(), pose, {}), arena.half_side_m - 0.012));
 }
 
-TEST_CASE("stands up: place taken -> the nearest ring that is free; no ring free -> above, in an arena of one body's size") {
+TEST_CASE("stands up: place taken -> the nearest ring that is free, no ring free -> above, in an arena of one body's size") {
   const Arena arena = load_arena("walled_square");
   const Pose taken = StandsUp{}.set_down({}, spider(), arena, {});
   const auto others = placed_boxes(spider(), taken, {});

@@ -18,7 +18,7 @@ struct Case {
 
 }  // namespace
 
-TEST_CASE("live gate: own page and its web socket -> let in; others -> refused in one sentence") {
+TEST_CASE("live gate: own page and its web socket -> let in, others -> refused in one sentence") {
   const std::string page = "/?token=" + token;
   const std::string socket = "/live?token=" + token;
   const std::string own = "http://localhost:8000";

@@ -37,7 +37,7 @@ struct Steered {
 
 }  // namespace
 
-TEST_CASE("steering: run that cannot be seen yet -> does not wait; else -> waits for the first page") {
+TEST_CASE("steering: run that cannot be seen yet -> does not wait, else -> waits for the first page") {
   Heard heard;
   live::Steering steering{heard};
   steering.begin(2.0);
@@ -48,7 +48,7 @@ TEST_CASE("steering: run that cannot be seen yet -> does not wait; else -> waits
   CHECK(steered.steering.due(2.0).empty());  // without pages it continues
 }
 
-TEST_CASE("steering: paused run -> waits; a tick -> one tick; play -> continues") {
+TEST_CASE("steering: paused run -> waits, a tick -> one tick, play -> continues") {
   Steered steered;
   steered.steering.set_pages(1);
   steered.steering.pause();
@@ -58,7 +58,7 @@ TEST_CASE("steering: paused run -> waits; a tick -> one tick; play -> continues"
   CHECK_FALSE(steered.steering.ends());
 }
 
-TEST_CASE("steering: speed -> ticks come no faster; as fast as it goes -> at once") {
+TEST_CASE("steering: speed -> ticks come no faster, as fast as it goes -> at once") {
   Steered steered;
   steered.steering.set_pages(1);
   steered.steering.set_speed(40.0);  // 50 ms a tick

@@ -2,6 +2,7 @@
 // Bodies that are inherited: a tree of modules, changed at births.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
@@ -30,7 +31,7 @@ struct InheritedModules {
     body::TreeMutation mutation;
     static constexpr auto fields() {
       return std::tuple{field("first_modules", &Params::first_modules, between(0.0, 50.0),
-                              "modules of a random first body; 0: the body of ecology.robot"),
+                              "modules of a random first body, at least 2; 0: the body of ecology.robot"),
                         field("mutation", &Params::mutation)};
     }
   };
@@ -49,7 +50,7 @@ struct InheritedModules {
 
   [[nodiscard]] std::vector<double> draw(Species, const Habitat& habitat, Rng& rng) const {
     if (params.first_modules == 0) return body::genes_of(base(habitat).modules);
-    return body::genes_of(body::random_tree(params.first_modules, rng));
+    return body::genes_of(body::random_tree(std::max<std::size_t>(params.first_modules, 2), rng));
   }
 
   void mutate(std::vector<double>& genes, const Individual&, const Habitat& habitat, Rng& rng) const {
