@@ -157,13 +157,8 @@ class Islands {
     // Robots near walls share lanes, so that the other teams need not look for walls.
     const auto first_single = std::ranges::find_if(groups, [](const auto& group) { return group.size() == 1; });
     std::stable_partition(first_single, groups.end(), [&](const auto& group) { return near_wall(discs_[group.front()]); });
-    // With RK4, crowds of different bodies diverged in the kernel; MuJoCo steps them.
-    const bool has_stages = physics_.integrator == Integrator::rk4;
     const auto is_mujocos = [&](const std::vector<std::size_t>& group) {
-      return std::ranges::any_of(group, [&](std::size_t robot) {
-        const std::size_t kind = states.kind(robot);
-        return kinds_[kind].constants == nullptr || (has_stages && kind != states.kind(group.front()));
-      });
+      return std::ranges::any_of(group, [&](std::size_t robot) { return kinds_[states.kind(robot)].constants == nullptr; });
     };
     const auto first_of_kernel = std::stable_partition(groups.begin(), groups.end(), is_mujocos);
     const std::span by_mujoco{groups.begin(), first_of_kernel};
