@@ -219,10 +219,10 @@ TEST_CASE("engines: robot at rest -> the model's rest height") {
 TEST_CASE("engines: spider and gecko in one world at rest -> equal heights in both, near those of their models") {
   const auto mujoco_m = resting_pair_m<Mujoco>();
   const auto ode_m = resting_pair_m<Ode>();
-  CHECK(std::abs(mujoco_m[0]) < resting_height_m);
-  CHECK(std::abs(ode_m[0]) < resting_height_m);
-  CHECK(std::abs(mujoco_m[1] - ode_m[1]) < resting_height_m);  // the gecko's servos give way by most of a millimetre in both
-  CHECK(std::abs(mujoco_m[1]) < 0.002);
+  for (const std::size_t robot : {0U, 1U}) {
+    CHECK(std::abs(mujoco_m.at(robot) - ode_m.at(robot)) < resting_height_m);
+    CHECK(std::abs(mujoco_m.at(robot)) < 0.002);  // servos give way by most of a millimetre in both
+  }
 }
 
 TEST_CASE("engines: robots at rest -> no energy gain") {
