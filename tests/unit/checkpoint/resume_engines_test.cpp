@@ -50,6 +50,7 @@ void check_mixed(const BackendParams& backend, double duration_s, double every_s
   mixed.rules.placement.half_extent_m = 0.8;
   mixed.rules.body_plan.get<test::prey>().robot = "gecko";
   mixed.rules.senescence.max_age_s = 6.0;
+  mixed.physics = {.timestep_s = 0.003, .integrator = Integrator::semi_implicit_euler};  // random gaits are fast
   const TemporaryFolder folder;
   check_resumed(mixed, backend, folder.path(), {cut}, every_s,
                 [](std::size_t part, auto& numbers) { numbers.threads = part % 2 == 0 ? 2 : 1; });
@@ -81,10 +82,13 @@ TEST_CASE("resume: ODE, robots that touch, another number of threads -> the same
   check_resumed(crowd("walled_square", 0.8, 10.0), backend::Ode::Params{}, folder.path(), {3}, 2.0, other_threads);
 }
 
-TEST_CASE("resume: MuJoCo's islands, spiders and geckos that touch, inherited gaits -> the same bytes") {
-  check_mixed(backend::Mujoco::Params{.stepping = backend::Mujoco::Stepping::islands}, 30.0, 8.0, 9);
+TEST_CASE("resume: MuJoCo, spiders and geckos that touch, inherited gaits -> the same bytes") {
+  for (const auto stepping : {backend::Mujoco::Stepping::fast, backend::Mujoco::Stepping::islands}) {
+    CAPTURE(stepping);
+    check_mixed(backend::Mujoco::Params{.stepping = stepping}, 12.0, 4.0, 4);
+  }
 }
 
 TEST_CASE("resume: ODE, spiders and geckos that touch, inherited gaits -> the same bytes") {
-  check_mixed(backend::Ode::Params{}, 30.0, 8.0, 9);
+  check_mixed(backend::Ode::Params{}, 12.0, 4.0, 4);
 }
