@@ -514,7 +514,7 @@ class Refusals(Sweeps):
         self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e9\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
         environment = {**os.environ, "TMPDIR": str(self.folder)}
         run = subprocess.Popen([OPTIONS.program, "--sweep", "long.toml", "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
-        while run.poll() is None and not list(self.folder.glob("*-probe*/events.csv")):
+        while run.poll() is None and not list(self.folder.glob("*-probe*/run/events.csv")):
             time.sleep(0.005)
         run.send_signal(signal.SIGINT)
         printed, errors = run.communicate(timeout=60)
