@@ -17,7 +17,7 @@ namespace trophic::backend::mujoco {
 /// Whether the included header is of MuJoCo 3.
 inline constexpr bool is_mujoco_3 = mjVERSION_HEADER >= 300;
 
-/// Whether MJCF's <option collision> limits collisions to the listed pairs. Without it, geoms without a contact type do.
+/// Whether the attribute `collision` of MJCF's option limits collisions to the listed pairs. Without it, geoms without a contact type do.
 inline constexpr bool has_collision_option = !is_mujoco_3;
 
 /// Whether MuJoCo reports half the depth of face contacts between boxes: up to 3.3.7 (see box_depth.hpp).
@@ -52,7 +52,7 @@ inline void set_capacity(mjModel& model, std::size_t rows, std::size_t numbers) 
 #endif
 }
 
-/// Writes a model's capacity as the attributes of MJCF's <size>.
+/// Writes a model's capacity as the attributes of MJCF's element `size`.
 inline void write_capacity(pugi::xml_node size, const mjModel& model) {
 #if mjVERSION_HEADER >= 300
   size.append_attribute("memory").set_value(std::to_string(model.narena).c_str());
