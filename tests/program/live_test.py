@@ -45,7 +45,9 @@ class Live(InFolder):
             self.assertEqual(second["time_s"] - first["time_s"], 10.0)
             page.send({"do": "speed", "value": 0})
             page.send({"do": "play"})
-            page.until(lambda message: message["kind"] == "state" and message["over"])
+            seen = []
+            page.until(lambda message: seen.append(message) or (message["kind"] == "state" and message["over"]))
+            self.assertEqual([message["time_s"] for message in seen if message["kind"] == "tick"][-1], float(duration))
         code, errors = run.wait()
         self.assertEqual((code, errors), (0, ""))
         return self.folder / "run"

@@ -147,14 +147,17 @@ SharedMessage facts_message(const RunFacts& facts) {
 std::vector<SharedMessage> tick_messages(const TickSight& sight, const RunFacts& facts) {
   std::vector<SharedMessage> messages;
   if (!sight.frames.empty()) {
-    messages.push_back(std::make_shared<Message>(Message{.kind = Message::Kind::poses, .text = poses_of(sight, facts)}));
+    messages.push_back(std::make_shared<Message>(
+        Message{.kind = Message::Kind::poses, .text = poses_of(sight, facts), .is_last = sight.is_last}));
   }
   if (!sight.events.empty()) {
     Json events = Json::array();
     for (const io::EventRow& event : sight.events) events.push_back(json_of(event));
     messages.push_back(message_of({{"kind", "events"}, {"events", std::move(events)}}, Message::Kind::events));
   }
-  if (!sight.rows.empty()) messages.push_back(message_of(robots_of(sight), Message::Kind::tick));
+  if (sight.rows.empty()) return messages;
+  messages.push_back(std::make_shared<Message>(
+      Message{.kind = Message::Kind::tick, .text = json_text(robots_of(sight)), .is_last = sight.is_last}));
   return messages;
 }
 

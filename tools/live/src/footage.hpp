@@ -23,7 +23,8 @@ namespace trophic::live {
 struct Message {
   enum class Kind { facts, events, tick, poses, state };
   Kind kind = Kind::state;
-  std::string text;  ///< JSON; of poses the bytes of a block of a recording: docs/recording.md
+  std::string text;      ///< JSON; of poses the bytes of a block of a recording: docs/recording.md
+  bool is_last = false;  ///< of the run's last tick, which even a slow page gets
 };
 using SharedMessage = std::shared_ptr<const Message>;
 
@@ -40,6 +41,7 @@ struct TickSight {
   std::vector<io::AgentRow> rows;  ///< empty: only events are shown of this tick
   std::vector<bool> are_spare;     ///< bodies without an individual
   std::vector<Moment> frames;
+  bool is_last = false;  ///< of the run
 };
 
 /// Facts of a run that its ticks do not change.

@@ -118,7 +118,8 @@ class Server::Page : public std::enable_shared_from_this<Page> {
 
   /// A page that is slow is left out of ticks, not of events.
   void send(const SharedMessage& message, bool always = false) {
-    const bool can_be_left_out = message->kind == Message::Kind::tick || message->kind == Message::Kind::poses;
+    const bool can_be_left_out =
+        !message->is_last && (message->kind == Message::Kind::tick || message->kind == Message::Kind::poses);
     if (!always && can_be_left_out && waiting_bytes_ > hub_.limits_.waiting_bytes) return;
     waiting_bytes_ += message->text.size();
     waiting_.push_back(message);
@@ -310,7 +311,7 @@ void Server::begin(SharedMessage facts) {
 }
 
 void Server::show(std::shared_ptr<TickSight> sight, std::shared_ptr<const RunFacts> facts) {
-  if (hub_->waiting_ticks_ >= most_waiting_ticks) {
+  if (hub_->waiting_ticks_ >= most_waiting_ticks && !sight->is_last) {
     sight->rows.clear();
     sight->frames.clear();
   }

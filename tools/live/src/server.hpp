@@ -48,7 +48,7 @@ class Server {
   /// Another run: all pages begin anew with its facts.
   void begin(SharedMessage facts);
   /// Makes messages in the server's thread and sends them to all pages. Ticks that wait while it is busy are shown without robots
-  /// and poses, so that a run never waits for pages.
+  /// and poses, so that a run never waits for pages; the last tick is shown whole.
   void show(std::shared_ptr<TickSight> sight, std::shared_ptr<const RunFacts> facts);
   /// Sends to all pages now; later ones do not get it.
   void tell(SharedMessage message);

@@ -75,7 +75,8 @@ void Sight::on_tick(const View& view) {
   server_.show(std::exchange(sight_, std::make_shared<TickSight>()), facts_);
   const double now_s = watch_.elapsed_s();
   if (is_full_) last_full_s_ = now_s;
-  is_full_ = steering_.is_paced() || now_s - last_full_s_ >= least_gap_s;
+  sight_->is_last = view.time_s + 1.5 * view.tick_s > facts_->run.until_s;
+  is_full_ = sight_->is_last || steering_.is_paced() || now_s - last_full_s_ >= least_gap_s;
 }
 
 }  // namespace trophic::live

@@ -11,7 +11,8 @@
 namespace trophic::live {
 
 /// A tick is handed over with robots and poses if ticks come at a speed that people chose, or `least_gap_s` after the last one:
-/// faster ones cannot be seen, and copies of them would slow the run. Events of all ticks are handed over.
+/// faster ones cannot be seen, and copies of them would slow the run. The last tick is handed over in any case, as are all
+/// events.
 class Sight {
  public:
   static constexpr double least_gap_s = 0.004;

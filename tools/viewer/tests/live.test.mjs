@@ -32,7 +32,7 @@ async function start(out) {
 
 let browser;
 before(async () => {
-  browser = await Browser.start();
+  browser = await (await Browser.start()).with({ viewport: { width: 960, height: 600 } });
 });
 after(async () => {
   await browser?.close();
@@ -42,10 +42,21 @@ after(async () => {
 
 const tablesOf = (run) => Object.fromEntries(readdirSync(at(run)).filter((name) => /\.(csv|trp)$/.test(name)).map((name) => [name, readFileSync(join(at(run), name), "latin1")]));
 
-/** Opens a live page and waits until it shows something. */
-async function open(address) {
-  const opened = await browser.openAt(address);
-  await opened.until(() => window.trophic?.live?.isVisible && window.trophic.settled);
+/** In the page: pauses the run before its second tick, so that a slow browser sees it from its start. */
+function pauseAtOnce() {
+  const Socket = window.WebSocket;
+  window.WebSocket = class extends Socket {
+    constructor(...address) {
+      super(...address);
+      this.addEventListener("open", () => this.send('{"do": "pause"}'));
+    }
+  };
+}
+
+/** Opens a live page, whose run is paused, and waits until it shows something. */
+async function open(address, inBrowser = browser) {
+  const opened = await inBrowser.openAt(address, "", pauseAtOnce);
+  await opened.until(() => window.trophic?.live?.isVisible && window.trophic.live.state.paused && window.trophic.settled);
   return opened;
 }
 
@@ -53,6 +64,11 @@ test("live: run of 600 s with two changes -> shown as it is recorded, and made a
   const run = await start("live");
   const opened = await open(run.address);
   const { page } = opened;
+  const begun = await opened.evaluate(() => window.trophic.live.newest);
+  assert.ok(begun < 60, `paused at ${begun} s`);
+  await page.locator(".controls select").selectOption("1");
+  await page.keyboard.press("Space");
+  await opened.until((before) => window.trophic.live.newest > before, begun);
   await page.keyboard.press("Space");
   await opened.until(() => window.trophic.live.state.paused);
   await page.getByRole("button", { name: "Numbers" }).click();
@@ -90,7 +106,7 @@ test("live: run of 600 s with two changes -> shown as it is recorded, and made a
   assert.equal(seen.individuals, lines("phylogeny.csv").length);
   assert.equal(seen.dead, lines("events.csv").filter((line) => line.split(",")[2] === "death").length);
   assert.deepEqual(seen.last, agents.slice(-seen.last.length).map((cells) => Number(cells[3])));
-  assert.ok((await opened.pixels("#0072b2")) > 100);
+  await opened.untilPixels("#0072b2", (count) => count > 50);
   assert.deepEqual(opened.complaints, []);
   await page.close();
   assert.equal(await run.ended, 0);
@@ -128,8 +144,7 @@ test("live: number out of bounds, a second page, another run -> one sentence eac
 test("live: on a phone and in the dark -> numbers in a sheet from below", async () => {
   const run = await start("phone");
   const phone = await browser.with({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: "dark" });
-  const opened = await phone.openAt(run.address);
-  await opened.until(() => window.trophic?.live?.isVisible);
+  const opened = await open(run.address, phone);
   assert.equal(await opened.page.evaluate(() => document.documentElement.scrollWidth), 390);
   await opened.page.getByRole("button", { name: "Details" }).click();
   await opened.page.getByRole("button", { name: "Numbers" }).click();

@@ -39,11 +39,13 @@ export class Browser {
     return opened;
   }
 
-  /** Opens an address. */
-  async openAt(address, hash = "") {
+  /** Opens an address. `prepare` is called in the page before its own code. */
+  async openAt(address, hash = "", prepare = () => undefined) {
     const page = await this.context.newPage();
     const opened = new OpenedPage(page, address);
+    page.setDefaultTimeout(patience.timeout);
     await page.addInitScript(noteOpening);
+    await page.addInitScript(prepare);
     opened.session = await this.context.newCDPSession(page);
     await opened.session.send("Performance.enable", { timeDomain: "threadTicks" });
     await page.goto(address + hash);
