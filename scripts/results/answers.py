@@ -24,8 +24,11 @@ def signed(row, keys):
 
 
 def said(row, keys, above, below):
+    """The answer, "barely" if the interval ends within a twentieth of its length from zero."""
     lower, upper = (float(row[key]) for key in keys[1:])
-    return above if lower > 0 else below if upper < 0 else "no significant difference"
+    if lower <= 0 <= upper:
+        return "no significant difference"
+    return (above if lower > 0 else below) + (", barely" if min(abs(lower), abs(upper)) < 0.05 * (upper - lower) else "")
 
 
 def of(rows, **wanted):
