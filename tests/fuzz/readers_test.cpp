@@ -88,6 +88,7 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   experiment.rules.community.predators = 2;
   Ecology<rules::Released> ecology{experiment, backend::Kinematic::Params{}};
   const auto place = [](std::string_view folder) { return std::filesystem::path{CORPUS} / folder / "released-200-s.bin"; };
+  std::filesystem::remove(place("recording"));
   io::Recording recording{place("recording"), io::default_replay_hz};
   ecology.run_until(40.0, recording);
   ecology.run_until(200.0);
