@@ -37,6 +37,7 @@ TEST_CASE("changes: wrong line -> error with its number") {
         std::pair{"time_s,number,value\n1 ,a,1\n", "line 2: time_s = 1 : must be >= 0"},
         std::pair{"time_s,number,value\nnan,a,1\n", "line 2: time_s = nan: must be >= 0"},
         std::pair{"time_s,number,value\ninf,a,1\n", "line 2: time_s = inf: must be >= 0"},
+        std::pair{"time_s,number,value\n0x10,a,1\n", "line 2: time_s = 0x10: must be >= 0"},
         std::pair{"time_s,number,value\n2,a,1\n1,a,2\n", "line 3: time_s = 1: must be >= 2, as in the line above"},
         std::pair{"time_s,number,value\n2,a\n", "line 2: 2 cells: must be 3, as in the first line"},
         std::pair{"time_s,number,value\n2,a,\n", "line 2: value: must not be empty"}}) {

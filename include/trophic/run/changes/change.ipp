@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
+#include <cstdlib>
 #include <stdexcept>
 #include <trophic/params/params.hpp>
 #include <trophic/run/changes/change.hpp>
@@ -69,8 +69,10 @@ TROPHIC_INLINE std::vector<Change> read_changes(const std::filesystem::path& pat
     }
     const std::string& moment = cells[places[0]];
     Change change{.time_s = 0.0, .number = cells[places[1]], .value = cells[places[2]]};
-    const auto read = std::from_chars(moment.data(), moment.data() + moment.size(), change.time_s);
-    const bool is_number = read.ec == std::errc{} && read.ptr == moment.data() + moment.size();
+    // libc++ 19 has no from_chars of floating-point numbers.
+    char* end = nullptr;
+    change.time_s = std::strtod(moment.c_str(), &end);
+    const bool is_number = !moment.empty() && moment.find_first_not_of("0123456789.eE+-") == std::string::npos && *end == '\0';
     if (!is_number || !(change.time_s >= 0.0 && change.time_s <= 1e15)) fail(line + 1, "time_s = " + moment + ": must be >= 0");
     if (!changes.empty() && change.time_s < changes.back().time_s) {
       fail(line + 1, "time_s = " + moment + ": must be >= " + number_text(changes.back().time_s) + ", as in the line above");
