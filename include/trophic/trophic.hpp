@@ -289,6 +289,7 @@
 #include <trophic/run/sweep/sweep_file.hpp>
 #include <trophic/run/sweep/team.hpp>
 #include <trophic/run/sweep/work_through.hpp>
+#include <trophic/support/check_folder.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/clock.hpp>
 #include <trophic/support/colour.hpp>
@@ -308,6 +309,7 @@
 #include <trophic/support/this_program.hpp>
 #include <trophic/support/thread_pool.hpp>
 #include <trophic/support/units.hpp>
+#include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <trophic/support/without_slash.hpp>

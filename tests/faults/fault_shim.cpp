@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Preloaded into a program, makes system calls fail: LD_PRELOAD=this FAULT_CALL=write FAULT_AT=3 makes the third write to a file
-// fail as on a full disk, with FAULT_MODE=from every later one, too. FAULT_CALL: write, fsync, rename, ftruncate or new.
-// FAULT_AT=0: nothing fails, and FAULT_COUNT names a file for the number of calls that there were.
+// fail as on a full disk, with FAULT_MODE=from every later one, too. FAULT_CALL: write, fsync, rename, ftruncate, open, read or
+// new. FAULT_AT=0: nothing fails, and FAULT_COUNT names a file for the number of calls that there were.
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdarg>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -99,6 +102,28 @@ int rename(const char* from, const char* to) noexcept {
 int ftruncate(int file, off_t length) noexcept {
   static const auto real = next<int (*)(int, off_t)>("ftruncate");
   if (!fails("ftruncate")) return real(file, length);
+  errno = EIO;
+  return -1;
+}
+
+/// Of files that are opened to be read: too many are open.
+int open(const char* path, int flags, ...) {
+  using Open = int (*)(const char*, int, ...);
+  static const auto real = next<Open>("open");
+  std::va_list more;
+  va_start(more, flags);
+  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;
+  va_end(more);
+  if ((flags & O_ACCMODE) != O_RDONLY || !fails("open")) return real(path, flags, mode);
+  errno = EMFILE;
+  return -1;
+}
+
+/// Of files: a disk that fails. Pipes are read as ever.
+ssize_t read(int file, void* bytes, std::size_t size) {
+  static const auto real = next<ssize_t (*)(int, void*, std::size_t)>("read");
+  struct stat status {};
+  if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || !fails("read")) return real(file, bytes, size);
   errno = EIO;
   return -1;
 }

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""faults_test.py PREDATOR_PREY SHIM [--all]: the k-th write, fsync, rename, ftruncate or allocation of a run fails.
+"""faults_test.py PREDATOR_PREY SHIM TROPHIC [--all]: the k-th write, fsync, rename, ftruncate, open, read or allocation fails.
 
-After each: no crash, one clear line, nothing that looks complete and is not, and --resume comes to the same bytes. Every k of the
-calls to the system; of the allocations some, with --all every one."""
+After each of a run: no crash, one clear line, nothing that looks complete and is not, nothing that was written is set aside, and
+--resume comes to the same bytes. After each of a tool: no crash, one clear line, and its outputs whole or absent. Every k of the
+calls to the system of a run; of the allocations, and of the calls of tools, some, with --all every one."""
 
 import json
 import os
@@ -16,7 +17,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
 from in_folder import InFolder  # noqa: E402
 
-PROGRAM, SHIM = sys.argv.pop(1), sys.argv.pop(1)
+PROGRAM, SHIM, TROPHIC = (sys.argv.pop(1) for _ in range(3))
 ALL = "--all" in sys.argv
 if ALL:
     sys.argv.remove("--all")
@@ -75,6 +76,8 @@ class Faults(InFolder):
                 shutil.copytree(self.folder / "cut", self.folder / "run")
             done = self.call("run", *arguments, fault=fault, at=at, mode=mode)
             self.assert_sound(done)
+            if arguments:
+                self.assertEqual(list(self.folder.glob("run.incomplete*")), [], "what was written was set aside")
             self.assert_resumes()
         for path in self.folder.glob("run*"):
             shutil.rmtree(path)
@@ -92,7 +95,7 @@ class Faults(InFolder):
         tried = 0
         self.cut_off()
         for arguments in ((), ("--resume",)):
-            for fault in ("write", "fsync", "rename", "ftruncate"):
+            for fault in ("write", "fsync", "rename", "ftruncate", "open", "read"):
                 for at in range(1, self.count(fault, *arguments) + 1):
                     for mode in ("once", "from") if ALL or fault == "write" else ("once",):
                         self.try_fault(fault, at, mode, *arguments)
@@ -160,6 +163,93 @@ class Faults(InFolder):
             (self.folder / "code").unlink(missing_ok=True)
         print(f"{full} full disks", file=sys.stderr)
         self.assertGreater(full, 2)
+
+
+SWEEP = """engine = "kinematic"
+replicates = 2
+[set]
+ecology.robots = 16
+ecology.duration_s = 12.0
+[grid]
+rules.mutation.sd = [0.05, 0.1]
+"""
+TOOLS = {
+    "analyze": (TROPHIC, "analyze", "set", "--jobs", "1", "--out", "new"),
+    "analyze a sweep": (TROPHIC, "analyze", "sweep", "--out", "new"),
+    "analyze into a page": (TROPHIC, "analyze", "set", "--jobs", "1", "--html", "new.html", "--out", "new"),
+    "cite": (TROPHIC, "cite", "set"),
+    "contest": (TROPHIC, "contest", "set", "--epochs", "0,8", "--duration", "4", "--teams", "2", "--team-size", "2", "--jobs", "1",
+                "--out", "new"),
+    "convert": (TROPHIC, "convert", "body.txt", "--out", "new.toml"),
+    "export": (TROPHIC, "export", "set/replicate-00", "--out", "new.glb"),
+    "film": (TROPHIC, "film", "set/replicate-00", "--out", "new.png"),
+    "show": (TROPHIC, "show", "set/replicate-00", "--out", "new.html"),
+    "status": (PROGRAM, "--status", "--out", "sweep"),
+}
+
+
+class OfTools(InFolder):
+    """The tools read runs and write files and folders whose names begin with "new"."""
+
+    def call(self, words, **environment):
+        return subprocess.run(words, cwd=self.folder, env=os.environ | environment, capture_output=True, text=True, timeout=120)
+
+    def outputs(self):
+        return {str(path.relative_to(self.folder)): path.read_bytes() for path in sorted(self.folder.rglob("new*/**/*")) + sorted(self.folder.glob("new*"))
+                if path.is_file()}
+
+    def clear(self):
+        for path in self.folder.glob("new*"):
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "sweep.toml").write_text(SWEEP)
+        (self.folder / "body.txt").write_text("0 CoreComponent Core 0\n\t0 ActiveHinge Hip 1\n")
+        for words in ((PROGRAM, *RUN, "--replicates", "2", "--out", "set"), (PROGRAM, "--sweep", "sweep.toml", "--out", "sweep")):
+            done = self.call(words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def count(self, words, fault):
+        self.call(words, LD_PRELOAD=SHIM, FAULT_CALL=fault, FAULT_AT="0", FAULT_COUNT="count.txt")
+        self.clear()
+        return int((self.folder / "count.txt").read_text())
+
+    @staticmethod
+    def chosen(fault, calls):
+        if ALL:
+            return range(1, calls + 1, 1 + calls // 200 if fault == "new" else 1)
+        return sorted({calls // 2 + 1, calls} if fault == "new" else {1, calls} - {0})
+
+    def check(self, words, whole, fault, at):
+        done = self.call(words, LD_PRELOAD=SHIM, FAULT_CALL=fault, FAULT_AT=str(at), FAULT_MODE="once")
+        left = self.outputs()
+        self.clear()
+        self.assertIn(done.returncode, (0, 1, 2), done.stderr)
+        for word in CRASHES:
+            self.assertNotIn(word, done.stderr)
+        if done.returncode == 0:
+            self.assertEqual(left, whole)
+        else:
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            for name, content in left.items():
+                self.assertEqual(content, whole.get(name), f"{name}: is there, and is not whole")
+
+    def test_tools(self):
+        tried = 0
+        for name, words in TOOLS.items():
+            done = self.call(words)
+            self.assertEqual(done.returncode, 0, (name, done.stderr))
+            whole = self.outputs()
+            self.clear()
+            for fault in ("write", "fsync", "rename", "open", "read", "new"):
+                calls = self.count(words, fault)
+                for at in self.chosen(fault, calls):
+                    with self.subTest(name=name, fault=fault, at=at, of=calls):
+                        self.check(words, whole, fault, at)
+                    tried += 1
+        print(f"{tried} faults of tools", file=sys.stderr)
+        self.assertGreater(tried, 50)
 
 
 if __name__ == "__main__":

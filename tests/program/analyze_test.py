@@ -293,12 +293,12 @@ class Analyze(InFolderWithSets):
         self.assertIn('replicate-01/events.csv:1: no column "time_s"', refused.stderr)
 
     def test_usage_errors(self):
-        for arguments, text in ((["nowhere"], "nowhere: is not a folder"), ([], "either folders of runs, or --compare"),
+        for arguments, text in ((["nowhere"], "nowhere: does not exist"), ([], "either folders of runs, or --compare"),
                                 (["paper", "--compare", "paper", "paper"], "either folders of runs, or --compare"),
                                 (["--compare", "paper", "paper", "--published"], "--compare: not with --shadow or --published"),
                                 (["paper", "--until", -1], "--until -1: must be > 0"),
                                 (["paper", "--until", 1002], "must be >= 1002 s"),
-                                (["paper", "--shadow", "nowhere"], "nowhere: is not a folder")):
+                                (["paper", "--shadow", "nowhere"], "nowhere: does not exist")):
             with self.subTest(arguments=arguments):
                 result = self.analyze(*arguments)
                 self.assertIn(result.returncode, (1, 2))
@@ -360,7 +360,7 @@ class Analyze(InFolderWithSets):
         wrong = self.call(TROPHIC, "plot", "partly")
         self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
         self.assertIn("not what trophic analyze writes", wrong.stderr)
-        self.assertIn("is not a folder", self.call(TROPHIC, "plot", "nowhere").stderr)
+        self.assertIn("nowhere: does not exist", self.call(TROPHIC, "plot", "nowhere").stderr)
 
     def test_a_page_of_table_figures_and_replays(self):
         set_, figures = self.sets / "released", self.folder / "figures"

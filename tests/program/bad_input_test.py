@@ -91,7 +91,7 @@ class BadInput(InFolder):
         (self.folder / "empty").mkdir()
         for command in (["analyze"], ["show", "-o", "x"], ["film", "-o", "x.png"], ["export", "-o", "x.glb"], ["analyze", "--compare", "no"]):
             with self.subTest(command=command):
-                self.assertIn("no: is not a folder", self.refused(TROPHIC, *command, "no"))
+                self.assertIn("no: does not exist", self.refused(TROPHIC, *command, "no"))
         self.assertIn("empty/manifest.json: cannot be read", self.refused(TROPHIC, "analyze", "empty"))
         for command in (["evolve-gait", "--config", "no.toml", "--out", "x"], ["evolve-gait", "--robot", "no.toml", "--out", "x"],
                         ["measure-gait", "--robot", "no.toml"], ["measure-gait", "--gait", "no.toml"]):

@@ -35,6 +35,7 @@ COMMANDS = {
     "cross-check": [TROPHIC, "cross-check", "--seconds", "0.2"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
     "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
+    "contest": [TROPHIC, "contest", "set", "--epochs", "0,40", "--duration", "10", "--teams", "2", "--team-size", "2", "--out", "new"],
     "convert": [TROPHIC, "convert", "body.txt", "--out", "new.toml"],
     "plot": [TROPHIC, "plot", "run"],
     "cite": [TROPHIC, "cite", "run"],

@@ -235,7 +235,7 @@ class Pages(InFolderWithSets):
         self.assertEqual((self.folder / "page.html").read_text(), "mine")
 
     def test_folders_without_a_recorded_run_are_refused(self):
-        self.assert_refused(r"none: is not a folder", "none")
+        self.assert_refused(r"none: does not exist", "none")
         self.assert_refused(r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded")
         self.assert_refused(r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown", self.sets / "thinned")
         self.assert_refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)

@@ -459,7 +459,7 @@ class Refusals(Sweeps):
 
     def test_status_of_another_folder(self):
         (self.folder / "out").mkdir()
-        for arguments, says in (([], "--status: needs --out"), (["--out", "out"], "--status: out is not a sweep's folder: it has no plan.jsonl")):
+        for arguments, says in (([], "--status: needs --out"), (["--out", "out"], "out: is not a sweep's folder: it has no plan.jsonl"), (["--out", "none"], "none: does not exist")):
             done = self.run_words(OPTIONS.program, "--status", *arguments)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1))
             self.assertIn(says, done.stderr)

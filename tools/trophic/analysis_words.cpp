@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/reading.hpp>
@@ -129,15 +128,6 @@ AnalysisPage::Row row_of(const analysis::ShadowedSet& set, const analysis::Summa
   return made;
 }
 
-/// metrics.csv as a text.
-std::string metrics_csv(std::span<const analysis::ShadowedSet> sets, const std::filesystem::path& scratch) {
-  std::filesystem::remove(scratch);
-  analysis::write_metrics(scratch, sets);
-  std::string text = read_whole_file(scratch);
-  std::filesystem::remove(scratch);
-  return text;
-}
-
 std::string table_csv(const std::vector<AnalysisPage::Row>& rows) {
   const auto quoted = [](const std::string& text) {
     return text.find_first_of(",\"") == std::string::npos ? text : '"' + text + '"';
@@ -160,8 +150,7 @@ void add_command(AnalysisPage& page, const analysis::RunSet& set) {
 
 }  // namespace
 
-void describe(AnalysisPage& page, std::span<const analysis::ShadowedSet> sets, const std::string& command,
-              const std::filesystem::path& scratch) {
+void describe(AnalysisPage& page, std::span<const analysis::ShadowedSet> sets, const std::string& command) {
   std::vector<std::vector<analysis::SummaryRow>> rows;
   for (const analysis::ShadowedSet& set : sets) {
     rows.push_back(analysis::summarize(set.ours.runs, set.shadow_runs()));
@@ -184,7 +173,7 @@ void describe(AnalysisPage& page, std::span<const analysis::ShadowedSet> sets, c
   add_findings(page, sets, rows);
   page.commands.push_back(command);
   page.downloads.push_back({"table.csv", table_csv(page.rows)});
-  page.downloads.push_back({"metrics.csv", metrics_csv(sets, scratch)});
+  page.downloads.push_back({"metrics.csv", analysis::metrics_text(sets)});
 }
 
 }  // namespace trophic::command

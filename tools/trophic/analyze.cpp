@@ -134,7 +134,7 @@ void write_page(const Options& options, std::span<const analysis::ShadowedSet> s
   }
   page.facts.emplace_back("analysed by", "trophic " + std::string{trophic::version});
   if (!options.figures.empty()) page.figures = read_figures(options.figures);
-  describe(page, sets, command_of(options), options.html + ".metrics.part");
+  describe(page, sets, command_of(options));
   const std::string html = html_of(page);
   write_new_file(options.html, html);
   std::cout << "page    " << options.html << ": " << page.figures.size() << " figures, " << page.replays.size() << " replays, "

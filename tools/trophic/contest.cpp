@@ -128,9 +128,10 @@ class Passing {
   if (failed != 0) throw std::invalid_argument{"--program " + program + ": " + std::strerror(failed)};
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw std::invalid_argument{"--program " + program + ": did not play the contests; its message is above"};
-  }
+  const std::string who = "--program " + program + ": did not play the contests";
+  if (WIFSIGNALED(status)) throw std::runtime_error{who + ": ended by signal " + std::to_string(WTERMSIG(status))};
+  if (WEXITSTATUS(status) == stopped) throw std::runtime_error{who + ": stopped by a signal"};
+  if (WEXITSTATUS(status) != 0) throw std::invalid_argument{who + "; its message is above"};
   return contest::read_outcomes(outcomes.path(), plan.matches.size());
 }
 

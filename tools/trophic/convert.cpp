@@ -11,6 +11,7 @@
 #include <trophic/command/option.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/habitat/body/build.hpp>
+#include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -46,6 +47,9 @@ inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
   std::cout << options.out << ": " << robot.hinges.size() << (robot.hinges.size() == 1 ? " hinge, " : " hinges, ") << bricks
             << (bricks == 1 ? " brick" : " bricks") << ", from " << body.format
             << "; its brain, sizes and masses are not converted\n";
+  if (body.format == trophic::detail::robogen_text) {
+    std::cout << "slot 0, which RoboGen calls left, is on the right of its front and becomes right; slot 1 becomes left\n";
+  }
   flush_output();
   return 0;
 }

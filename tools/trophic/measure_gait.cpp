@@ -73,6 +73,14 @@ std::size_t print_walk(const RobotModel& robot, const Gait& gait, double duratio
   return measured;
 }
 
+/// A name as a cell, in quotes if it has a comma or a quote.
+[[nodiscard]] std::string cell_of(const std::string& name) {
+  if (name.find_first_of(",\"") == std::string::npos) return name;
+  std::string cell = "\"";
+  for (const char c : name) cell += c == '"' ? std::string{"\"\""} : std::string{c};
+  return cell + "\"";
+}
+
 /// Returns how many walks could be measured.
 template <Backend B>
 std::size_t print_table(const RobotModel& robot, const Gait& gait, double duration_s) {
@@ -81,8 +89,8 @@ std::size_t print_table(const RobotModel& robot, const Gait& gait, double durati
   for (const Physics& how : physics) {
     double engine_share = 0.0;
     for (const double target_angle_rad : {0.7, 0.0, -0.7}) {
-      std::cout << robot.name << "," << gait.name << "," << enum_name(how.integrator) << "," << how.timestep_s << ","
-                << target_angle_rad << ",";
+      std::cout << cell_of(robot.name) << "," << cell_of(gait.name) << "," << enum_name(how.integrator) << "," << how.timestep_s
+                << "," << target_angle_rad << ",";
       try {
         const gait_evolution::Track track =
             gait_evolution::try_out<B>(robot, gait, control::steering::TargetedSteering{}, {.duration_s = duration_s}, how, {},

@@ -13,6 +13,7 @@
 #include <string>
 #include <system_error>
 #include <trophic/command/output.hpp>
+#include <trophic/support/check_folder.hpp>
 #include <trophic/support/this_program.hpp>
 #include <vector>
 
@@ -42,7 +43,7 @@ struct Options {
 
 [[nodiscard]] int run(const Options& options) {
   const std::filesystem::path analysis = options.analysis;
-  if (!std::filesystem::is_directory(analysis)) throw std::invalid_argument{options.analysis + ": is not a folder"};
+  check_folder(analysis);
   check_new_file("--out", options.out ? std::filesystem::path{*options.out} : analysis / "figures");
   const std::filesystem::path program = program_path();
   const std::filesystem::path folder = module_folder(program);

@@ -292,7 +292,7 @@ TROPHIC_INLINE OriginRun read_origin(const ExperimentOptions& options) {
                                 "--changes, or begin from a run without changes"};
   }
   const auto last_s = checkpoint::last_moment_s(origin.moment.run);
-  if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no checkpoint"};
+  if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no whole checkpoint"};
   origin.moment.at_s = options.at_s.value_or(last_s.value_or(0.0));
   if (!(origin.moment.at_s >= 0.0) || std::isinf(origin.moment.at_s)) {
     throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be >= 0 and finite"};

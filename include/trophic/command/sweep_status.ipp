@@ -20,6 +20,7 @@
 #include <trophic/run/sweep/attempt.hpp>
 #include <trophic/run/sweep/claim.hpp>
 #include <trophic/run/sweep/plan_file.hpp>
+#include <trophic/support/check_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
@@ -70,9 +71,9 @@ namespace detail::sweeps {
 TROPHIC_INLINE int sweep_status(const ExperimentOptions& options) {
   if (options.out.empty()) throw std::invalid_argument{"--status: needs --out, the folder of a sweep"};
   const std::filesystem::path out = options.out;
+  check_folder(out);
   if (!std::filesystem::exists(out / sweep::plan_name)) {
-    throw std::invalid_argument{"--status: " + options.out + " is not a sweep's folder: it has no " +
-                                std::string{sweep::plan_name}};
+    throw std::invalid_argument{options.out + ": is not a sweep's folder: it has no " + std::string{sweep::plan_name}};
   }
   const std::vector<sweep::PlannedRun> plan = sweep::read_plan(out / sweep::plan_name);
   using Kind = std::pair<std::string, std::string>;

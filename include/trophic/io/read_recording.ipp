@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -143,7 +146,7 @@ TROPHIC_INLINE void RecordingReader::scan() {
     throw std::runtime_error{reason.what()};
   }
   std::ifstream file{path_, std::ios::binary};
-  if (!file) throw std::runtime_error{name + ": cannot be read"};
+  if (!file) throw std::runtime_error{name + ": cannot be read: " + std::strerror(errno)};
   std::string start(recording::magic.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   if (!file || start != recording::magic) throw std::runtime_error{name + ": is not a trophic recording"};
@@ -171,6 +174,7 @@ TROPHIC_INLINE void RecordingReader::scan() {
     }
     std::array<char, 4> written_sum{};
     file.read(written_sum.data(), written_sum.size());
+    if (file.bad()) throw std::runtime_error{name + ": cannot be read at byte " + std::to_string(at)};
     if (!file) {
       const std::string where = nothing ? "after " : "in the middle of the block after ";
       if (blocks_.empty()) throw std::runtime_error{name + ": ends before its first frames"};
@@ -224,6 +228,8 @@ TROPHIC_INLINE void RecordingReader::read_head(const std::string& text) {
     } else {
       recording::read_run(json, head_);
     }
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw std::runtime_error{path_.string() + ": its head cannot be read: " + error.what()};
   }
@@ -232,6 +238,8 @@ TROPHIC_INLINE void RecordingReader::read_head(const std::string& text) {
 TROPHIC_INLINE void RecordingReader::read_body(const std::string& text) {
   try {
     bodies_.push_back(recording::robot_of(parse_json(text)));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw std::runtime_error{path_.string() + ": a body cannot be read: " + error.what()};
   }
@@ -324,12 +332,14 @@ TROPHIC_INLINE std::int16_t RecordingReader::value(std::size_t frame, std::size_
 TROPHIC_INLINE void RecordingReader::unpack(std::size_t number) const {
   const Block& block = blocks_[number];
   std::ifstream file{path_, std::ios::binary};
+  if (!file) throw std::runtime_error{path_.string() + ": cannot be read: " + std::strerror(errno)};
   file.seekg(block.at);
   std::string bytes(block.bytes, '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   const auto damaged = [&] {
     return std::runtime_error{path_.string() + ": damaged, the block of frame " + std::to_string(block.first_frame)};
   };
+  if (file.bad()) throw std::runtime_error{path_.string() + ": cannot be read at byte " + std::to_string(block.at)};
   if (!file) throw damaged();
   unpacked_.resize(blocks_.size());
   try {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -30,7 +31,7 @@ class FolderLock {
  public:
   /// Throws std::runtime_error if the folder cannot be opened, is locked, or has just been removed by the program that held it.
   explicit FolderLock(const std::filesystem::path& folder) : file_{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
-    if (file_ < 0) throw std::runtime_error{folder.string() + ": cannot open it as a folder"};
+    if (file_ < 0) throw std::runtime_error{folder.string() + ": cannot be opened as a folder: " + std::strerror(errno)};
     if (!lock_named(file_, folder)) {
       ::close(file_);
       throw std::runtime_error{folder.string() + ": another program is running in it"};

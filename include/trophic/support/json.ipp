@@ -12,9 +12,15 @@ namespace trophic {
 
 namespace detail {
 
-/// Returns the text up to the first bracket that is nested too deep or key that is one too many, which is then not JSON. The
-/// library copies and destroys nested values by recursion, and compares a key with each one before it.
-[[nodiscard]] TROPHIC_INLINE std::string_view within_bounds(std::string_view text) {
+/// JSON that is not parsed, with the bound that it exceeds.
+class ExcessiveJson : public Json::exception {
+ public:
+  explicit ExcessiveJson(const char* what) : exception{0, what} {}
+};
+
+/// Returns how a text exceeds a bound, or null. The library copies and destroys nested values by recursion, and compares a key
+/// with each one before it.
+[[nodiscard]] TROPHIC_INLINE const char* excess_of(std::string_view text) {
   constexpr std::size_t most_depth = 64;
   constexpr std::size_t most_keys = 10000;
   std::array<std::size_t, most_depth + 1> keys{};
@@ -27,25 +33,27 @@ namespace detail {
     } else if (c == '"') {
       in_text = !in_text;
     } else if (!in_text && (c == '[' || c == '{')) {
-      if (++depth > most_depth) return text.substr(0, at);
+      if (++depth > most_depth) return "is JSON nested more than 64 deep, which is not read";
       keys[depth] = 0;
     } else if (!in_text && c == ':') {
-      if (++keys[depth] > most_keys) return text.substr(0, at);
+      if (++keys[depth] > most_keys) return "is JSON with more than 10000 keys in an object, which is not read";
     } else if (!in_text && (c == ']' || c == '}') && depth > 0) {
       --depth;
     }
   }
-  return text;
+  return nullptr;
 }
 
 }  // namespace detail
 
 TROPHIC_INLINE Json parse_json(std::string_view text) {
-  return Json::parse(detail::within_bounds(text));
+  if (const char* const excess = detail::excess_of(text)) throw detail::ExcessiveJson{excess};
+  return Json::parse(text);
 }
 
 TROPHIC_INLINE Json parse_json_or_null(std::string_view text) {
-  Json json = Json::parse(detail::within_bounds(text), nullptr, false);
+  if (detail::excess_of(text) != nullptr) return nullptr;
+  Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) json = nullptr;
   return json;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <trophic/support/linkage.hpp>
 
@@ -21,8 +22,10 @@ class NewFile {
 
   /// The final name.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// The name to write to until then; the file is empty.
+  /// The name until then.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
+  /// A path by which another program opens this file while this object lives, also if its name leads elsewhere by then.
+  [[nodiscard]] std::string opened_again() const;
 
   /// Appends a text. Throws.
   void write(std::string_view text);

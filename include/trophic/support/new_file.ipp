@@ -53,6 +53,10 @@ TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(pa
   };
   if (std::filesystem::exists(std::filesystem::symlink_status(path_))) refuse("it exists");
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(part_))) ::unlink(part_.c_str());
+  const auto status = std::filesystem::symlink_status(part_);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    refuse(part_.string() + " is in the way and is not a file");
+  }
   const int left = detail::open_locked(part_, 0);
   if (left < 0) refuse(reason());
   // Not the file itself: a child of a killed program may still write to it.
@@ -66,6 +70,14 @@ TROPHIC_INLINE NewFile::~NewFile() {
   if (file_ < 0) return;
   ::unlink(part_.c_str());
   ::close(file_);
+}
+
+TROPHIC_INLINE std::string NewFile::opened_again() const {
+#if defined(__linux__)
+  const std::string path = "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(file_);
+  if (::access(path.c_str(), W_OK) == 0) return path;  // else /proc is not mounted
+#endif
+  return part_.string();
 }
 
 TROPHIC_INLINE void NewFile::write(std::string_view text) {

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic {
@@ -27,9 +28,9 @@ class ReadFile {
     file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     struct stat status {};
     if (file_ < 0 || ::fstat(file_, &status) != 0) {
-      const std::string why = std::strerror(errno);
+      const int reason = errno;
       close();
-      refuse("cannot be read: " + why);
+      refuse_to_read(reason);
     }
     if (!S_ISREG(status.st_mode)) {
       close();
@@ -50,7 +51,7 @@ class ReadFile {
     while (have < text.size()) {
       const ::ssize_t got = ::read(file_, text.data() + have, text.size() - have);
       if (got < 0 && errno == EINTR) continue;
-      if (got < 0) refuse("cannot be read: " + std::string{std::strerror(errno)});
+      if (got < 0) refuse_to_read(errno);
       if (got == 0) break;
       have += static_cast<std::size_t>(got);
     }
@@ -61,6 +62,14 @@ class ReadFile {
   [[noreturn]] void refuse(const std::string& why) const { throw std::invalid_argument{path_.string() + ": " + why}; }
 
  private:
+  [[noreturn]] void refuse_to_read(int reason) const {
+    const std::string why = std::string{"cannot be read: "} + std::strerror(reason);
+    for (const int is_no_file : {ENOENT, ENOTDIR, ELOOP, ENXIO, ENAMETOOLONG}) {
+      if (reason == is_no_file) refuse(why);
+    }
+    throw UnreadableFile{path_.string() + ": " + why};
+  }
+
   void close() {
     if (file_ >= 0) ::close(file_);
     file_ = -1;
@@ -73,6 +82,7 @@ class ReadFile {
 
 }  // namespace detail
 
+// Both throw UnreadableFile, an std::invalid_argument, if the system refuses to read a file that is there.
 TROPHIC_INLINE std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
   const detail::ReadFile file{path};
   if (file.size() > most_bytes) {

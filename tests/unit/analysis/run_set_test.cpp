@@ -74,7 +74,7 @@ TEST_CASE("read_set: a run without manifest or table among others -> error, no n
   CHECK(refusal(Paths{good, broken}).starts_with((broken / "agents.csv").string() + ": cannot be read: "));
   const auto none = folder.path() / "none";
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(read_set(Paths{none})); }) ==
-        none.string() + ": is not a folder");
+        none.string() + ": does not exist");
 }
 
 TEST_CASE("the shadow in the runs' folder is found, another one can be named") {

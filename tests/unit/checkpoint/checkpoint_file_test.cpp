@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -7,7 +8,10 @@
 #include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
+#include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
+#include <vector>
 
 namespace {
 
@@ -81,4 +85,23 @@ TEST_CASE("checkpoint file: missing or damaged -> its predecessor is read") {
   CHECK(checkpoint::exists(folder.path()));
   CHECK(checkpoint::read_last(folder.path()).tick == 2);
   CHECK_FALSE(std::filesystem::exists(folder.path() / "checkpoint.bin.part"));
+}
+
+TEST_CASE("checkpoint file: the system refuses to read it -> error with its reason, and nothing is removed") {
+  const TemporaryFolder folder;
+  checkpoint::write(folder.path(), moment(1));
+  checkpoint::write(folder.path(), moment(2));
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_NOFILE, &before) == 0);
+  const rlimit none{.rlim_cur = 0, .rlim_max = before.rlim_max};
+  std::vector<std::string> said;
+  const auto refused = [&](auto&& read) { said.push_back(message_of<UnreadableFile>(read)); };
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
+  refused([&] { static_cast<void>(checkpoint::read_last(folder.path())); });
+  refused([&] { static_cast<void>(checkpoint::read_all(folder.path())); });
+  refused([&] { static_cast<void>(checkpoint::status_of(folder.path())); });
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &before) == 0);
+  for (const std::string& sentence : said) CHECK(sentence.ends_with(": cannot be read: Too many open files"));
+  CHECK(checkpoint::read_last(folder.path()).tick == 2);
+  CHECK(checkpoint::read_all(folder.path()).size() == 2);
 }

@@ -78,5 +78,21 @@ TEST_CASE("a new file is made neither in a folder that is not there nor in a pip
   };
   CHECK(refusal("none/x").ends_with("none/x: No such file or directory"));
   REQUIRE(::mkfifo((folder.path() / "pipe.part").c_str(), 0600) == 0);
-  CHECK(refusal("pipe").ends_with("pipe: No such device or address"));
+  CHECK(refusal("pipe").ends_with("pipe.part is in the way and is not a file"));
+  std::filesystem::create_directory(folder.path() / "folder.part");
+  CHECK(refusal("folder").ends_with("folder.part is in the way and is not a file"));
+}
+
+TEST_CASE("new file: its name is changed to a link while it is written -> what other programs write goes into the file") {
+  const test::TemporaryFolder folder;
+  const std::string precious = folder.file("precious", "text");
+  const std::filesystem::path path = folder.path() / "film.mp4";
+  {
+    const NewFile file{path};
+    std::filesystem::rename(file.part(), folder.path() / "moved");
+    std::filesystem::create_symlink(precious, file.part());
+    std::ofstream{file.opened_again()} << "film";
+  }
+  CHECK(read_whole_file(precious) == "text");
+  CHECK(read_whole_file(folder.path() / "moved") == "film");
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 #include <trophic/run/changes/change.hpp>
+#include <trophic/support/check_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -14,7 +15,7 @@
 namespace trophic::analysis {
 
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path, std::vector<std::string>& remarks) {
-  if (!std::filesystem::is_directory(path)) throw std::invalid_argument{path.string() + ": is not a folder"};
+  check_folder(path);
   const std::filesystem::path list = path / "replicates.json";
   if (!std::filesystem::exists(list)) return {path};
   std::vector<std::filesystem::path> folders;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/plain_text.hpp>
+#include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <vector>
 
@@ -132,6 +133,8 @@ RunManifest read_manifest(const std::filesystem::path& folder) {
   std::string text;
   try {
     text = read_whole_file(path, checkpoint::largest_manifest);
+  } catch (const UnreadableFile& error) {
+    throw std::runtime_error{error.what()};
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error{std::string{error.what()} + "; is " + folder.string() + " a run's folder?"};
   }

@@ -47,4 +47,7 @@ struct MetricRow {
 /// Throws std::runtime_error if the file exists or cannot be written.
 void write_metrics(const std::filesystem::path& path, std::span<const ShadowedSet> sets);
 
+/// The same as a text.
+[[nodiscard]] std::string metrics_text(std::span<const ShadowedSet> sets);
+
 }  // namespace trophic::analysis

@@ -310,13 +310,14 @@ ForeignBody read_foreign_body(std::string_view text, const std::string& file) {
     throw std::invalid_argument{file + ": is " + (format.empty() ? "in no format that is known" : format) +
                                 ": must be a body of revolve2 or Revolve (JSON, YAML) or RoboGen's text"};
   }
+  Json whole;
   try {
-    const Json whole = is_json ? parse_json(text) : read_block_yaml(text, file);
-    const bool has_body = whole.is_object() && whole.contains("body");
-    return read_modules(has_body ? whole.at("body") : whole, has_body, format, file);
+    whole = is_json ? parse_json(text) : read_block_yaml(text, file);
   } catch (const Json::exception& error) {
-    throw std::invalid_argument{file + ": must be JSON nested at most 64 deep: " + error.what()};
+    throw std::invalid_argument{file + ": " + error.what()};
   }
+  const bool has_body = whole.is_object() && whole.contains("body");
+  return read_modules(has_body ? whole.at("body") : whole, has_body, format, file);
 }
 
 std::string robot_file(const ForeignBody& body, const std::string& name) {

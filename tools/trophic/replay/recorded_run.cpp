@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tools/trophic/replay/own_tables.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/check_folder.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 
@@ -29,7 +30,7 @@ Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead&
 }
 
 RecordedRun open_run(const std::filesystem::path& folder) {
-  if (!std::filesystem::is_directory(folder)) throw std::invalid_argument{folder.string() + ": is not a folder"};
+  check_folder(folder);
   const std::filesystem::path path = folder / "replay.trp";
   if (!std::filesystem::exists(path)) {
     throw std::invalid_argument{path.string() + ": is not there; a run with --replay-hz 0 leaves none"};

@@ -62,10 +62,10 @@ void write(const std::filesystem::path& folder, Checkpoint checkpoint);
 [[nodiscard]] bool exists(const std::filesystem::path& folder);
 
 /// checkpoint.bin, or its predecessor if it is missing or damaged: then a damaged one is removed. Throws std::invalid_argument if
-/// neither can be read, with the fault of the last one.
+/// neither is whole, with the fault of the last one; UnreadableFile if the system refuses to read one.
 [[nodiscard]] Checkpoint read_last(const std::filesystem::path& folder);
 
-/// All readable checkpoints, the last one first. Skips others without an exception.
+/// All whole checkpoints, the last one first. Skips others without an exception; throws UnreadableFile.
 [[nodiscard]] std::vector<Checkpoint> read_all(const std::filesystem::path& folder);
 
 /// Removes the predecessor, for a run that has ended.

@@ -15,6 +15,7 @@
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/replace_file.hpp>
+#include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
@@ -104,6 +105,8 @@ TROPHIC_INLINE Checkpoint read_last(const std::filesystem::path& folder) {
   };
   try {
     return read(file_name);
+  } catch (const UnreadableFile&) {
+    throw;
   } catch (const std::invalid_argument&) {
     if (!std::filesystem::exists(folder / predecessor_name)) throw;
     Checkpoint before = read(predecessor_name);
@@ -119,6 +122,8 @@ TROPHIC_INLINE std::vector<Checkpoint> read_all(const std::filesystem::path& fol
   for (const std::string_view name : {file_name, predecessor_name}) {
     try {
       found.push_back(from_bytes(detail::read_bytes(folder / name), std::string{name}));
+    } catch (const UnreadableFile&) {
+      throw;
     } catch (const std::invalid_argument&) {  // the other one may be whole
       continue;
     }

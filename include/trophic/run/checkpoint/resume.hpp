@@ -30,7 +30,8 @@ struct RunState {
 /// More than any manifest, bytes: what is read of one takes many times as much memory.
 inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;
 
-/// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no manifest that can be read.
+/// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no whole manifest.
+/// Throws UnreadableFile, as the functions below, if the system refuses to read a file of the folder.
 [[nodiscard]] std::string status_of(const std::filesystem::path& folder);
 
 /// Whether a folder holds all of a run to `until_s`: its manifest says so, and its tables are there.
@@ -46,7 +47,7 @@ void check_build(const std::filesystem::path& folder);
 /// Moves a folder to "FOLDER.incomplete-K" and returns the new path.
 [[nodiscard]] std::filesystem::path rename_incomplete(const std::filesystem::path& folder);
 
-/// Looks at the folder of a run that is to be resumed. A folder without a readable checkpoint, or with one of another version of
+/// Looks at the folder of a run that is to be resumed. A folder without a whole checkpoint, or with one of another version of
 /// trophic, is set aside, as nothing can be resumed there. Throws std::invalid_argument if the folder is of a run with other
 /// rules, numbers or another seed, if another build of the program wrote its checkpoint and `other_build` does not accept that,
 /// if it lacks a table of a complete run, or has links in it; std::runtime_error if another program works in it.

@@ -17,6 +17,7 @@
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/plain_text.hpp>
+#include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <trophic/support/without_slash.hpp>
@@ -27,12 +28,14 @@ namespace trophic::checkpoint {
 
 namespace detail {
 
-/// manifest.json; null if it cannot be read.
+/// manifest.json; null if it is missing or damaged. Throws UnreadableFile.
 [[nodiscard]] inline Json manifest_in(const std::filesystem::path& folder) {
   try {
     auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json", largest_manifest));
     return manifest.is_object() ? manifest : Json{};
-  } catch (const std::invalid_argument&) {  // an unreadable manifest counts as none
+  } catch (const UnreadableFile&) {  // it may be that of a complete run
+    throw;
+  } catch (const std::invalid_argument&) {
     return {};
   }
 }
@@ -82,13 +85,15 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
   }
 }
 
-/// The last checkpoint of this version that can be read, or why there is none.
+/// The last checkpoint of this version that is whole, or why there is none. Throws UnreadableFile.
 [[nodiscard]] inline std::pair<std::optional<Checkpoint>, std::string> last_in(const std::filesystem::path& folder) {
   if (!checkpoint::exists(folder)) return {std::nullopt, "it has no checkpoint"};
   try {
     Checkpoint last = read_last(folder);
     if (last.program_version != version) return {std::nullopt, "its checkpoint is of trophic " + last.program_version};
     return {std::move(last), ""};
+  } catch (const UnreadableFile&) {
+    throw;
   } catch (const std::invalid_argument& error) {
     return {std::nullopt, error.what()};
   }

@@ -17,6 +17,7 @@
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/replace_file.hpp>
+#include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 #include <vector>
@@ -117,6 +118,8 @@ class Folder {
     std::string text;
     try {
       text = read_whole_file(path);
+    } catch (const UnreadableFile&) {
+      throw;
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{std::string{error.what()} + "; only a folder of replicates can be resumed"};
     }
@@ -151,7 +154,8 @@ class Folder {
       same(path, "seed", there.at("seed"), replicate.seed);
       same(path, "until_s", there.at("clock").at("until_s"), run.until_s);
       if (checkpoint::holds_complete(replicate.folder, run.fingerprint, replicate.seed, run.until_s)) return;
-      throw std::invalid_argument{replicate.folder.string() + ": its manifest says that it is complete, but a table is missing"};
+      throw std::invalid_argument{replicate.folder.string() + ": its manifest says that it is complete, but it lacks " +
+                                  checkpoint::detail::missing_in(replicate.folder, there)};
     } catch (const Json::exception& error) {
       throw std::invalid_argument{path.string() + ": " + error.what()};
     }

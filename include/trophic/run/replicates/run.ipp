@@ -2,12 +2,27 @@
 // Definitions of run.hpp.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <trophic/run/replicates/folder.hpp>
 #include <trophic/run/replicates/parallel.hpp>
 #include <trophic/run/replicates/run.hpp>
+#include <trophic/support/unreadable_file.hpp>
 
 namespace trophic::replicates {
+
+namespace detail {
+
+/// The status of a run that has ended, or why it cannot be read.
+[[nodiscard]] inline std::string status_or_why(const std::filesystem::path& folder) {
+  try {
+    return status_of(folder);
+  } catch (const UnreadableFile& error) {
+    return error.what();
+  }
+}
+
+}  // namespace detail
 
 TROPHIC_INLINE Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance,
                                    std::ostream& out, const RunOne& run_one) {
@@ -31,7 +46,7 @@ TROPHIC_INLINE Outcome run_pending(const Plan& plan, const observe::RunDescripti
   Outcome outcome{.kept = folder.kept(), .complete = 0, .unfinished = {}};
   for (std::size_t i = 0; i < pending.size(); ++i) {
     const std::string name = name_of(pending[i].index);
-    const std::string status = status_of(pending[i].folder);
+    const std::string status = detail::status_or_why(pending[i].folder);
     if (!attempts[i].started) {
       outcome.unfinished.push_back(name + ": not started");
     } else if (!attempts[i].error.empty()) {

@@ -16,6 +16,7 @@
 #include <trophic/run/sweep/attempt.hpp>
 #include <trophic/run/sweep/claim.hpp>
 #include <trophic/support/no_links.hpp>
+#include <trophic/support/unreadable_file.hpp>
 #include <utility>
 #include <vector>
 
@@ -136,9 +137,13 @@ TROPHIC_INLINE Result attempt(const std::filesystem::path& sweep, const PlannedR
     detail::remove_attempts(folder);
     return {Ended::complete};
   } catch (const std::exception& error) {
-    // A faster one removes the folders of the others.
-    if (is_complete(sweep, run)) return {Ended::complete};
-    return {Ended::failed, error.what()};
+    const std::string why = error.what();
+    try {
+      // A faster one removes the folders of the others.
+      if (is_complete(sweep, run)) return {Ended::complete};
+    } catch (const UnreadableFile&) {  // the first reason is reported
+    }
+    return {Ended::failed, why};
   }
 }
 

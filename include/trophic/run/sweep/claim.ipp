@@ -66,12 +66,14 @@ inline constexpr const char* owner_file = "owner.json";
   return boot + " " + std::filesystem::read_symlink("/proc/self/ns/pid", error).string();
 }
 
-/// Makes a file or sets its time to now, by the clock of the file system. False if it cannot, or if there is a link.
+/// Makes a file or sets its time to now, by the clock of the file system. False, with errno, if it cannot or if there is a link.
 [[nodiscard]] inline bool touch(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0666);
   if (file < 0) return false;
   const bool is_touched = ::futimens(file, nullptr) == 0;
+  const int reason = errno;
   ::close(file);
+  errno = reason;
   return is_touched;
 }
 
@@ -87,7 +89,7 @@ inline constexpr const char* owner_file = "owner.json";
   const auto last = renewed ? renewed : touched_s(claim);
   if (!last) return std::nullopt;
   const std::filesystem::path now = claim.parent_path() / ("now." + host_name() + "." + std::to_string(::gettid()));
-  if (!touch(now)) throw std::runtime_error{"cannot write in " + claim.parent_path().string()};
+  if (!touch(now)) throw std::runtime_error{"cannot write " + now.string() + ": " + std::generic_category().message(errno)};
   const auto now_s = touched_s(now);
   std::error_code error;
   std::filesystem::remove(now, error);

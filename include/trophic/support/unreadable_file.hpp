@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// An error of a file whose content is unknown.
+#pragma once
+
+#include <stdexcept>
+
+namespace trophic {
+
+/// The system refuses to open or read a file that is there, so it must not count as missing or damaged.
+class UnreadableFile : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+}  // namespace trophic
