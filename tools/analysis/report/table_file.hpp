@@ -6,8 +6,6 @@
 #include <string>
 #include <trophic/io/column.hpp>
 #include <trophic/io/csv.hpp>
-#include <trophic/io/csv_file.hpp>
-#include <trophic/io/growing_file.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/new_file.hpp>
 
@@ -18,13 +16,14 @@ namespace trophic::analysis {
 template <io::TableRow Row>
 class TableFile {
  public:
-  explicit TableFile(const std::filesystem::path& path) : file_{path}, lines_{file_.part(), {}, Opening::resumed} {
-    lines_.buffer() = io::header_of<Row>();
-  }
+  explicit TableFile(const std::filesystem::path& path) : file_{path}, rows_{io::header_of<Row>()} {}
 
-  void write(const Row& row) { io::append_row(lines_.buffer(), row, no_species_); }
+  void write(const Row& row) { io::append_row(rows_, row, no_species_); }
   /// Hands the rows written so far to the system, so that they need not be kept.
-  void flush() { lines_.flush(); }
+  void flush() {
+    file_.write(rows_);
+    rows_.clear();
+  }
   void finish() {
     flush();
     file_.finish();
@@ -33,7 +32,7 @@ class TableFile {
  private:
   FoodWeb no_species_{{}, {}};
   NewFile file_;
-  io::LineFile lines_;
+  std::string rows_;
 };
 
 }  // namespace trophic::analysis

@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <stdexcept>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/trophic/replay/base64.hpp>
@@ -93,30 +92,48 @@ std::string table_without(const std::filesystem::path& path, std::initializer_li
   return text += '\n';
 }
 
-/// The bytes of a recording, only of the blocks that a window touches.
+/// Larger than any recording that a browser shows: in the page it is a text, of which browsers take half a gigabyte.
+constexpr std::size_t most_recording_bytes = std::size_t{384} << 20U;
+
+/// The bytes of a recording, only of the blocks that a window touches; others are skipped, not read.
 std::string recording_bytes(const RecordedRun& run, const Window& window) {
   const std::filesystem::path path = run.folder / "replay.trp";
   if (run.recording.head().bodies_differ) {
     throw std::invalid_argument{path.string() + ": has robots with bodies of their own: must be shown by trophic film or export"};
   }
-  std::ifstream file{path, std::ios::binary};
-  std::string all{std::istreambuf_iterator<char>{file}, {}};
-  if (!window.from_s && !window.to_s) return all;
   namespace format = io::recording;
-  std::string kept = all.substr(0, format::magic.size());
-  for (std::size_t at = kept.size(); at + 12 <= all.size();) {
-    const std::size_t size = std::size_t{12} + format::u32_at(all, at);
-    if (at + size > all.size()) break;
-    const std::string_view kind = std::string_view{all}.substr(at + 4, 4);
-    bool keep = kind == format::head_kind;
-    if (kind == format::frames_kind) {
-      const std::size_t first = format::u32_at(all, at + 8);
-      const std::size_t last = first + format::u32_at(all, at + 12) - 1;
+  constexpr std::size_t front_bytes = 16;  // size and kind of a block, and the first and the number of its frames
+  std::ifstream file{path, std::ios::binary};
+  std::string kept(format::magic.size(), '\0');
+  file.read(kept.data(), static_cast<std::streamsize>(kept.size()));
+  std::string front(front_bytes, '\0');
+  while (file.read(front.data(), front_bytes) || file.gcount() >= 12) {
+    const std::size_t had = static_cast<std::size_t>(file.gcount());
+    file.clear();
+    const std::size_t size = std::size_t{12} + format::u32_at(front, 0);
+    const std::string_view kind = std::string_view{front}.substr(4, 4);
+    bool keep = kind == format::head_kind || (!window.from_s && !window.to_s);
+    if (kind == format::frames_kind && !keep) {
+      const std::size_t first = format::u32_at(front, 8);
+      const std::size_t last = first + format::u32_at(front, 12) - 1;
       keep = !(window.from_s && run.recording.time_s(last) < *window.from_s - 1e-9) &&
              !(window.to_s && run.recording.time_s(first) > *window.to_s + 1e-9);
     }
-    if (keep) kept.append(all, at, size);
-    at += size;
+    if (!keep) {
+      file.seekg(static_cast<std::streamoff>(size) - static_cast<std::streamoff>(had), std::ios::cur);
+      continue;
+    }
+    if (kept.size() + size > most_recording_bytes) {
+      throw std::invalid_argument{path.string() + ": has more than " + std::to_string(most_recording_bytes >> 20U) +
+                                  " MiB to be shown: must be less for a page, as with --from and --to"};
+    }
+    file.seekg(-static_cast<std::streamoff>(had), std::ios::cur);
+    const std::size_t before = kept.size();
+    kept.resize(before + size);
+    if (!file.read(kept.data() + before, static_cast<std::streamsize>(size))) {
+      kept.resize(before);  // cut off in the middle of a block
+      break;
+    }
   }
   return kept;
 }

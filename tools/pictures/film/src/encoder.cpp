@@ -53,7 +53,7 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
       "ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size, "-r", std::to_string(pictures_per_s),
       "-i",     "-",  "-an"};
   words.insert(words.end(), coding->second.begin(), coding->second.end());
-  words.insert(words.end(), {"-y", "file:" + file_.part().string()});
+  words.insert(words.end(), {"-y", "file:" + file_.opened_again()});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -99,7 +99,11 @@ void Encoder::add(const Image& image) {
 
 void Encoder::finish() {
   const int status = wait();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error{"ffmpeg cannot make " + file_.path().string()};
+  if (WIFSIGNALED(status)) {
+    throw std::runtime_error{"ffmpeg, which makes " + file_.path().string() + ", ended by signal " +
+                             std::to_string(WTERMSIG(status))};
+  }
+  if (WEXITSTATUS(status) != 0) throw std::runtime_error{"ffmpeg cannot make " + file_.path().string()};
   file_.finish();
 }
 

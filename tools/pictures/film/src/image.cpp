@@ -3,12 +3,9 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <trophic/pictures/film/image.hpp>
 #include <trophic/support/new_file.hpp>
 
@@ -39,17 +36,17 @@ void put(Image& into, const Image& image, std::size_t x, std::size_t y) {
 
 void write_png(const std::filesystem::path& path, const Image& image) {
   NewFile whole{path};
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(whole.part().c_str(), "wb"), &std::fclose};
-  if (!file) throw std::runtime_error{"cannot create " + path.string() + ": " + std::strerror(errno)};
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  const bool written = png_image_write_to_stdio(&png, file.get(), 0, image.rgb.data(), 0, nullptr) != 0;
-  if (!written || std::fflush(file.get()) != 0) {
-    throw std::runtime_error{"cannot write " + path.string() + ": " + (written ? std::strerror(errno) : png.message)};
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0) {
+    throw std::runtime_error{"cannot write " + path.string() + ": " + png.message};
   }
+  whole.write(std::string_view{bytes}.substr(0, size));
   whole.finish();
 }
 
