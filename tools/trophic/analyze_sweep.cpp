@@ -135,7 +135,7 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
   const std::filesystem::path& out = result.path();
   const auto there = static_cast<std::size_t>(std::ranges::count(sweep.is_there, true));
   const analysis::SweepValues values = analysis::measure_sweep(sweep, with_progress(how, there));
-  const auto names = analysis::chosen(values.names, metrics);
+  const auto names = metrics.empty() ? analysis::distinct_metrics(values) : analysis::chosen(values.names, metrics);
   const std::optional<double> until_s = how.until_s;
   if (sweep.builds.size() > 1) {
     std::cerr << options.who << ": " << sweep.builds.size()
@@ -149,6 +149,10 @@ void measure_sweep(const std::filesystem::path& folder, const std::optional<std:
   if (options.difference) answers = analysis::runs_for_difference(differences, *options.difference);
 
   analysis::print_sweep(std::cout, sweep, differences, reference, until_s);
+  if (const std::size_t repeats = values.names.size() - names.size(); metrics.empty() && repeats > 0) {
+    std::cout << "metrics " << names.size() << "; " << repeats
+              << " more repeat one of them, and are compared if --metric names them\n";
+  }
   analysis::print_cell_differences(std::cout, sweep.grid, differences);
   if (!metrics.empty()) analysis::print_named_metrics(std::cout, sweep.grid, differences);
   const auto effects = analysis::axis_effects(sweep.grid, values, reference, names);

@@ -139,3 +139,14 @@ TEST_CASE("how many replicates a difference would need, by the scatter of the ce
   CHECK(answers[0].runs == runs_for_power(2.0, {.variance = 10.0 / 3.0, .freedom = 1.0}, 0.025));
   CHECK(answers[0].most == runs_for_power(2.0, {.variance = 16.0 / 3.0, .freedom = 1.0}, 0.025));
 }
+
+TEST_CASE("cell differences: a metric that repeats another in all runs -> left out of those that are compared") {
+  const MetricName all{"velocity", "prey", "all", "cm/s"};
+  const MetricName active{"velocity", "prey", "active", "cm/s"};
+  const MetricName other{"population", "prey", "all", "cm/s"};
+  SweepValues values{{all, active, other},
+                     {{1.0, 1.0, 4.0}, {2.0, 2.0, 4.5}, {5.0, 5.0, 3.0}, {}, {3.0, 3.0, 9.0}, {4.0, 4.0, 2.0}, {7.0, 7.0, 1.0}}};
+  CHECK(distinct_metrics(values) == std::vector{all, other});
+  values.of_run[4][1] = 3.5;
+  CHECK(distinct_metrics(values) == values.names);
+}

@@ -67,8 +67,12 @@ std::optional<MetricName> plain_reading(MetricName name) {
 std::vector<std::optional<MetricName>> repeated_metrics(std::span<const std::span<const RunMetrics>> sets,
                                                         std::span<const MetricName> names) {
   std::vector<Values> all;
-  std::vector<std::optional<MetricName>> repeats(names.size());
   for (const MetricName& name : names) all.push_back(values_in(sets, name));
+  return repeated_values(all, names);
+}
+
+std::vector<std::optional<MetricName>> repeated_values(std::span<const Values> all, std::span<const MetricName> names) {
+  std::vector<std::optional<MetricName>> repeats(names.size());
   for (std::size_t later = 0; later < names.size(); ++later) {
     const auto plain = plain_reading(names[later]);
     if (plain && std::ranges::find(names, *plain) != names.end()) repeats[later] = plain;

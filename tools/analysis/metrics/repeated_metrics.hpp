@@ -16,4 +16,8 @@ namespace trophic::analysis {
 [[nodiscard]] std::vector<std::optional<MetricName>> repeated_metrics(std::span<const std::span<const RunMetrics>> sets,
                                                                       std::span<const MetricName> names);
 
+/// The same for values by name: of each, one a run.
+[[nodiscard]] std::vector<std::optional<MetricName>> repeated_values(std::span<const std::vector<std::optional<double>>> values,
+                                                                     std::span<const MetricName> names);
+
 }  // namespace trophic::analysis

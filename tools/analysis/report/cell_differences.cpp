@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tools/analysis/metrics/repeated_metrics.hpp>
 #include <tools/analysis/report/swaps.hpp>
 #include <tools/analysis/statistics/holm.hpp>
 
@@ -69,6 +70,20 @@ void adjust(std::span<CellDifference> all) {
 }  // namespace trophic::analysis::detail
 
 namespace trophic::analysis {
+
+std::vector<MetricName> distinct_metrics(const SweepValues& values) {
+  std::vector<std::vector<std::optional<double>>> by_name(values.names.size());
+  for (std::size_t name = 0; name < by_name.size(); ++name) {
+    for (std::size_t run = 0; run < values.of_run.size(); ++run) by_name[name].push_back(values.value(run, name));
+  }
+  const auto repeats = repeated_values(by_name, values.names);
+  std::vector<MetricName> distinct;
+  for (std::size_t name = 0; name < by_name.size(); ++name) {
+    const auto& earlier = repeats[name];
+    if (!earlier || needs_shadow(*earlier) != needs_shadow(values.names[name])) distinct.push_back(values.names[name]);
+  }
+  return distinct;
+}
 
 CellDifferences compare_cells(const SweepGrid& grid, const SweepValues& values, std::size_t reference,
                               std::span<const MetricName> names) {

@@ -73,6 +73,9 @@ void adjust(std::span<CellDifference> all);
 
 }  // namespace detail
 
+/// The metrics without those that repeat an earlier one in all runs (repeated_metrics.hpp) and are compared alike.
+[[nodiscard]] std::vector<MetricName> distinct_metrics(const SweepValues& values);
+
 /// Compares every cell with `reference` in each of `names`: over the shadows where the metric needs it and both cells have them,
 /// else raw; seed by seed where the cells share seeds (the mean of the pairs' differences, Student's t), else as independent sets
 /// (Welch). Throws std::invalid_argument if the grid has no such cell, or as is_paired.
