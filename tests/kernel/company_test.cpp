@@ -62,19 +62,21 @@ Tally compare_companies(const std::string& name, const std::vector<RobotModel>& 
   }
   CompiledModel compiled{models, arena, physics, {.servos = backend::mujoco::Servos::combined, .box_depth = depth}, 1};
   mjData& data = Reference::roomy(compiled);
-  const auto kind_of = [&](std::size_t robot) {
-    const RobotModel& own = bodies[robot % robots];
-    const auto same = [&](const RobotModel& other) { return backend::mujoco::same_body(own, other); };
-    return static_cast<std::size_t>(std::ranges::find_if(bodies, same) - bodies.begin());
+  const auto shape_of = [&](std::size_t robot) {
+    const kernel::KernelModel& own = *alone[robot % robots]->constants;
+    const auto same = [&](const auto& other) { return kernel::same_shape(own, *other->constants); };
+    return static_cast<std::size_t>(std::ranges::find_if(alone, same) - alone.begin());
   };
   std::vector<std::vector<std::size_t>> groups{std::vector<std::size_t>(robots), {2 * robots - 1}};
   std::iota(groups[0].begin(), groups[0].end(), std::size_t{0});
   CrewPlanner planner;
   const std::vector<Disc> discs(2 * robots, Disc{0.0, 0.0, 1.0});
-  const CrewPlan plan = planner.plan(groups, discs, kind_of).front();
+  const CrewPlan plan = planner.plan(groups, discs, shape_of).front();
   kernel::Crew crew{depth};
   for (const CrewPlan::Team& seats : plan.teams) {
-    crew.add_team(alone[seats.kind]->constants).lanes = (1u << seats.used) - 1;
+    std::vector<std::shared_ptr<const kernel::KernelModel>> lanes;
+    for (std::size_t lane = 0; lane < seats.used; ++lane) lanes.push_back(alone[seats.robots[lane] % robots]->constants);
+    crew.add_team(lanes).lanes = (1u << seats.used) - 1;
   }
   crew.order = plan.order;
   crew.neighbours = plan.neighbours;
@@ -126,6 +128,23 @@ Tally compare_companies(const std::string& name, const std::vector<RobotModel>& 
   return tally;
 }
 
+/// The same tree with other lengths, masses, servos and ranges.
+RobotModel varied(RobotModel robot, Rng& rng) {
+  for (Link& link : robot.links) {
+    const double heavier = rng.uniform(0.7, 1.4);
+    link.mass_kg *= heavier;
+    link.inertia_kgm2 *= heavier;
+    link.offset_m *= rng.uniform(0.9, 1.1);
+    for (Box& box : link.boxes) box.half_extents_m *= rng.uniform(0.8, 1.1);
+  }
+  for (Hinge& hinge : robot.hinges) {
+    hinge.range_rad *= rng.uniform(0.8, 1.0);
+    hinge.servo.position_gain *= rng.uniform(0.5, 2.0);
+  }
+  robot.bounding_radius_m *= 1.3;
+  return robot;
+}
+
 std::vector<RobotModel> several(const std::string& name, std::size_t robots) {
   return std::vector<RobotModel>(robots, load_robot(name));
 }
@@ -165,6 +184,59 @@ TEST_CASE("kernel companies: robots of several bodies near each other -> the ste
   CHECK(compare_companies("random modules", any, {}, 300).agrees());
 }
 
+TEST_CASE("kernel companies: bodies of one tree with other numbers in one team -> the step of one model") {
+  Rng rng{35, Stream::user};
+  for (const std::string name : {"spider", "gecko"}) {
+    std::vector<RobotModel> bodies;
+    for (int i = 0; i < 4; ++i) bodies.push_back(varied(load_robot(name), rng));
+    CHECK(compare_companies("varied " + name, bodies, {}, 150).agrees(name == "spider" ? 20 : 0));
+    CHECK(compare_companies("varied " + name, bodies, {.integrator = Integrator::rk4}, 50).agrees(name == "spider" ? 5 : 0));
+  }
+}
+
+TEST_CASE("kernel companies: robots of one body or of four in a team -> the same bytes") {
+  Rng rng{36, Stream::user};
+  std::vector<std::unique_ptr<Reference>> alone;
+  std::vector<std::shared_ptr<const kernel::KernelModel>> constants;
+  std::vector<RobotModel> bodies;
+  for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
+    bodies.push_back(varied(load_robot("spider"), rng));
+    alone.push_back(std::make_unique<Reference>(bodies.back(), Arena{}, Physics{}));
+    constants.push_back(alone.back()->constants);
+    CHECK(kernel::same_shape(*constants.front(), *constants.back()));
+  }
+  kernel::Crew mixed{BoxDepth::engine};
+  for (int trial = 0; trial < 50; ++trial) {
+    mixed.clear();
+    kernel::Team& team = mixed.add_team(constants);
+    team.lanes = kernel::all_lanes;
+    std::vector<RobotState> states;
+    for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
+      states.push_back(random_state(bodies[lane], Arena{}, *alone[lane], rng));
+      states.back().put(team, lane);
+      mixed.order.push_back({0, lane});
+    }
+    kernel::fastest_step()(mixed);
+    for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
+      OneTeam own{constants[lane]};
+      states[lane].put(own.team, lane);
+      const unsigned going = own.step(1u << lane);
+      CHECK(going == (team.going & (1u << lane)));
+      RobotState apart = states[lane];
+      RobotState together = states[lane];
+      apart.get(own.team, lane);
+      together.get(team, lane);
+      CHECK(apart.qpos == together.qpos);
+      CHECK(apart.warm == together.warm);
+    }
+    std::rotate(constants.begin(), constants.begin() + 1, constants.end());
+    std::rotate(alone.begin(), alone.begin() + 1, alone.end());
+    std::rotate(bodies.begin(), bodies.begin() + 1, bodies.end());
+  }
+  Reference other{load_robot("gecko"), Arena{}, Physics{}};
+  CHECK(!kernel::same_shape(*other.constants, *constants.front()));
+}
+
 TEST_CASE("kernel companies: crowd in another order of seats -> the same bytes") {
   const RobotModel robot = load_robot("spider");
   Reference reference{robot, Arena{}, {}};
@@ -182,7 +254,7 @@ TEST_CASE("kernel companies: crowd in another order of seats -> the same bytes")
     std::vector<unsigned> going;
     for (int order = 0; order < 2; ++order) {
       kernel::Crew crew{BoxDepth::engine};
-      for (std::size_t t = 0; t < 3; ++t) crew.add_team(reference.constants);
+      for (std::size_t t = 0; t < 3; ++t) crew.add_team({&reference.constants, 1});
       for (std::size_t i = 0; i < robots; ++i) {
         const kernel::Seat seat{seats[i] / kernel::lane_count, seats[i] % kernel::lane_count};
         for (const kernel::Seat& other : crew.order) crew.neighbours.push_back({other, seat});
@@ -208,7 +280,7 @@ TEST_CASE("kernel companies: crowd in another order of seats -> the same bytes")
   }
 }
 
-TEST_CASE("kernel companies: groups -> crews with whole groups, each robot once in a team of its kind") {
+TEST_CASE("kernel companies: groups -> crews with whole groups, each robot once in a team of its shape") {
   Rng rng{32, Stream::user};
   CrewPlanner planner;
   for (int trial = 0; trial < 100; ++trial) {
@@ -220,14 +292,14 @@ TEST_CASE("kernel companies: groups -> crews with whole groups, each robot once 
         for (std::size_t i = 0; i < size; ++i) groups.back().push_back(robots++);
       }
     }
-    const std::size_t kinds = 1 + rng.index(3);
-    const auto kind_of = [&](std::size_t robot) { return (robot * 7 + robot / 5) % kinds; };
+    const std::size_t shapes = 1 + rng.index(3);
+    const auto shape_of = [&](std::size_t robot) { return (robot * 7 + robot / 5) % shapes; };
     const std::vector<Disc> discs(robots, Disc{0.0, 0.0, 1.0});
     std::vector<std::size_t> crew_of(robots);
     std::vector<int> seen(robots);
     std::size_t crews = 0;
     std::size_t half_empty = 0;  // teams of robots that cannot touch others
-    for (const CrewPlan& plan : planner.plan(groups, discs, kind_of)) {
+    for (const CrewPlan& plan : planner.plan(groups, discs, shape_of)) {
       ++crews;
       const bool only_lone = plan.neighbours.empty();
       half_empty += only_lone ? static_cast<std::size_t>(std::ranges::count_if(plan.teams, &CrewPlan::Team::room)) : 0;
@@ -235,7 +307,7 @@ TEST_CASE("kernel companies: groups -> crews with whole groups, each robot once 
         ++seen[plan.robot(seat)];
         crew_of[plan.robot(seat)] = crews;
         CHECK(seat.lane < plan.teams[seat.team].used);
-        CHECK(kind_of(plan.robot(seat)) == plan.teams[seat.team].kind);
+        CHECK(shape_of(plan.robot(seat)) == plan.teams[seat.team].shape);
       }
       for (const auto& [a, b] : plan.neighbours) CHECK(plan.robot(a) < plan.robot(b));
     }
@@ -243,6 +315,6 @@ TEST_CASE("kernel companies: groups -> crews with whole groups, each robot once 
     for (const auto& group : groups) {
       CHECK(std::ranges::all_of(group, [&](std::size_t robot) { return crew_of[robot] == crew_of[group.front()]; }));
     }
-    CHECK(half_empty <= kinds);
+    CHECK(half_empty <= shapes);
   }
 }

@@ -109,7 +109,7 @@ TEST_CASE("kernel height field: contacts of a robot's boxes -> those of mj_colli
     const RobotModel robot = load_robot(name);
     Reference reference{robot, arena, {}};
     const mjModel& model = reference.model;
-    kernel::FieldCollider collider{reference.constants.field.value()};
+    kernel::FieldCollider collider{reference.constants->field.value()};
     Rng rng{5, Stream::user};
     for (int trial = 0; trial < 500; ++trial) {
       random_state(robot, arena, reference, rng).put(reference.data);
@@ -151,7 +151,7 @@ TEST_CASE("kernel height field: highest node near a point -> bounds the ground t
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot("gecko");
   const Reference reference{robot, arena, {}};
-  const kernel::FieldCollider collider{reference.constants.field.value()};
+  const kernel::FieldCollider collider{reference.constants->field.value()};
   CHECK(collider.highest_m(0.0, 0.0, 0.1) == 0.0);
   CHECK(collider.highest_m(9.2, 0.0, 0.1) == 0.0);  // the flat floor ends at 9.333 m
   CHECK(collider.highest_m(9.3, 0.0, 0.1) == doctest::Approx(10.0));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/contract.hpp>
@@ -33,7 +34,7 @@ struct Reference {
   backend::mujoco::CompiledModel compiled;
   mjModel& model;
   mjData& data;
-  kernel::KernelModel constants;
+  std::shared_ptr<const kernel::KernelModel> constants;
 
   /// `joint_damping` N m s is given to all hinges.
   Reference(const RobotModel& robot, const Arena& arena, const Physics& physics, double joint_damping = 0.0,
@@ -42,7 +43,7 @@ struct Reference {
         model{const_cast<mjModel&>(compiled.model())},
         data{roomy(compiled)} {
     for (int dof = 6; dof < model.nv; ++dof) model.dof_damping[dof] = joint_damping;
-    constants = kernel::read_model(model).value();
+    constants = std::make_shared<const kernel::KernelModel>(kernel::read_model(model).value());
   }
 
   /// Room for every corner of the robot in every plane.
@@ -79,7 +80,7 @@ struct RobotState {
     std::vector<double> numbers = qpos;
     numbers.insert(numbers.end(), qvel.begin(), qvel.end());
     numbers.insert(numbers.end(), warm.begin(), warm.end());
-    team.state.load(*team.model, lane, numbers, target);
+    team.state.load(team.model.body(lane), lane, numbers, target);
   }
   void get(const kernel::Team& team, std::size_t lane) {
     std::vector<double> numbers(qpos.size() + qvel.size() + warm.size());
@@ -97,7 +98,8 @@ struct OneTeam {
   kernel::Crew crew;
   kernel::Team& team;
 
-  explicit OneTeam(const kernel::KernelModel& model) : crew{model.box_depth}, team{crew.add_team(model)} {
+  explicit OneTeam(const std::shared_ptr<const kernel::KernelModel>& body)
+      : crew{body->box_depth}, team{crew.add_team({&body, 1})} {
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) crew.order.push_back({0, lane});
   }
   /// Steps the robots in `lanes`; returns those that took the step.

@@ -12,10 +12,10 @@
 
 namespace trophic::backend::mujoco {
 
-/// The seats of robots in a crew. Robots of a team have one kind of body; robots that may touch are in one crew.
+/// The seats of robots in a crew. Bodies of a team have one shape; robots that may touch are in one crew.
 struct CrewPlan {
   struct Team {
-    std::size_t kind;
+    std::size_t shape;
     std::array<std::size_t, kernel::lane_count> robots;
     std::size_t used;
     [[nodiscard]] std::size_t room() const { return kernel::lane_count - used; }
@@ -31,25 +31,25 @@ struct CrewPlan {
 /// Fills crews with groups of robots, largest groups first.
 class CrewPlanner {
  public:
-  /// `groups`: robots, each ascending, that may touch each other; `discs`: robots whose discs do not touch cannot. `kind_of`
-  /// returns a robot's kind.
-  template <class KindOf>
+  /// `groups`: robots, each ascending, that may touch each other; `discs`: robots whose discs do not touch cannot. `shape_of`
+  /// returns the number of a body's shape.
+  template <class ShapeOf>
   [[nodiscard]] std::span<const CrewPlan> plan(std::span<const std::vector<std::size_t>> groups, std::span<const Disc> discs,
-                                               const KindOf& kind_of) {
+                                               const ShapeOf& shape_of) {
     count_ = 0;
     for (OpenTeams& open : open_) open = {};
     for (const std::vector<std::size_t>& group : groups) {
       if (group.size() == 1) {
-        seat_alone(group.front(), kind_of(group.front()));
+        seat_alone(group.front(), shape_of(group.front()));
       } else {
-        seat_group(group, discs, kind_of);
+        seat_group(group, discs, shape_of);
       }
     }
     return {crews_.data(), count_};
   }
 
  private:
-  /// Teams of one kind in the order in which they were made. None before `first` has room.
+  /// Teams of one shape in the order in which they were made. None before `first` has room.
   struct OpenTeams {
     std::vector<std::array<std::size_t, 2>> teams;  ///< crew and team
     std::size_t first = 0;
@@ -64,9 +64,9 @@ class CrewPlanner {
     return crew;
   }
 
-  OpenTeams& open(std::size_t kind) {
-    if (kind >= open_.size()) open_.resize(kind + 1);
-    return open_[kind];
+  OpenTeams& open(std::size_t shape) {
+    if (shape >= open_.size()) open_.resize(shape + 1);
+    return open_[shape];
   }
 
   kernel::Seat seat(CrewPlan& crew, std::size_t team, std::size_t robot) {
@@ -77,43 +77,43 @@ class CrewPlanner {
     return place;
   }
 
-  std::size_t add_team(CrewPlan& crew, std::size_t kind) {
-    crew.teams.push_back({kind, {}, 0});
-    open(kind).teams.push_back({count_ - 1, crew.teams.size() - 1});
+  std::size_t add_team(CrewPlan& crew, std::size_t shape) {
+    crew.teams.push_back({shape, {}, 0});
+    open(shape).teams.push_back({count_ - 1, crew.teams.size() - 1});
     return crew.teams.size() - 1;
   }
 
-  /// A robot that cannot touch others goes into any team of its kind.
-  void seat_alone(std::size_t robot, std::size_t kind) {
-    OpenTeams& own = open(kind);
+  /// A robot that cannot touch others goes into any team of its shape.
+  void seat_alone(std::size_t robot, std::size_t shape) {
+    OpenTeams& own = open(shape);
     const auto room = [&](const std::array<std::size_t, 2>& at) { return crews_[at[0]].teams[at[1]].room(); };
     while (own.first < own.teams.size() && room(own.teams[own.first]) == 0) ++own.first;
-    if (own.first == own.teams.size()) add_team(add_crew(), kind);
-    const auto [crew, team] = open(kind).teams[open(kind).first];
+    if (own.first == own.teams.size()) add_team(add_crew(), shape);
+    const auto [crew, team] = open(shape).teams[open(shape).first];
     seat(crews_[crew], team, robot);
   }
 
-  /// The last team of a kind in a crew, or the number of its teams.
-  static std::size_t last_team(const CrewPlan& crew, std::size_t kind) {
-    const auto last = std::find_if(crew.teams.rbegin(), crew.teams.rend(), [&](const auto& team) { return team.kind == kind; });
+  /// The last team of a shape in a crew, or the number of its teams.
+  static std::size_t last_team(const CrewPlan& crew, std::size_t shape) {
+    const auto last = std::find_if(crew.teams.rbegin(), crew.teams.rend(), [&](const auto& team) { return team.shape == shape; });
     return last == crew.teams.rend() ? crew.teams.size() : static_cast<std::size_t>(crew.teams.rend() - last) - 1;
   }
 
   /// A group goes into the last crew if that has room for all of it, else into a new one.
-  template <class KindOf>
-  void seat_group(std::span<const std::size_t> group, std::span<const Disc> discs, const KindOf& kind_of) {
+  template <class ShapeOf>
+  void seat_group(std::span<const std::size_t> group, std::span<const Disc> discs, const ShapeOf& shape_of) {
     const auto has_room = [&](std::size_t robot) {
-      const std::size_t kind = kind_of(robot);
+      const std::size_t shape = shape_of(robot);
       const CrewPlan& crew = crews_[count_ - 1];
-      const std::size_t team = last_team(crew, kind);
-      const auto needed = std::ranges::count(group, kind, kind_of);
+      const std::size_t team = last_team(crew, shape);
+      const auto needed = std::ranges::count(group, shape, shape_of);
       return team < crew.teams.size() && crew.teams[team].room() >= static_cast<std::size_t>(needed);
     };
     CrewPlan& crew = count_ > 0 && std::ranges::all_of(group, has_room) ? crews_[count_ - 1] : add_crew();
     const std::size_t first = crew.order.size();
     for (const std::size_t robot : group) {
-      std::size_t team = last_team(crew, kind_of(robot));
-      if (team == crew.teams.size() || crew.teams[team].room() == 0) team = add_team(crew, kind_of(robot));
+      std::size_t team = last_team(crew, shape_of(robot));
+      if (team == crew.teams.size() || crew.teams[team].room() == 0) team = add_team(crew, shape_of(robot));
       seat(crew, team, robot);
     }
     for (std::size_t b = 1; b < group.size(); ++b) {

@@ -100,7 +100,7 @@ class Islands {
     const RobotModel* body = &kind->robot;
     auto model = make_model({&body, 1}, true, 1);
     auto constants = kernel::read_model(model->model());
-    if (constants) kind->constants = std::make_unique<const kernel::KernelModel>(std::move(*constants));
+    if (constants) kind->constants = std::make_shared<const kernel::KernelModel>(std::move(*constants));
     if (models_.empty() && constants) models_[{{0}, true}].model = std::move(model);
     return kind;
   }
@@ -164,8 +164,8 @@ class Islands {
     const std::span by_mujoco{groups.begin(), first_of_kernel};
     models_of_groups_.clear();
     for (const std::vector<std::size_t>& group : by_mujoco) models_of_groups_.push_back(&model_of(group, states));
-    const std::span<const CrewPlan> crews =
-        planner_.plan({first_of_kernel, groups.end()}, discs_, [&](std::size_t robot) { return states.kind(robot); });
+    const std::span<const CrewPlan> crews = planner_.plan({first_of_kernel, groups.end()}, discs_,
+                                                          [&](std::size_t robot) { return kinds_[states.kind(robot)].shape; });
     const LaneStepper::ModelOf model_of_declined = [&](std::span<const std::size_t> robots) -> CompiledModel& {
       return model_of(robots, states);
     };

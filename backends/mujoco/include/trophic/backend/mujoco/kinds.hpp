@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <trophic/backend/mujoco/compiled_model.hpp>
-#include <trophic/backend/mujoco/kernel/model.hpp>
+#include <trophic/backend/mujoco/kernel/lane_model.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <utility>
 #include <vector>
@@ -35,11 +35,12 @@ namespace trophic::backend::mujoco {
 /// A body that robots have or had.
 struct Kind {
   RobotModel robot;
-  std::unique_ptr<const kernel::KernelModel> constants;  ///< none: MuJoCo steps its robots
+  std::shared_ptr<const kernel::KernelModel> constants;  ///< none: MuJoCo steps its robots
+  std::size_t shape = 0;                                 ///< the number of its shape, see `kernel::same_shape`
   std::uint64_t last_used = 0;
 };
 
-/// The kinds of bodies, by number. The number of a kind that is dropped is given to a later one.
+/// The kinds of bodies, by number. The number of a kind or shape that is dropped is given to a later one.
 class Kinds {
  public:
   [[nodiscard]] const Kind& operator[](std::size_t kind) const { return *kinds_[kind]; }
@@ -54,6 +55,7 @@ class Kinds {
     auto known = std::ranges::find_if(kinds_, [&](const auto& kind) { return kind && same_body(kind->robot, robot); });
     if (known == kinds_.end()) {
       std::unique_ptr<Kind> made = make(robot);
+      if (made->constants) made->shape = find_shape(*made->constants);
       known = std::find(kinds_.begin(), kinds_.end(), nullptr);
       if (known == kinds_.end()) known = kinds_.insert(known, nullptr);
       *known = std::move(made);
@@ -71,6 +73,17 @@ class Kinds {
   [[nodiscard]] bool is_known(std::size_t kind) const { return kinds_[kind] != nullptr; }
 
  private:
+  /// The number of the shape of a known kind, or the least that is not in use.
+  [[nodiscard]] std::size_t find_shape(const kernel::KernelModel& body) const {
+    std::vector<bool> used(kinds_.size() + 1);
+    for (const auto& kind : kinds_) {
+      if (!kind || !kind->constants) continue;
+      if (kernel::same_shape(*kind->constants, body)) return kind->shape;
+      used[kind->shape] = true;
+    }
+    return static_cast<std::size_t>(std::ranges::find(used, false) - used.begin());
+  }
+
   std::vector<std::unique_ptr<Kind>> kinds_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -101,11 +102,13 @@ class LaneStepper {
     crew.clear();
     scratch.starts.clear();
     for (const CrewPlan::Team& seats : plan.teams) {
-      kernel::Team& team = crew.add_team(*kinds[seats.kind].constants);
+      std::array<std::shared_ptr<const kernel::KernelModel>, kernel::lane_count> bodies;
+      for (std::size_t lane = 0; lane < seats.used; ++lane) bodies[lane] = kinds[from.kind(seats.robots[lane])].constants;
+      kernel::Team& team = crew.add_team({bodies.data(), seats.used});
       kernel::Real slack_square{};
       for (std::size_t lane = 0; lane < seats.used; ++lane) {
         const std::size_t robot = seats.robots[lane];
-        team.state.load(*team.model, lane, from.numbers(robot), targets_rad[robot]);
+        team.state.load(team.model.body(lane), lane, from.numbers(robot), targets_rad[robot]);
         slack_square[lane] = slack_m[robot] * slack_m[robot];
       }
       team.lanes = (1u << seats.used) - 1;

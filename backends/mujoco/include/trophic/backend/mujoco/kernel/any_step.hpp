@@ -29,8 +29,8 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
 TROPHIC_LANES_INLINE void forward(Crew& crew) {
   for (std::size_t t = 0; t < crew.team_count; ++t) {
     Team& team = *crew.teams[t];
-    move_links(*team.model, team.current(), team.work);
-    place_centres(*team.model, team.work);
+    move_links(team.model, team.current(), team.work);
+    place_centres(team.model, team.work);
     team.work.doubtful = Mask{};
   }
   find_link_contacts(crew);
@@ -38,8 +38,8 @@ TROPHIC_LANES_INLINE void forward(Crew& crew) {
   for (std::size_t t = 0; t < crew.team_count; ++t) {
     Team& team = *crew.teams[t];
     find_field_contacts(team, crew.field_collider);
-    limit_joints(*team.model, team.current(), team.work);
-    find_contacts(*team.model, team.current(), team.work);
+    limit_joints(team.model, team.current(), team.work);
+    find_contacts(team.model, team.current(), team.work);
     team.going &= ~lane_bits(team.work.doubtful);
   }
   share_fate(crew);
@@ -47,7 +47,7 @@ TROPHIC_LANES_INLINE void forward(Crew& crew) {
     Team& team = *crew.teams[t];
     coupled |= team.going & team.coupled;
     if (const unsigned apart = team.going & ~team.coupled; apart != 0) {
-      team.going &= ~minimise(*team.model, team.current(), team.work, apart);
+      team.going &= ~minimise(team.model, team.current(), team.work, apart);
     }
   }
   if (coupled != 0) minimise_knots(crew);
@@ -73,7 +73,7 @@ TROPHIC_LANES_INLINE void forward(Crew& crew) {
 
 /// position += time velocity in the lanes of `moved`: the quaternion is turned by the angular velocity in the root's axes
 /// (mj_integratePos).
-TROPHIC_LANES_INLINE void move(const KernelModel& model, const Mask& moved, double time_s, const LaneArray& velocity,
+TROPHIC_LANES_INLINE void move(const LaneModel& model, const Mask& moved, double time_s, const LaneArray& velocity,
                                LaneArray& position) {
   for (std::size_t i = 0; i < 3; ++i) position[i] = select(moved, position[i] + time_s * velocity[i], position[i]);
   for (std::size_t j = 0; j < model.hinges.size(); ++j) {
@@ -92,26 +92,26 @@ TROPHIC_LANES_INLINE void move(const KernelModel& model, const Mask& moved, doub
 }
 
 /// v += h a(x, v), then x += h v: semi-implicit Euler, implicit in joint damping too (mj_Euler).
-TROPHIC_LANES_INLINE void finish_euler(const KernelModel& model, LaneState& state, Workspace& work, unsigned good) {
+TROPHIC_LANES_INLINE void finish_euler(const LaneModel& model, LaneState& state, Workspace& work, unsigned good) {
   const Mask moved = mask_of(good);
   const LaneArray* acceleration = &state.acceleration;
-  if (model.damped) {
+  if (model.shape().damped) {
     damp_joints(model, work);
     take_trial(work, moved, work.sum.acceleration);
     acceleration = &work.sum.acceleration;
   }
   for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-    state.velocity[i] = select(moved, state.velocity[i] + model.timestep_s * (*acceleration)[i], state.velocity[i]);
+    state.velocity[i] = select(moved, state.velocity[i] + model.shape().timestep_s * (*acceleration)[i], state.velocity[i]);
   }
-  move(model, moved, model.timestep_s, state.velocity, state.position);
+  move(model, moved, model.shape().timestep_s, state.velocity, state.position);
 }
 
 /// x += h sum of weighted velocities, v += h sum of weighted accelerations, warm start of the last stage.
-TROPHIC_LANES_INLINE void finish_runge_kutta(const KernelModel& model, LaneState& state, const Workspace& work, unsigned good) {
+TROPHIC_LANES_INLINE void finish_runge_kutta(const LaneModel& model, LaneState& state, const Workspace& work, unsigned good) {
   const Mask moved = mask_of(good);
-  move(model, moved, model.timestep_s, work.sum.velocity, state.position);
+  move(model, moved, model.shape().timestep_s, work.sum.velocity, state.position);
   for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-    state.velocity[i] = select(moved, state.velocity[i] + model.timestep_s * work.sum.acceleration[i], state.velocity[i]);
+    state.velocity[i] = select(moved, state.velocity[i] + model.shape().timestep_s * work.sum.acceleration[i], state.velocity[i]);
     state.acceleration[i] = select(moved, work.stage.acceleration[i], state.acceleration[i]);
   }
 }
@@ -138,15 +138,15 @@ TROPHIC_LANES_INLINE void next_stage(Team& team, std::size_t s) {
     sum.acceleration[i] += weight[s] * stage.acceleration[i];
   }
   if (s == 3) return;
-  const double step_s = ahead[s] * team.model->timestep_s;
+  const double step_s = ahead[s] * team.model.shape().timestep_s;
   stage.position = state.position;
-  move(*team.model, mask_of(team.going), step_s, stage.velocity, stage.position);
+  move(team.model, mask_of(team.going), step_s, stage.velocity, stage.position);
   for (std::size_t i = 0; i < speeds; ++i) stage.velocity[i] = state.velocity[i] + step_s * stage.acceleration[i];
 }
 
 /// One step of all robots of a crew. Afterwards those that took it are `going`; the others keep their state.
 TROPHIC_LANES_INLINE void any_step(Crew& crew) {
-  const bool euler = !crew.teams[0]->model->runge_kutta;
+  const bool euler = !crew.teams[0]->model.shape().runge_kutta;
   crew.ties.reset(crew.team_count * lane_count);
   for (std::size_t t = 0; t < crew.team_count; ++t) {
     crew.teams[t]->going = crew.teams[t]->lanes;
@@ -165,9 +165,9 @@ TROPHIC_LANES_INLINE void any_step(Crew& crew) {
   for (std::size_t t = 0; t < crew.team_count; ++t) {
     Team& team = *crew.teams[t];
     if (euler) {
-      finish_euler(*team.model, team.state, team.work, team.going);
+      finish_euler(team.model, team.state, team.work, team.going);
     } else {
-      finish_runge_kutta(*team.model, team.state, team.work, team.going);
+      finish_runge_kutta(team.model, team.state, team.work, team.going);
     }
   }
 }

@@ -31,9 +31,9 @@ inline constexpr double sphere_gap_m = 1e-9;
 
 /// Rows of joint limits. A hinge at distance r < 0 beyond its nearer limit has one row -side q'' with
 /// aref = -B v - K imp r and D = imp / ((1 - imp) * dof_invweight0).
-TROPHIC_LANES_INLINE void limit_joints(const KernelModel& model, const LaneState& state, Workspace& work) {
+TROPHIC_LANES_INLINE void limit_joints(const LaneModel& model, const LaneState& state, Workspace& work) {
   for (std::size_t j = 0; j < model.hinges.size(); ++j) {
-    const KernelHinge& hinge = model.hinges[j];
+    const LaneHinge& hinge = model.hinges[j];
     HingeWork& own = work.hinges[j];
     const Real angle = state.position[7 + j];
     const Real below = angle - hinge.lower_rad;
@@ -42,11 +42,12 @@ TROPHIC_LANES_INLINE void limit_joints(const KernelModel& model, const LaneState
     const Real distance = select(upper, above, below);
     const Mask beyond = distance < 0.0;
     own.limit_side = select(upper, broadcast(1.0), broadcast(-1.0));
-    const Real imp = impedance(model.law, distance);
+    const Real imp = impedance(model.shape().law, distance);
     own.limit_weight = where(beyond, imp / ((1.0 - imp) * hinge.inverse_weight));
-    own.limit_offset = select(
-        beyond, model.law.stiffness_per_s2 * imp * distance - model.law.damping_per_s * own.limit_side * state.velocity[6 + j],
-        broadcast(out_of_reach));
+    own.limit_offset = select(beyond,
+                              model.shape().law.stiffness_per_s2 * imp * distance -
+                                  model.shape().law.damping_per_s * own.limit_side * state.velocity[6 + j],
+                              broadcast(out_of_reach));
   }
 }
 
@@ -59,9 +60,9 @@ TROPHIC_LANES_INLINE void limit_joints(const KernelModel& model, const LaneState
 /// those below the plane, four at most in the order of the corners' sign bits; the contact point lies half the depth above the
 /// corner. Returns their largest number in any lane.
 template <int Axis>
-TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelLink& link, const LinkWork& pose,
-                                         std::size_t index, const Real& origin_m, ContactWork* slots, Workspace& work) {
-  const Plane& plane = model.planes[index];
+TROPHIC_LANES_INLINE std::size_t collide(const LaneModel& model, const LaneLink& link, const LinkWork& pose, std::size_t index,
+                                         const Real& origin_m, ContactWork* slots, Workspace& work) {
+  const Plane& plane = model.shape().planes[index];
   std::size_t counts[lane_count] = {};
   std::size_t opened = 0;
   const Real base_m = origin_m + plane.sign * pose.anchor[Axis];
@@ -69,12 +70,12 @@ TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelL
   const Real slope[3] = {plane.sign * pose.rotation.column[0][Axis], plane.sign * pose.rotation.column[1][Axis],
                          plane.sign * pose.rotation.column[2][Axis]};
   for (std::size_t b = link.first_box; b < link.first_box + link.boxes; ++b) {
-    const KernelBox& box = model.boxes[b];
+    const LaneBox& box = model.boxes[b];
     const auto& c = box.centre_m;
     const Real centre_m = base_m + (slope[0] * c[0] + slope[1] * c[1] + slope[2] * c[2]);
     Real rise[3];
     for (std::size_t k = 0; k < 3; ++k) {
-      const double* axis = box.axes.data() + 3 * k;
+      const Real* axis = box.axes + 3 * k;
       const Real along = box.aligned ? slope[k] : slope[0] * axis[0] + slope[1] * axis[1] + slope[2] * axis[2];
       rise[k] = along * box.half_extents_m[k];
     }
@@ -84,8 +85,8 @@ TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelL
     const Vec3 centre = work.box_centres[b];
     Vec3 half[3];
     for (std::size_t k = 0; k < 3; ++k) {
-      const double* axis = box.axes.data() + 3 * k;
-      half[k] = (box.aligned ? pose.rotation.column[k] : rotate(pose.rotation, axis)) * broadcast(box.half_extents_m[k]);
+      const Real* axis = box.axes + 3 * k;
+      half[k] = (box.aligned ? pose.rotation.column[k] : rotate(pose.rotation, axis)) * box.half_extents_m[k];
     }
     std::uint32_t hits = 0;  // bit corner * lane_count + lane: this corner is in contact in this lane
     Real distances_m[8];
@@ -131,23 +132,23 @@ TROPHIC_LANES_INLINE std::size_t collide(const KernelModel& model, const KernelL
 /// D = 1 / (2 mu^2 R), R = (1 - imp) / imp (1 + mu^2) body_invweight0. With y = J q'' + B v + K imp r n (a vector), the rows'
 /// residuals J q'' - aref are y_n +- mu y_t.
 template <int Axis>
-TROPHIC_LANES_INLINE void make_rows(const KernelModel& model, const KernelLink& link, const LinkWork& pose, const Plane& plane,
+TROPHIC_LANES_INLINE void make_rows(const LaneModel& model, const LaneLink& link, const LinkWork& pose, const Plane& plane,
                                     ContactWork& contact) {
-  const double mu = model.friction;
-  const Real imp = impedance(model.law, contact.depth);
+  const double mu = model.shape().friction;
+  const Real imp = impedance(model.shape().law, contact.depth);
   const Mask present = contact.depth < 0.0;
-  const double scale = 2.0 * mu * mu * (1.0 + mu * mu) * link.inverse_weight_per_kg;
+  const Real scale = 2.0 * mu * mu * (1.0 + mu * mu) * link.inverse_weight_per_kg;
   contact.weight = where(present, imp / ((1.0 - imp) * scale));
   const Vec3 velocity = point_motion(pose.velocity, contact.point);
-  for (int k = 0; k < 3; ++k) contact.offset[k] = where(present, model.law.damping_per_s * velocity[(Axis + k) % 3]);
-  const Real normal = contact.offset[0] + (plane.sign * model.law.stiffness_per_s2) * imp * contact.depth;
+  for (int k = 0; k < 3; ++k) contact.offset[k] = where(present, model.shape().law.damping_per_s * velocity[(Axis + k) % 3]);
+  const Real normal = contact.offset[0] + (plane.sign * model.shape().law.stiffness_per_s2) * imp * contact.depth;
   contact.offset[0] = select(present, normal, broadcast(plane.sign * out_of_reach));
 }
 
 /// Contacts of all links with plane `index`, appended to the workspace.
 template <int Axis>
-TROPHIC_LANES_INLINE void collide_all(const KernelModel& model, std::size_t index, const LaneState& state, Workspace& work) {
-  const Plane& plane = model.planes[index];
+TROPHIC_LANES_INLINE void collide_all(const LaneModel& model, std::size_t index, const LaneState& state, Workspace& work) {
+  const Plane& plane = model.shape().planes[index];
   const Real origin_m = plane.sign * state.position[Axis] - plane.offset_m;
   if (lane_bits(origin_m < model.bounding_radius_m) == 0) return;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
@@ -166,10 +167,10 @@ TROPHIC_LANES_INLINE void collide_all(const KernelModel& model, std::size_t inde
 }
 
 /// All contacts of all links, grouped by plane and link, and the lanes that are left to MuJoCo.
-TROPHIC_LANES_INLINE void find_contacts(const KernelModel& model, const LaneState& state, Workspace& work) {
+TROPHIC_LANES_INLINE void find_contacts(const LaneModel& model, const LaneState& state, Workspace& work) {
   work.group_count = work.contact_count = 0;
-  for (std::size_t index = 0; index < model.planes.size(); ++index) {
-    switch (model.planes[index].axis) {
+  for (std::size_t index = 0; index < model.shape().planes.size(); ++index) {
+    switch (model.shape().planes[index].axis) {
       case 0:
         collide_all<0>(model, index, state, work);
         break;

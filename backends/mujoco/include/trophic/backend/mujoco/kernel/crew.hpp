@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots that are stepped together: teams of four robots of one body, and contacts between robots of any of them.
+// Robots that are stepped together: teams of four robots of one shape, and contacts between robots of any of them.
 #pragma once
 
 #include <array>
@@ -10,15 +10,16 @@
 #include <optional>
 #include <span>
 #include <trophic/backend/mujoco/kernel/field_contact.hpp>
+#include <trophic/backend/mujoco/kernel/lane_model.hpp>
 #include <trophic/backend/mujoco/kernel/symmetric_system.hpp>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
 
-/// Up to four robots of one body, one per lane.
+/// Up to four robots whose bodies have one shape, one per lane.
 struct Team {
-  const KernelModel* model = nullptr;
+  LaneModel model;
   LaneState state;
   Workspace work;
   unsigned lanes = 0;  ///< bit i: a robot is in lane i
@@ -32,8 +33,8 @@ struct Team {
   bool is_stale = false;  ///< whether its trees must be eliminated anew
 
   /// The states of this stage.
-  [[nodiscard]] LaneState& current() { return model->runge_kutta ? work.stage : state; }
-  [[nodiscard]] const LaneState& current() const { return model->runge_kutta ? work.stage : state; }
+  [[nodiscard]] LaneState& current() { return model.shape().runge_kutta ? work.stage : state; }
+  [[nodiscard]] const LaneState& current() const { return model.shape().runge_kutta ? work.stage : state; }
   [[nodiscard]] bool is_going(std::size_t lane) const { return (going & (1u << lane)) != 0; }
 };
 
@@ -153,11 +154,12 @@ struct Crew {
     order.clear();
   }
 
-  /// A further team, without robots.
-  Team& add_team(const KernelModel& model) {
+  /// A further team, without robots. `bodies`: of its lanes, of one shape; lanes beyond them get the first.
+  Team& add_team(std::span<const std::shared_ptr<const KernelModel>> bodies) {
     if (team_count == teams.size()) teams.push_back(std::make_unique<Team>());
     Team& team = *teams[team_count++];
-    team.model = &model;
+    team.model.set_bodies(bodies);
+    const KernelModel& model = team.model.shape();
     team.state.fit(model);
     team.work.fit(model);
     team.work.forget_rows();

@@ -101,7 +101,7 @@ class Knot {
     }
     constexpr std::size_t chosen = 0;
     const auto choose = [&](const Seat& seat, std::size_t link) {
-      const KernelModel& model = *crew_.team(seat).model;
+      const LaneModel& model = crew_.team(seat).model;
       for (; link > 0 && hinge_index(seat, link) != chosen; link = model.links[link].parent) hinge_index(seat, link) = chosen;
     };
     for (const LinkContact* contact : own_.link_contacts) {
@@ -173,7 +173,7 @@ class Knot {
   }
   void add_hinges(KnotContact& contact, const Seat& seat, std::size_t link, double sign, const std::array<double, 3>& point,
                   const Frame& frame) {
-    const KernelModel& model = *crew_.team(seat).model;
+    const LaneModel& model = crew_.team(seat).model;
     for (; link > 0; link = model.links[link].parent) add_hinge(contact, seat, link, sign, point, frame);
   }
   /// And what the root's motion adds: f . (w x p) = w . (p x f).
@@ -201,11 +201,11 @@ class Knot {
 
   void add(const SeatedContact& from) {
     const Team& team = crew_.team(from.seat);
+    const KernelModel& body = team.model.body(from.seat.lane);
     const std::size_t link = from.contact.link;
     const auto& [point_m, frame, depth_m] = from.contact.contact;
     const std::array<double, 3> velocity = at_point(team.work.links[link].velocity, from.seat.lane, point_m);
-    KnotContact contact =
-        rows_of(team.model->law, depth_m, frame, velocity, team.model->friction, team.model->links[link].inverse_weight_per_kg);
+    KnotContact contact = rows_of(body.law, depth_m, frame, velocity, body.friction, body.links[link].inverse_weight_per_kg);
     add_hinges(contact, from.seat, link, 1.0, point_m, frame);
     add_root(contact, from.seat, 1.0, point_m, frame);
     own_.contacts.push_back(contact);
@@ -215,13 +215,15 @@ class Knot {
   void add(const LinkContact& from) {
     const Team& first = crew_.team(from.seat[0]);
     const Team& second = crew_.team(from.seat[1]);
+    const KernelModel& first_body = first.model.body(from.seat[0].lane);
+    const KernelModel& second_body = second.model.body(from.seat[1].lane);
     const double inverse_weight_per_kg =
-        first.model->links[from.link[0]].own_inverse_weight_per_kg + second.model->links[from.link[1]].own_inverse_weight_per_kg;
+        first_body.links[from.link[0]].own_inverse_weight_per_kg + second_body.links[from.link[1]].own_inverse_weight_per_kg;
     const std::array<double, 3> before = at_point(first.work.links[from.link[0]].velocity, from.seat[0].lane, from.point_m[0]);
     std::array<double, 3> velocity = at_point(second.work.links[from.link[1]].velocity, from.seat[1].lane, from.point_m[1]);
     for (std::size_t i = 0; i < 3; ++i) velocity[i] -= before[i];
-    const double mu = std::max(first.model->link_friction, second.model->link_friction);
-    KnotContact contact = rows_of(first.model->law, from.depth_m, from.frame, velocity, mu, inverse_weight_per_kg);
+    const double mu = std::max(first_body.link_friction, second_body.link_friction);
+    KnotContact contact = rows_of(first_body.law, from.depth_m, from.frame, velocity, mu, inverse_weight_per_kg);
     if (from.seat[0] != from.seat[1]) {
       add_hinges(contact, from.seat[0], from.link[0], -1.0, from.point_m[0], from.frame);
       add_hinges(contact, from.seat[1], from.link[1], 1.0, from.point_m[1], from.frame);
@@ -235,7 +237,7 @@ class Knot {
 
   /// Two links of one robot: what moves both does not count.
   void add_loop(KnotContact& contact, const LinkContact& from) {
-    const KernelModel& model = *crew_.team(from.seat[0]).model;
+    const LaneModel& model = crew_.team(from.seat[0]).model;
     auto [first, second] = from.link;
     while (first != second) {
       std::size_t& outer = first > second ? first : second;
@@ -274,7 +276,7 @@ class Knot {
         if (!is_kept(seat, i)) continue;
         const LinkWork& link = team.work.links[i];
         const std::size_t row = hinge_index(seat, i);
-        for (std::size_t k = i; k > 0; k = team.model->links[k].parent) {
+        for (std::size_t k = i; k > 0; k = team.model.links[k].parent) {
           const double inertia = along(team.work.links[k].axis, link.reach, lane) + (k == i ? link.load[lane] : 0.0);
           system(row, hinge_index(seat, k)) = inertia;
         }
@@ -352,7 +354,7 @@ class Knot {
 
 /// Eliminates the hinges of a team that are not unknowns of knots.
 TROPHIC_LANES_INLINE void eliminate_trees(Team& team) {
-  const KernelModel& model = *team.model;
+  const LaneModel& model = team.model;
   Workspace& work = team.work;
   gather_active(model, work);
   for (std::size_t i = work.links.size() - 1; i > 0; --i) {
@@ -369,7 +371,7 @@ TROPHIC_LANES_INLINE void move_eliminated(Team& team) {
   Workspace& work = team.work;
   for (std::size_t i = 1; i < work.links.size(); ++i) {
     LinkWork& link = work.links[i];
-    const Spatial& parent = work.links[team.model->links[i].parent].trial;
+    const Spatial& parent = work.links[team.model.links[i].parent].trial;
     Real& acceleration = work.hinges[i - 1].trial;
     acceleration = select(work.knot_links[i].kept, acceleration, eliminated_acceleration(link, parent));
     link.trial = parent + link.axis * acceleration;

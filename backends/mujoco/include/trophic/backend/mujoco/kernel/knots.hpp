@@ -77,7 +77,7 @@ TROPHIC_LANES_INLINE void minimise_knots(Crew& crew) {
     if (team.unsolved == 0) continue;
     keep_trial(team.work, mask_of(all_lanes));
     for (KnotLink& link : team.work.knot_links) link.kept = Mask{};
-    first_rows(*team.model, team.current(), team.work);
+    first_rows(team.model, team.current(), team.work);
   }
   std::size_t open = crew.knot_count;
   for (std::size_t k = 0; k < crew.knot_count; ++k) {
@@ -101,7 +101,7 @@ TROPHIC_LANES_INLINE void minimise_knots(Crew& crew) {
       Team& team = *crew.teams[t];
       if (team.unsolved == 0) continue;
       move_eliminated(team);
-      team.changed = lane_bits(evaluate_trial(*team.model, team.work)) & team.unsolved;
+      team.changed = lane_bits(evaluate_trial(team.model, team.work)) & team.unsolved;
       team.is_stale = team.changed != 0;
     }
     for (std::size_t k = 0; k < crew.knot_count; ++k) {

@@ -28,6 +28,7 @@ struct ContactLaw {
   double midpoint;
   double damping_per_s;     ///< B of aref = -B v - K imp r
   double stiffness_per_s2;  ///< K of the same
+  friend bool operator==(const ContactLaw&, const ContactLaw&) = default;
 };
 
 /// The half space sign * x[axis] < offset_m is solid; `axis` 0, 1, 2 is world x, y, z.

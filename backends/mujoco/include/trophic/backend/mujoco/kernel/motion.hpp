@@ -24,12 +24,12 @@ TROPHIC_LANES_INLINE void normalize_quaternion(LaneArray& position) {
 }
 
 /// Sphere and inertia about the root's origin in world axes: R I R' and the parallel axis theorem, I + m (c'c 1 - c c').
-TROPHIC_LANES_INLINE void place_inertia(const KernelLink& link, LinkWork& work) {
-  work.sphere_centre = work.anchor + rotate(work.rotation, link.sphere_centre_m.data());
-  const Vec3 centre = work.anchor + rotate(work.rotation, link.centre_of_mass_m.data());
-  const auto& own = link.inertia_kgm2;
-  const double rows[3][3] = {{own[0], own[3], own[4]}, {own[3], own[1], own[5]}, {own[4], own[5], own[2]}};
-  const double mass = link.mass_kg;
+TROPHIC_LANES_INLINE void place_inertia(const LaneLink& link, LinkWork& work) {
+  work.sphere_centre = work.anchor + rotate(work.rotation, link.sphere_centre_m);
+  const Vec3 centre = work.anchor + rotate(work.rotation, link.centre_of_mass_m);
+  const Real* const own = link.inertia_kgm2;
+  const Real rows[3][3] = {{own[0], own[3], own[4]}, {own[3], own[1], own[5]}, {own[4], own[5], own[2]}};
+  const Real mass = link.mass_kg;
   RigidInertia& inertia = work.inertia;
   inertia.mass_kg = mass;
   for (int i = 0; i < 3; ++i) inertia.moment[i] = mass * centre[i];
@@ -61,7 +61,7 @@ TROPHIC_LANES_INLINE void set_bias(LinkWork& work) {
 /// R_i = R_p F_i Rz(q_i); S_i = (a_i, r_i x a_i) with hinge axis a_i through r_i; V_i = V_p + S_i q'_i;
 /// drift_i = drift_p + V_p x S_i q'_i, drift_0 = (0, -w x v - g). The joint torque is the servo's and the joint's own damping.
 /// The quaternion in `state` is normalised.
-TROPHIC_LANES_INLINE void move_links(const KernelModel& model, LaneState& state, Workspace& work) {
+TROPHIC_LANES_INLINE void move_links(const LaneModel& model, LaneState& state, Workspace& work) {
   const LaneArray& position = state.position;
   const LaneArray& velocity = state.velocity;
   normalize_quaternion(state.position);
@@ -73,25 +73,25 @@ TROPHIC_LANES_INLINE void move_links(const KernelModel& model, LaneState& state,
   root.velocity = {angular, linear};
   root.drift.angular = {};
   root.drift.linear = cross(linear, angular);
-  root.drift.linear[2] += model.gravity_m_s2;
+  root.drift.linear[2] += model.shape().gravity_m_s2;
   place_inertia(model.links[0], root);
   set_bias(root);
 
   for (std::size_t i = 1; i < model.links.size(); ++i) {
-    const KernelLink& link = model.links[i];
-    const KernelHinge& hinge = model.hinges[i - 1];
+    const LaneLink& link = model.links[i];
+    const LaneHinge& hinge = model.hinges[i - 1];
     LinkWork& own = work.links[i];
     const LinkWork& parent = work.links[link.parent];
     const Real angle = position[7 + i - 1];
     const Real rate = velocity[6 + i - 1];
-    own.anchor = parent.anchor + rotate(parent.rotation, link.offset_m.data());
+    own.anchor = parent.anchor + rotate(parent.rotation, link.offset_m);
     Real sine, cosine;
     sine_cosine(angle, sine, cosine);
-    const Vec3 first = rotate(parent.rotation, link.rotation.data());
-    const Vec3 second = rotate(parent.rotation, link.rotation.data() + 3);
+    const Vec3 first = rotate(parent.rotation, link.rotation);
+    const Vec3 second = rotate(parent.rotation, link.rotation + 3);
     own.rotation.column[0] = first * cosine + second * sine;
     own.rotation.column[1] = second * cosine - first * sine;
-    own.rotation.column[2] = rotate(parent.rotation, link.rotation.data() + 6);
+    own.rotation.column[2] = rotate(parent.rotation, link.rotation + 6);
     own.axis.angular = own.rotation.column[2];
     own.axis.linear = cross(own.anchor, own.axis.angular);
     const Spatial swing = own.axis * rate;
@@ -99,8 +99,8 @@ TROPHIC_LANES_INLINE void move_links(const KernelModel& model, LaneState& state,
     own.drift = parent.drift + cross_motion(parent.velocity, swing);
     place_inertia(link, own);
     set_bias(own);
-    const Real lowest = broadcast(hinge.lowest_target_rad);
-    const Real highest = broadcast(hinge.highest_target_rad);
+    const Real& lowest = hinge.lowest_target_rad;
+    const Real& highest = hinge.highest_target_rad;
     const Real target = state.target[i - 1];
     const Real clipped = select(target > highest, highest, select(target < lowest, lowest, target));
     work.hinges[i - 1].torque = hinge.gain * clipped + hinge.bias + hinge.angle_gain * angle + hinge.rate_gain * rate;

@@ -16,12 +16,12 @@ namespace trophic::backend::kernel {
 }
 
 /// Centres of all boxes, from the origin of the root.
-TROPHIC_LANES_INLINE void place_centres(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work) {
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const KernelLink& link = model.links[i];
+    const LaneLink& link = model.links[i];
     const LinkWork& pose = work.links[i];
     for (std::size_t b = link.first_box; b < link.first_box + link.boxes; ++b) {
-      work.box_centres[b] = pose.anchor + rotate(pose.rotation, model.boxes[b].centre_m.data());
+      work.box_centres[b] = pose.anchor + rotate(pose.rotation, model.boxes[b].centre_m);
     }
   }
 }
@@ -76,7 +76,7 @@ TROPHIC_LANES_INLINE void place_centres(const KernelModel& model, Workspace& wor
 }
 
 /// Lanes in which spheres around two centres overlap.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned overlapping(const Vec3& a, const Vec3& b, double radius_m) {
+[[nodiscard]] TROPHIC_LANES_INLINE unsigned overlapping(const Vec3& a, const Vec3& b, const Real& radius_m) {
   const Vec3 between = b - a;
   return lane_bits(dot(between, between) <= radius_m * radius_m);
 }
@@ -110,8 +110,8 @@ struct LinkOf {
                                             std::uint8_t& last_gap, Crew& crew) {
   Team& team_a = crew.team(a.seat);
   Team& team_b = crew.team(b.seat);
-  const PlacedBox& box_a = placed_box(*team_a.model, team_a.work.links[a.link], i, a.seat.lane, team_a.work);
-  const PlacedBox& box_b = placed_box(*team_b.model, team_b.work.links[b.link], j, b.seat.lane, team_b.work);
+  const PlacedBox& box_a = placed_box(team_a.model.body(a.seat.lane), team_a.work.links[a.link], i, a.seat.lane, team_a.work);
+  const PlacedBox& box_b = placed_box(team_b.model.body(b.seat.lane), team_b.work.links[b.link], j, b.seat.lane, team_b.work);
   if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, crew);
 }
 
@@ -119,8 +119,8 @@ struct LinkOf {
 TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const std::array<double, 3>& apart_m, Crew& crew) {
   const Team& team_a = crew.team(a.seat);
   const Team& team_b = crew.team(b.seat);
-  const KernelLink& link_a = team_a.model->links[a.link];
-  const KernelLink& link_b = team_b.model->links[b.link];
+  const KernelLink& link_a = team_a.model.body(a.seat.lane).links[a.link];
+  const KernelLink& link_b = team_b.model.body(b.seat.lane).links[b.link];
   for (std::size_t i = link_a.first_box; i < link_a.first_box + link_a.boxes; ++i) {
     for (std::size_t j = link_b.first_box; j < link_b.first_box + link_b.boxes; ++j) {
       double between_m[3];
@@ -130,7 +130,7 @@ TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const 
         between_m[k] = team_b.work.box_centres[j][axis][b.seat.lane] + apart_m[k] - team_a.work.box_centres[i][axis][a.seat.lane];
         square_m2 += between_m[k] * between_m[k];
       }
-      const double reach_m = team_a.model->boxes[i].radius_m + team_b.model->boxes[j].radius_m;
+      const double reach_m = team_a.model.body(a.seat.lane).boxes[i].radius_m + team_b.model.body(b.seat.lane).boxes[j].radius_m;
       if (square_m2 > reach_m * reach_m) continue;
       const std::size_t pair = ((a.seat.slot() * 61 + i) * 31 + b.seat.slot()) * 61 + j;
       collide_boxes(a, i, b, j, apart_m, between_m, crew.last_gap[pair % Crew::gaps], crew);
@@ -140,12 +140,12 @@ TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const 
 
 /// Contacts of links of one robot that MuJoCo would collide: spheres around links, then around boxes, of all robots at once.
 TROPHIC_LANES_INLINE void collide_own_links(Crew& crew, std::size_t index, unsigned lanes) {
-  const KernelModel& model = *crew.teams[index]->model;
+  const LaneModel& model = crew.teams[index]->model;
   Workspace& work = crew.teams[index]->work;
   const std::size_t boxes = model.boxes.size();
-  for (const LinkPair& pair : model.pairs) {
-    const KernelLink& first = model.links[pair.first];
-    const KernelLink& second = model.links[pair.second];
+  for (const LinkPair& pair : model.shape().pairs) {
+    const LaneLink& first = model.links[pair.first];
+    const LaneLink& second = model.links[pair.second];
     const unsigned near = overlapping(work.links[pair.first].sphere_centre, work.links[pair.second].sphere_centre,
                                       first.sphere_radius_m + second.sphere_radius_m) &
                           lanes;
@@ -174,7 +174,9 @@ TROPHIC_LANES_INLINE void collide_robots(Crew& crew, const Seat& a, const Seat& 
   std::array<double, 3> apart_m;
   for (std::size_t k = 0; k < 3; ++k) apart_m[k] = team_b.current().position[k][b.lane] - team_a.current().position[k][a.lane];
   const double square_m2 = apart_m[0] * apart_m[0] + apart_m[1] * apart_m[1] + apart_m[2] * apart_m[2];
-  const double robots_m = team_a.model->bounding_radius_m + team_b.model->bounding_radius_m;
+  const KernelModel& body_a = team_a.model.body(a.lane);
+  const KernelModel& body_b = team_b.model.body(b.lane);
+  const double robots_m = body_a.bounding_radius_m + body_b.bounding_radius_m;
   if (!(square_m2 <= robots_m * robots_m)) return;
   for (std::size_t i = 0; i < team_a.work.links.size(); ++i) {
     for (std::size_t j = 0; j < team_b.work.links.size(); ++j) {
@@ -184,7 +186,7 @@ TROPHIC_LANES_INLINE void collide_robots(Crew& crew, const Seat& a, const Seat& 
                                  team_a.work.links[i].sphere_centre[k][a.lane];
         between_m2 += between_m * between_m;
       }
-      const double reach_m = team_a.model->links[i].sphere_radius_m + team_b.model->links[j].sphere_radius_m;
+      const double reach_m = body_a.links[i].sphere_radius_m + body_b.links[j].sphere_radius_m;
       if (between_m2 <= reach_m * reach_m) collide_links({i, a}, {j, b}, apart_m, crew);
     }
   }
@@ -235,13 +237,13 @@ TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, std::size_t in
 /// All contacts of the robots of a team that are `going` with the height field; these robots become `coupled`.
 TROPHIC_LANES_INLINE void find_field_contacts(Team& team, std::optional<FieldCollider>& collider) {
   team.work.field_contacts.clear();
-  if (!team.model->field) return;
+  if (!team.model.shape().field) return;
   const LaneArray& at = team.current().position;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     if (!team.is_going(lane)) continue;
     const std::array<double, 3> origin_m = {at[0][lane], at[1][lane], at[2][lane]};
     for (std::size_t link = 0; link < team.work.links.size(); ++link) {
-      collide_field(*team.model, link, lane, origin_m, team.work, *collider);
+      collide_field(team.model.body(lane), link, lane, origin_m, team.work, *collider);
     }
   }
   for (const FieldContact& contact : team.work.field_contacts) team.coupled |= 1u << contact.lane;

@@ -39,8 +39,8 @@ struct SlopeContact {
   }
 };
 
-TROPHIC_LANES_INLINE void row_slope(const KernelModel& model, Workspace& work, const Real& along, Real& slope, Real& curvature) {
-  for_each_contact(model, work, SlopeContact{model.friction, &along, &slope, &curvature});
+TROPHIC_LANES_INLINE void row_slope(const LaneModel& model, Workspace& work, const Real& along, Real& slope, Real& curvature) {
+  for_each_contact(model, work, SlopeContact{model.shape().friction, &along, &slope, &curvature});
   for (const HingeWork& hinge : work.hinges) {
     add_row(hinge.limit_offset - hinge.limit_side * hinge.acceleration, hinge.limit_offset - hinge.limit_side * hinge.trial,
             hinge.limit_weight, along, slope, curvature);
@@ -64,7 +64,7 @@ struct MoveContact {
 /// With v = trial - current the slope of the cost is, because the trial point is the minimum of the quadratic of the current
 /// point's rows, slope(a) = (a - 1) v'Mv + rows(a) - rows that push at 0, taken at 1; it increases, is piecewise linear and not
 /// positive at 0. Newton's method on it, kept inside a bracket, ends at the root of the piece that holds it.
-TROPHIC_LANES_INLINE void search_line(const KernelModel& model, Workspace& work, const Mask& changed) {
+TROPHIC_LANES_INLINE void search_line(const LaneModel& model, Workspace& work, const Mask& changed) {
   Real quadratic{};
   for (const LinkWork& link : work.links) {
     const Spatial step = link.trial - link.acceleration;
@@ -101,7 +101,7 @@ TROPHIC_LANES_INLINE void search_line(const KernelModel& model, Workspace& work,
     hinge.trial = select(changed, hinge.acceleration + (hinge.trial - hinge.acceleration) * along, hinge.trial);
     hinge.limit_active = hinge.limit_offset - hinge.limit_side * hinge.trial < 0.0;
   }
-  for_each_contact(model, work, MoveContact{model.friction, &changed, &along});
+  for_each_contact(model, work, MoveContact{model.shape().friction, &changed, &along});
 }
 
 /// The rows that pushed last: of a corner those when it last touched the plane, all where it has not, and all joint limits that
@@ -122,7 +122,7 @@ TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
 }
 
 /// The rows that push at the last acceleration, MuJoCo's guess.
-TROPHIC_LANES_INLINE void guess_rows(const KernelModel& model, const LaneState& state, Workspace& work) {
+TROPHIC_LANES_INLINE void guess_rows(const LaneModel& model, const LaneState& state, Workspace& work) {
   const LaneArray& warm = state.acceleration;
   LinkWork& root = work.links[0];
   root.trial = {root.rotation * Vec3{{warm[3], warm[4], warm[5]}}, {{warm[0], warm[1], warm[2]}}};
@@ -136,7 +136,7 @@ TROPHIC_LANES_INLINE void guess_rows(const KernelModel& model, const LaneState& 
 /// The first guess of the rows that push: those that pushed last, which is more often right than MuJoCo's guess, or that where
 /// nothing is known of the last step. It changes nothing but the number of steps: the minimum is one and is computed from the
 /// rows that push there.
-TROPHIC_LANES_INLINE void first_rows(const KernelModel& model, const LaneState& state, Workspace& work) {
+TROPHIC_LANES_INLINE void first_rows(const LaneModel& model, const LaneState& state, Workspace& work) {
   recall_rows(work);
   if (!work.rows_known) guess_rows(model, state, work);
 }
@@ -160,7 +160,7 @@ TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
 
 /// The acceleration that minimises the cost, as `trial` of links and hinges. A lane whose rows stay the same keeps its
 /// solution bitwise, independent of the others. Returns those of `lanes` that did not settle.
-[[nodiscard]] TROPHIC_LANES_INLINE unsigned minimise(const KernelModel& model, const LaneState& state, Workspace& work,
+[[nodiscard]] TROPHIC_LANES_INLINE unsigned minimise(const LaneModel& model, const LaneState& state, Workspace& work,
                                                      unsigned lanes) {
   first_rows(model, state, work);
   Mask changed{};

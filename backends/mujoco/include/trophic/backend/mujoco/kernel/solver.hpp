@@ -145,10 +145,10 @@ struct EveryLink {
 
 /// Calls `visit.template visit<Axis>(contact, sign, link)` for each contact of the links for which `wanted` is true.
 template <class Visitor, class Wanted = EveryLink>
-TROPHIC_LANES_INLINE void for_each_contact(const KernelModel& model, Workspace& work, Visitor visit, Wanted wanted = {}) {
+TROPHIC_LANES_INLINE void for_each_contact(const LaneModel& model, Workspace& work, Visitor visit, Wanted wanted = {}) {
   for (std::size_t g = 0; g < work.group_count; ++g) {
     const ContactGroup& group = work.groups[g];
-    const Plane& plane = model.planes[group.plane];
+    const Plane& plane = model.shape().planes[group.plane];
     LinkWork& link = work.links[group.link];
     if (!wanted(link)) continue;
     ContactWork* const first = work.contacts.data() + group.first;
@@ -176,7 +176,7 @@ struct AddContact {
 };
 
 /// Solves for the root, then outwards for all hinges: sets `trial` of all links and hinges.
-TROPHIC_LANES_INLINE void solve_outwards(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE void solve_outwards(const LaneModel& model, Workspace& work) {
   work.links[0].trial = solve_root(work.links[0].articulated, work.links[0].force);
   for (std::size_t i = 1; i < model.links.size(); ++i) {
     LinkWork& link = work.links[i];
@@ -189,7 +189,7 @@ TROPHIC_LANES_INLINE void solve_outwards(const KernelModel& model, Workspace& wo
 
 /// Solves for the joint and root accelerations x of `articulated`, `force` of all links and `load` (added to the diagonal),
 /// `torque` of all hinges.
-TROPHIC_LANES_INLINE void solve_tree(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE void solve_tree(const LaneModel& model, Workspace& work) {
   for (std::size_t i = model.links.size() - 1; i > 0; --i) {
     eliminate_hinge(work.links[i], work.links[model.links[i].parent]);
   }
@@ -208,20 +208,20 @@ TROPHIC_LANES_INLINE void gather_link(Workspace& work, std::size_t i) {
 }
 
 /// Inertias, forces and torques of all links with the rows that push now.
-TROPHIC_LANES_INLINE void gather_active(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE void gather_active(const LaneModel& model, Workspace& work) {
   for (std::size_t i = 0; i < model.links.size(); ++i) gather_link(work, i);
-  for_each_contact(model, work, AddContact{model.friction});
+  for_each_contact(model, work, AddContact{model.shape().friction});
 }
 
 /// The minimum of the quadratic of the rows that push now.
-TROPHIC_LANES_INLINE void solve_active(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE void solve_active(const LaneModel& model, Workspace& work) {
   gather_active(model, work);
   solve_tree(model, work);
 }
 
 /// As `solve_active`, where the last solution differs only by rows that `evaluate_trial` changed in `lanes`: links without such
 /// rows in them or further out are as they were.
-TROPHIC_LANES_INLINE void solve_changed(const KernelModel& model, Workspace& work, unsigned lanes) {
+TROPHIC_LANES_INLINE void solve_changed(const LaneModel& model, Workspace& work, unsigned lanes) {
   for (LinkWork& link : work.links) link.is_stale = (lane_bits(link.changed) & lanes) != 0;
   for (std::size_t i = model.links.size() - 1; i > 0; --i) {
     if (work.links[i].is_stale) work.links[model.links[i].parent].is_stale = true;
@@ -229,7 +229,7 @@ TROPHIC_LANES_INLINE void solve_changed(const KernelModel& model, Workspace& wor
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (work.links[i].is_stale) gather_link(work, i);
   }
-  for_each_contact(model, work, AddContact{model.friction}, [](const LinkWork& link) { return link.is_stale; });
+  for_each_contact(model, work, AddContact{model.shape().friction}, [](const LinkWork& link) { return link.is_stale; });
   for (std::size_t i = model.links.size() - 1; i > 0; --i) {
     LinkWork& link = work.links[i];
     LinkWork& parent = work.links[model.links[i].parent];
@@ -243,13 +243,13 @@ TROPHIC_LANES_INLINE void solve_changed(const KernelModel& model, Workspace& wor
 }
 
 /// Replaces the trial acceleration a by that of Euler's method implicit in joint damping B: (M + h B) x = M a.
-TROPHIC_LANES_INLINE void damp_joints(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE void damp_joints(const LaneModel& model, Workspace& work) {
   for (LinkWork& link : work.links) {
     expand(link.inertia, link.articulated);
     link.force = (link.inertia * link.trial) * broadcast(-1.0);
   }
   for (std::size_t j = 0; j < model.hinges.size(); ++j) {
-    work.links[j + 1].load = broadcast(model.timestep_s * model.hinges[j].damping);
+    work.links[j + 1].load = model.shape().timestep_s * model.hinges[j].damping;
     work.links[j + 1].torque = Real{};
   }
   solve_tree(model, work);
@@ -282,7 +282,7 @@ struct TryContact {
 
 /// Evaluates all rows at the trial point; `changed` of a link becomes the lanes in which its rows differ from before. Returns
 /// the lanes in which any do.
-TROPHIC_LANES_INLINE Mask evaluate_trial(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE Mask evaluate_trial(const LaneModel& model, Workspace& work) {
   work.links[0].changed = Mask{};
   for (std::size_t j = 0; j < work.hinges.size(); ++j) {
     HingeWork& hinge = work.hinges[j];
@@ -290,7 +290,7 @@ TROPHIC_LANES_INLINE Mask evaluate_trial(const KernelModel& model, Workspace& wo
     work.links[j + 1].changed = hinge.limit_active ^ now;
     hinge.limit_active = now;
   }
-  for_each_contact(model, work, TryContact{model.friction});
+  for_each_contact(model, work, TryContact{model.shape().friction});
   Mask changed{};
   for (const LinkWork& link : work.links) changed |= link.changed;
   return changed;
@@ -304,7 +304,7 @@ struct AcceptContact {
   }
 };
 
-TROPHIC_LANES_INLINE void accept_trial(const KernelModel& model, Workspace& work) {
+TROPHIC_LANES_INLINE void accept_trial(const LaneModel& model, Workspace& work) {
   for (LinkWork& link : work.links) link.acceleration = link.trial;
   for (HingeWork& hinge : work.hinges) hinge.acceleration = hinge.trial;
   for_each_contact(model, work, AcceptContact{});

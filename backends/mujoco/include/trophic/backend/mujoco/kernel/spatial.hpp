@@ -39,8 +39,8 @@ struct Mat3 {
 [[nodiscard]] TROPHIC_LANES_INLINE Vec3 operator*(const Mat3& m, const Vec3& a) {
   return m.column[0] * a[0] + m.column[1] * a[1] + m.column[2] * a[2];
 }
-/// The rotation times a vector of constants that all robots share.
-[[nodiscard]] TROPHIC_LANES_INLINE Vec3 rotate(const Mat3& m, const double* a) {
+/// The rotation times a vector of constants.
+[[nodiscard]] TROPHIC_LANES_INLINE Vec3 rotate(const Mat3& m, const Real* a) {
   Vec3 r;
   for (int i = 0; i < 3; ++i) r[i] = m.column[0][i] * a[0] + m.column[1][i] * a[1] + m.column[2][i] * a[2];
   return r;
@@ -115,7 +115,7 @@ TROPHIC_LANES_INLINE void add_square(Sym3& s, const Vec3& a, const Real& scale) 
 
 /// Inertia of a rigid body: mass, mass times centre of mass, rotational inertia, both about the root's origin.
 struct RigidInertia {
-  double mass_kg;
+  Real mass_kg;
   Vec3 moment;
   Sym3 rotational;
 };
@@ -150,7 +150,7 @@ TROPHIC_LANES_INLINE void expand(const RigidInertia& inertia, Inertia6& to) {
   c[2][0] = -h[1];
   c[2][1] = h[0];
   for (int i = 0; i < 3; ++i) {
-    to.linear.v[i] = broadcast(inertia.mass_kg);
+    to.linear.v[i] = inertia.mass_kg;
     to.linear.v[3 + i] = Real{};
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The states of four robots of one body and the scratch memory of their step.
+// The states of four robots of one shape and the scratch memory of their step.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <trophic/backend/mujoco/kernel/box_contact.hpp>
-#include <trophic/backend/mujoco/kernel/model.hpp>
+#include <trophic/backend/mujoco/kernel/lane_model.hpp>
 #include <trophic/backend/mujoco/kernel/spatial.hpp>
 #include <vector>
 
@@ -131,7 +131,7 @@ struct KnotLink {
   Real hinge;    ///< and acceleration of its hinge
 };
 
-/// Scratch memory of the robots of one body in the lanes.
+/// Scratch memory of the robots in the lanes.
 struct Workspace {
   std::vector<LinkWork> links;
   std::vector<HingeWork> hinges;
@@ -158,7 +158,7 @@ struct Workspace {
     forget_rows();
   }
 
-  /// Makes room for robots of this body.
+  /// Makes room for robots of this shape.
   void fit(const KernelModel& model) {
     const std::size_t boxes = model.boxes.size();
     links.resize(model.links.size());
