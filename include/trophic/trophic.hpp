@@ -4,6 +4,7 @@
 
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/backend_choice.hpp>
+#include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>

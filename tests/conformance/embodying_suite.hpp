@@ -89,6 +89,10 @@ TEST_CASE_TEMPLATE_DEFINE("exchange of bodies", B, trophic_embodying_suite) {
     Exchange::drive(backend, 0.5, 1.0);
     B other = scene.world.make();
     CHECK_THROWS_AS(other.restore(backend.save()), std::invalid_argument);
+    RobotModel stiffer = scene.gecko;
+    stiffer.hinges.back().servo.position_gain *= 1.1;
+    other.embody(1, stiffer, {.position_m = {0.0, 0.0, 1.0}});
+    CHECK_THROWS_WITH_AS(other.restore(backend.save()), doctest::Contains("robot 1"), std::invalid_argument);
     other.embody(1, scene.gecko, {.position_m = {0.0, 0.0, 1.0}});
     other.restore(backend.save());
     CHECK(Exchange::bytes_of(other) == Exchange::bytes_of(backend));

@@ -62,11 +62,12 @@ class Mujoco {
   /// The state that determines the further run, including warm starts of the solver and servo targets.
   struct State {
     std::uint64_t steps = 0;
-    std::vector<double> robots;       ///< RobotStates::values
-    std::vector<double> targets_rad;  ///< robot by robot
+    std::vector<double> robots;         ///< RobotStates::values
+    std::vector<double> targets_rad;    ///< robot by robot
+    std::vector<std::uint64_t> bodies;  ///< body_hash of each
 
     friend bool operator==(const State&, const State&) = default;
-    static constexpr auto saved() { return std::tuple{&State::steps, &State::robots, &State::targets_rad}; }
+    static constexpr auto saved() { return std::tuple{&State::steps, &State::robots, &State::targets_rad, &State::bodies}; }
   };
 
   Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params);

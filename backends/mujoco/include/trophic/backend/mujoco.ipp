@@ -11,6 +11,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
 #include <trophic/backend/mujoco/one_model.hpp>
@@ -92,10 +93,11 @@ class Mujoco::Simulation {
   [[nodiscard]] Pose pose(std::size_t robot) const { return states_.root(checked(robot)); }
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return angles_rad_[checked(robot)]; }
 
-  [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_.values()}; }
+  [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_.values(), body_hashes()}; }
 
-  /// Throws std::invalid_argument for a state of another robot or another number of robots.
+  /// Throws std::invalid_argument for a state of other bodies or another number of robots.
   void restore(const State& state) {
+    require_same_bodies(state.bodies, body_hashes());
     if (state.robots.size() != states_.values().size() || state.targets_rad.size() != targets_rad_.values().size()) {
       throw std::invalid_argument{"mujoco state of " + std::to_string(state.robots.size()) + " numbers: must have " +
                                   std::to_string(states_.values().size())};
@@ -131,11 +133,17 @@ class Mujoco::Simulation {
   struct Body {
     RobotModel model;
     mujoco::Layout layout;
+    std::uint64_t hash;
   };
 
   [[nodiscard]] static std::shared_ptr<const Body> make_body(const RobotModel& robot) {
     validate(robot);
-    return std::make_shared<const Body>(Body{robot, mujoco::layout_of(robot, mujoco::Servos::combined)});
+    return std::make_shared<const Body>(Body{robot, mujoco::layout_of(robot, mujoco::Servos::combined), body_hash(robot)});
+  }
+  [[nodiscard]] std::vector<std::uint64_t> body_hashes() const {
+    std::vector<std::uint64_t> hashes;
+    for (const auto& body : bodies_) hashes.push_back(body->hash);
+    return hashes;
   }
   [[nodiscard]] const mujoco::Layout& layout_of(std::size_t robot) const { return bodies_[robot]->layout; }
 

@@ -60,7 +60,7 @@ class Ode {
 
   [[nodiscard]] State save() const;
 
-  /// Throws std::invalid_argument for a state of another robot or another number of robots.
+  /// Throws std::invalid_argument for a state of other bodies or another number of robots: `embody` first.
   void restore(const State& state);
 
  private:

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/backend/ode/groups.hpp>
 #include <trophic/backend/ode/robot.hpp>
@@ -36,6 +37,7 @@ class Ode::Simulation {
     for (const Pose& start : starts) ode::append_at_rest(robot, start, state_.links);
     state_.angles_rad.assign(starts.size() * robot.hinges.size(), 0.0);
     state_.targets_rad.assign(starts.size() * robot.hinges.size(), 0.0);
+    state_.bodies.assign(starts.size(), body_hash(robot));
     groups_ = std::make_unique<ode::Groups>(*setup_);
   }
 
@@ -64,6 +66,7 @@ class Ode::Simulation {
     replace(state_.links, bodies_->first_link(robot), bodies_->links(robot), links);
     replace(state_.angles_rad, bodies_->first_hinge(robot), bodies_->hinges(robot), angles_rad);
     replace(state_.targets_rad, bodies_->first_hinge(robot), bodies_->hinges(robot), angles_rad);
+    state_.bodies[robot] = body_hash(model);
     bodies_->replace(robot, model);
     groups_->forget_scenes();
   }
@@ -104,7 +107,7 @@ class Ode::Simulation {
 
   [[nodiscard]] State save() const { return state_; }
 
-  /// Throws std::invalid_argument for a state of another robot or another number of robots.
+  /// Throws std::invalid_argument for a state of other bodies or another number of robots.
   void restore(const State& state) {
     const auto check_size = [](std::string_view field, std::size_t size, std::size_t expected) {
       if (size != expected) {
@@ -115,6 +118,7 @@ class Ode::Simulation {
     check_size("links", state.links.size(), state_.links.size());
     check_size("angles_rad", state.angles_rad.size(), state_.angles_rad.size());
     check_size("targets_rad", state.targets_rad.size(), state_.targets_rad.size());
+    require_same_bodies(state.bodies, state_.bodies);
     state_ = state;
   }
 

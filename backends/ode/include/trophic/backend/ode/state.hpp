@@ -25,11 +25,14 @@ struct LinkState {
 /// and nothing sleeps: there is no other state.
 struct State {
   std::uint64_t steps = 0;
-  std::vector<LinkState> links;     ///< robot by robot
-  std::vector<double> angles_rad;   ///< robot by robot
-  std::vector<double> targets_rad;  ///< robot by robot, clipped
+  std::vector<LinkState> links;       ///< robot by robot
+  std::vector<double> angles_rad;     ///< robot by robot
+  std::vector<double> targets_rad;    ///< robot by robot, clipped
+  std::vector<std::uint64_t> bodies;  ///< body_hash of each
   bool operator==(const State&) const = default;
-  static constexpr auto saved() { return std::tuple{&State::steps, &State::links, &State::angles_rad, &State::targets_rad}; }
+  static constexpr auto saved() {
+    return std::tuple{&State::steps, &State::links, &State::angles_rad, &State::targets_rad, &State::bodies};
+  }
 };
 
 }  // namespace trophic::backend::ode
