@@ -4,7 +4,10 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -27,6 +30,25 @@ void append_number(std::string& text, Format... format) {
   text.append(digits.data(), end.ptr);
 }
 
+/// A number with `decimals` decimals, the digits that std::to_chars writes, which are slow to find exactly. Rounding the product
+/// is right unless the number lies near the middle of two results: below 2^40 the product is wrong by less than 2^-13.
+inline void append_fixed(std::string& text, double value, int decimals) {
+  constexpr std::array<double, 7> powers{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+  const bool is_known = decimals >= 1 && static_cast<std::size_t>(decimals) < powers.size();
+  const double scaled = is_known ? std::abs(value) * powers[static_cast<std::size_t>(decimals)] : 0.0;
+  auto whole = is_known && scaled < 0x1p40 ? static_cast<std::uint64_t>(scaled + 0.5) : 0;
+  const bool is_sure = is_known && std::abs(scaled - static_cast<double>(whole)) < 0.499;
+  if (!is_sure) return append_number(text, value, std::chars_format::fixed, decimals);
+  std::array<char, 24> digits;
+  char* first = digits.data() + digits.size();
+  for (int i = 0; whole != 0 || i <= decimals; ++i, whole /= 10) {
+    if (i == decimals) *--first = '.';
+    *--first = static_cast<char>('0' + whole % 10);
+  }
+  if (std::signbit(value)) *--first = '-';
+  text.append(first, digits.data() + digits.size());
+}
+
 /// Numbers in the format `written`, NaN as an empty cell, switches as 0 and 1, enumerators by name, texts in quotes if they have
 /// a comma.
 template <class Cell>
@@ -37,7 +59,7 @@ void append_cell(std::string& text, const Cell& value, const Written& written = 
     if (!(value == value)) return;
     if (written.decimals < 0 && written.plain) return append_number(text, value, std::chars_format::fixed);
     if (written.decimals < 0) return append_number(text, value);
-    append_number(text, value, std::chars_format::fixed, written.decimals);
+    append_fixed(text, value, written.decimals);
   } else if constexpr (std::integral<Cell>) {
     append_number(text, value);
   } else if constexpr (NamedEnum<Cell>) {

@@ -206,7 +206,8 @@ TROPHIC_INLINE std::string Recording::waiting() const {
       }
     }
   }
-  return recording::packed(ordered, columns);
+  const bool has_joints = channels_ > recording::pose_channels;
+  return recording::packed(ordered, columns, has_joints ? recording::Effort::small : recording::Effort::fast);
 }
 
 TROPHIC_INLINE void Recording::write_frames() {

@@ -78,12 +78,15 @@ struct Units {
   const Eigen::Vector3d& at = pose.position_m;
   const Eigen::Quaterniond q = pose.orientation.normalized();
   const double half_yaw_rad = std::atan2(q.z(), q.w());
-  const double c = std::cos(half_yaw_rad);
-  const double s = std::sin(half_yaw_rad);
-  const Eigen::Vector2d axis{c * q.x() + s * q.y(), c * q.y() - s * q.x()};
-  const double sine = axis.norm();
-  const double tilt_rad = 2.0 * std::atan2(sine, std::hypot(q.w(), q.z()));
-  const Eigen::Vector2d tilt = sine > 1e-12 ? Eigen::Vector2d{tilt_rad / sine * axis} : Eigen::Vector2d::Zero();
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
+  if (q.x() != 0.0 || q.y() != 0.0) {
+    const double c = std::cos(half_yaw_rad);
+    const double s = std::sin(half_yaw_rad);
+    const Eigen::Vector2d axis{c * q.x() + s * q.y(), c * q.y() - s * q.x()};
+    const double sine = axis.norm();
+    const double tilt_rad = 2.0 * std::atan2(sine, std::hypot(q.w(), q.z()));
+    if (sine > 1e-12) tilt = tilt_rad / sine * axis;
+  }
   return {whole(at.x(), units.position_m),          whole(at.y(), units.position_m), whole(at.z(), units.position_m),
           whole(2.0 * half_yaw_rad, units.yaw_rad), whole(tilt.x(), units.tilt_rad), whole(tilt.y(), units.tilt_rad)};
 }

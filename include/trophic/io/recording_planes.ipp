@@ -19,7 +19,7 @@ TROPHIC_INLINE std::string block(std::string_view kind, std::string_view data) {
   return bytes;
 }
 
-TROPHIC_INLINE std::string packed(const std::vector<std::int16_t>& values, std::size_t columns) {
+TROPHIC_INLINE std::string packed(const std::vector<std::int16_t>& values, std::size_t columns, Effort effort) {
   const std::size_t frames = values.size() / columns;
   std::string planes(2 * values.size(), '\0');
   std::size_t at = 0;
@@ -36,7 +36,7 @@ TROPHIC_INLINE std::string packed(const std::vector<std::int16_t>& values, std::
   uLongf size = compressBound(static_cast<uLong>(planes.size()));
   std::string bytes(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(planes.data()),
-                static_cast<uLong>(planes.size()), Z_DEFAULT_COMPRESSION) != Z_OK) {
+                static_cast<uLong>(planes.size()), static_cast<int>(effort)) != Z_OK) {
     throw std::runtime_error{"zlib cannot compress a block of a recording: out of memory"};
   }
   bytes.resize(size);

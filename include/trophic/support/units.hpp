@@ -23,7 +23,8 @@ struct GroundPose {
 
 /// Wraps an angle into (-pi, pi] by whole turns.
 [[nodiscard]] inline double wrap_angle(double angle_rad) {
-  const double wrapped = std::remainder(angle_rad, 2.0 * std::numbers::pi);
+  const bool is_wrapped = std::abs(angle_rad) < std::numbers::pi;  // then the remainder, which is slow, is the angle
+  const double wrapped = is_wrapped ? angle_rad : std::remainder(angle_rad, 2.0 * std::numbers::pi);
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 using namespace trophic;
+using io::recording::Effort;
 using io::recording::packed;
 using io::recording::unpacked;
 
@@ -20,6 +21,7 @@ TEST_CASE("recording planes: any frames -> read back column by column") {
       for (std::int16_t& value : values) value = static_cast<std::int16_t>(rng.bits());
       const std::vector<std::int16_t> back = unpacked(packed(values, columns), columns, frames);
       REQUIRE(back.size() == values.size());
+      CHECK(unpacked(packed(values, columns, Effort::fast), columns, frames) == back);
       for (std::size_t frame = 0; frame < frames; ++frame) {
         for (std::size_t column = 0; column < columns; ++column) {
           REQUIRE(back[column * frames + frame] == values[frame * columns + column]);
