@@ -29,9 +29,7 @@
 #include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/rules/released.hpp>
-#include <trophic/rules/with.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/contest/contest_plan.hpp>
 #include <trophic/run/sweep/plan_file.hpp>
@@ -100,37 +98,16 @@ inline void read_manifest(std::string_view bytes) {
 inline void read_checkpoint_file(std::string_view bytes) {
   static_cast<void>(checkpoint::from_bytes(bytes, "checkpoint.bin"));
 }
-/// Four robots of a table.
-template <class Rules>
-[[nodiscard]] Ecology<Rules> fuzzed_ecology(Experiment<Rules> experiment = {}) {
+/// A checkpoint's section of an ecology: bytes behind the checksum, which must do no harm even if they are forged.
+inline void read_ecology(std::string_view bytes) {
+  FuzzedExperiment experiment;
   experiment.ecology.robots = 4;
   experiment.rules.community.predators = 2;
   static const Habitat habitat = load_habitat(experiment.ecology);
-  return Ecology<Rules>{experiment, backend::Kinematic::Params{}, habitat};
-}
-
-/// With a rule whose bodies may be spare and whose individuals have a state.
-using Recruited = with_recruitment<rules::Released, reproduction::recruitment::AfterEscapes>;
-[[nodiscard]] inline Ecology<Recruited> recruited_ecology() {
-  Experiment<Recruited> experiment;
-  experiment.rules.recruitment.spare_bodies = 1;
-  return fuzzed_ecology(experiment);
-}
-
-inline void read_state(Simulation& ecology, std::string_view bytes) {
+  Ecology<rules::Released> ecology{experiment, backend::Kinematic::Params{}, habitat};
   Archive archive{bytes};
   ecology.persist(archive);
   archive.finish();
-}
-/// A checkpoint's section of an ecology: bytes behind the checksum, which must do no harm even if they are forged.
-inline void read_ecology(std::string_view bytes) {
-  auto ecology = fuzzed_ecology<rules::Released>();
-  read_state(ecology, bytes);
-}
-inline void read_recruited(std::string_view bytes) {
-  auto ecology = recruited_ecology();
-  read_state(ecology, bytes);
-  ecology.run_until(ecology.time_s() + 4.0);
 }
 
 /// A recording whose checksums are right: the bytes behind them must do no harm even if they are forged.
@@ -221,14 +198,25 @@ struct Reader {
   std::string_view name;
   void (*read)(std::string_view bytes);
 };
-inline constexpr std::array readers{
-    Reader{"robot", read_robot},     Reader{"arena", read_arena},           Reader{"gait", read_gait},
-    Reader{"config", read_config},   Reader{"assignment", read_assignment}, Reader{"events", read_events},
-    Reader{"agents", read_agents},   Reader{"manifest", read_manifest},     Reader{"checkpoint", read_checkpoint_file},
-    Reader{"ecology", read_ecology}, Reader{"recruited", read_recruited},   Reader{"recording", read_recording},
-    Reader{"head", read_head},       Reader{"sweep", read_sweep},           Reader{"plan", read_plan},
-    Reader{"contest", read_contest}, Reader{"outcomes", read_outcomes},     Reader{"body", read_body},
-    Reader{"column", read_column},   Reader{"measured", read_measured}};
+inline constexpr std::array readers{Reader{"robot", read_robot},
+                                    Reader{"arena", read_arena},
+                                    Reader{"gait", read_gait},
+                                    Reader{"config", read_config},
+                                    Reader{"assignment", read_assignment},
+                                    Reader{"events", read_events},
+                                    Reader{"agents", read_agents},
+                                    Reader{"manifest", read_manifest},
+                                    Reader{"checkpoint", read_checkpoint_file},
+                                    Reader{"ecology", read_ecology},
+                                    Reader{"recording", read_recording},
+                                    Reader{"head", read_head},
+                                    Reader{"sweep", read_sweep},
+                                    Reader{"plan", read_plan},
+                                    Reader{"contest", read_contest},
+                                    Reader{"outcomes", read_outcomes},
+                                    Reader{"body", read_body},
+                                    Reader{"column", read_column},
+                                    Reader{"measured", read_measured}};
 
 /// Reads arbitrary bytes. A reader may throw std::invalid_argument or std::runtime_error; any other exception
 /// propagates.
