@@ -9,6 +9,7 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/rules/paper.hpp>
@@ -52,6 +53,21 @@ TEST_CASE("inherited gaits: no noise -> the robot's own gait, to the bit") {
   const Gait too = cppn.express(cppn.draw(habitat.robot, habitat, rng), habitat.robot, habitat);
   CHECK(too.internal == habitat.gait.internal);
   CHECK(too.coupling == habitat.gait.coupling);
+}
+
+TEST_CASE("inherited cppn: a named gait, no noise -> that gait, to the bit, and one that is not loaded -> one sentence") {
+  const RobotModel gecko = load_robot("gecko");
+  Habitat habitat = spider();
+  const InheritedCppn rule{{.first_limit = 0.0, .gait = "gecko_steered"}};
+  Rng rng{1, Stream::user};
+  const auto genes = rule.draw(gecko, habitat, rng);
+  CHECK_THROWS_WITH_AS(static_cast<void>(rule.express(genes, gecko, habitat)),
+                       "rules.gait.gait = \"gecko_steered\": must be a model of the habitat", std::invalid_argument);
+  REQUIRE(rule.gaits().size() == 1);
+  habitat.gaits.push_back({.name = rule.gaits()[0], .gait = load_gait("gecko_steered")});
+  const Gait own = rule.express(genes, gecko, habitat);
+  CHECK(own.internal == habitat.gaits[0].gait.internal);
+  CHECK(own.coupling == habitat.gaits[0].gait.coupling);
 }
 
 TEST_CASE("inherited gaits: random first gait -> weights within their limit, of which none is the robot's") {

@@ -93,3 +93,27 @@ TEST_CASE("inherited modules: 300 births -> viable bodies of many plans, each wi
   CHECK(plans.size() > 30);
   CHECK(births.population->refused_bodies() > 0);
 }
+
+TEST_CASE("inherited modules: first robot -> its body, itself in every number, and one that is not loaded -> one sentence") {
+  Habitat habitat = spiders();
+  habitat.robots.push_back({.name = "gecko", .design = load_design("gecko"), .robot = {}, .gait = {}});
+  const InheritedModules rule{{.mutation = {}, .first_robot = "gecko"}};
+  CHECK(rule.robots() == std::vector<std::string>{"gecko"});
+  Rng rng{1, Stream::user};
+  const std::vector<double> genes = rule.draw(0, habitat, rng);
+  CHECK(numbers_text(body::build(rule.grow(genes, 0, habitat))) == numbers_text(load_robot("gecko")));
+  CHECK_THROWS_WITH_AS(static_cast<void>(rule.draw(0, spiders(), rng)),
+                       "rules.body_plan.first_robot = \"gecko\": must be a model of the habitat", std::invalid_argument);
+}
+
+TEST_CASE("inherited modules: rate -> factor of each probability, and 0 changes no body") {
+  CHECK(body::TreeMutation{}.times(0.5).add == 0.5 * body::TreeMutation{}.add);
+  CHECK(body::TreeMutation{}.times(0.5).change == 0.5 * body::TreeMutation{}.change);
+  const Habitat habitat = spiders();
+  const InheritedModules rule{{.mutation = {}, .rate = 0.0}};
+  Rng rng{1, Stream::user};
+  const std::vector<double> first = body::genes_of(habitat.design->modules);
+  std::vector<double> genes = first;
+  for (int birth = 0; birth < 50; ++birth) rule.mutate(genes, {}, habitat, rng);
+  CHECK(genes == first);
+}

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/control/gait/detail/cppn.hpp>
@@ -17,10 +19,10 @@
 namespace trophic::control::gait {
 
 /// Rule: the genes are a CPPN that grows (control/gait/detail/cppn.hpp). With the grid cells of the hinges, w_i is CPPN(i, i)
-/// and c_ij of two neighbours i < j is CPPN(i, j) (Sec. "Targeted Steering"). `first = robots`: the sum of that and of the own
-/// gait of `ecology.robot`, for hinges of the same path from the core, and a network without a parent has small weights; random:
-/// CPPN alone. Without a parent each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a
-/// mutation 1 to 3 per link, 2 for growth, 2 more for each part that grows.
+/// and c_ij of two neighbours i < j is CPPN(i, j) (Sec. "Targeted Steering"). `first = robots`: the sum of that and of `gait`,
+/// for hinges of the same path from the core, and a network without a parent has small weights; random: CPPN alone. Without a
+/// parent each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a mutation 1 to 3 per
+/// link, 2 for growth, 2 more for each part that grows.
 struct InheritedCppn {
   static constexpr std::string_view name = "inherited_cppn";
   static constexpr std::string_view source = "not in the paper; networks as in [stanley2007]";
@@ -33,18 +35,25 @@ struct InheritedCppn {
     double weight_limit = 2.0;
     double link_probability = 0.1;
     double node_probability = 0.05;
+    std::string gait = {};
     static constexpr auto fields() {
       return std::tuple{
-          field("first", &Params::first, "what the network is added to: robots (the robot's own gait) or random (nothing)"),
+          field("first", &Params::first, "what the network is added to: robots (the gait below) or random (nothing)"),
           field("first_limit", &Params::first_limit, at_least(0.0), "weights without a parent and of new links: within +- this"),
           field("weight_probability", &Params::weight_probability, between(0.0, 1.0), "that a weight mutates"),
           field("weight_sd", &Params::weight_sd, at_least(0.0), "standard deviation of that"),
           field("weight_limit", &Params::weight_limit, above(0.0), "weights stay within +- this"),
           field("link_probability", &Params::link_probability, between(0.0, 1.0), "that an offspring has a new link"),
-          field("node_probability", &Params::node_probability, between(0.0, 1.0), "that a node splits one of its links")};
+          field("node_probability", &Params::node_probability, between(0.0, 1.0), "that a node splits one of its links"),
+          field("gait", &Params::gait, "name or path of a gait; empty: that of ecology.robot")};
     }
   };
   Params params;
+
+  /// The models to load before the run.
+  [[nodiscard]] std::vector<std::string> gaits() const {
+    return params.gait.empty() ? std::vector<std::string>{} : std::vector{params.gait};
+  }
 
   [[nodiscard]] std::vector<double> draw(const RobotModel&, const Habitat&, Rng& rng) const {
     detail::Cppn network;
@@ -75,21 +84,22 @@ struct InheritedCppn {
               .hinges = {},
               .internal = Eigen::VectorXd::Zero(n),
               .coupling = Eigen::MatrixXd::Zero(n, n)};
-    std::vector<Eigen::Index> old;  // of each hinge in the habitat's gait, -1 for none
+    const Gait& base = base_in(habitat);
+    std::vector<Eigen::Index> old;  // of each hinge in that gait, -1 for none
     for (const Hinge& hinge : robot.hinges) {
       gait.hinges.push_back(hinge.name);
-      old.push_back(params.first == FirstGait::robots ? place_in(habitat.gait, hinge.name) : -1);
+      old.push_back(params.first == FirstGait::robots ? place_in(base, hinge.name) : -1);
     }
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto& cell = robot.hinges[static_cast<std::size_t>(i)].grid_position;
       const Eigen::Index was = old[static_cast<std::size_t>(i)];
-      gait.internal[i] = network(cell, cell) + (was < 0 ? 0.0 : habitat.gait.internal[was]);
+      gait.internal[i] = network(cell, cell) + (was < 0 ? 0.0 : base.internal[was]);
       for (const std::size_t other : robot.hinge_neighbours[static_cast<std::size_t>(i)]) {
         const auto j = static_cast<Eigen::Index>(other);
         if (j <= i) continue;
         const Eigen::Index there = old[other];
         gait.coupling(i, j) =
-            network(cell, robot.hinges[other].grid_position) + (was < 0 || there < 0 ? 0.0 : habitat.gait.coupling(was, there));
+            network(cell, robot.hinges[other].grid_position) + (was < 0 || there < 0 ? 0.0 : base.coupling(was, there));
         gait.coupling(j, i) = -gait.coupling(i, j);
       }
     }
@@ -97,6 +107,11 @@ struct InheritedCppn {
   }
 
  private:
+  [[nodiscard]] const Gait& base_in(const Habitat& habitat) const {
+    if (params.gait.empty()) return habitat.gait;
+    if (const Gait* named = habitat.gait_named(params.gait)) return *named;
+    throw std::invalid_argument{"rules.gait.gait = \"" + params.gait + "\": must be a model of the habitat"};
+  }
   [[nodiscard]] static Eigen::Index place_in(const Gait& gait, std::string_view hinge) {
     const auto found = std::ranges::find(gait.hinges, hinge);
     return found == gait.hinges.end() ? -1 : static_cast<Eigen::Index>(found - gait.hinges.begin());

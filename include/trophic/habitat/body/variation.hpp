@@ -41,6 +41,18 @@ struct TreeMutation {
   double turn = 0.10;
   double change = 0.10;
 
+  /// The probabilities times a factor in [0, 1].
+  [[nodiscard]] TreeMutation times(double factor) const {
+    return {.add = factor * add,
+            .remove = factor * remove,
+            .cut = factor * cut,
+            .copy = factor * copy,
+            .mirror = factor * mirror,
+            .swap = factor * swap,
+            .turn = factor * turn,
+            .change = factor * change};
+  }
+
   static constexpr auto fields() {
     return std::tuple{field("add", &TreeMutation::add, between(0.0, 1.0), "probability of a new leaf"),
                       field("remove", &TreeMutation::remove, between(0.0, 1.0), "probability that a leaf is lost"),

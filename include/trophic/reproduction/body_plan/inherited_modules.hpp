@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <trophic/habitat/body/plan.hpp>
 #include <trophic/habitat/body/variation.hpp>
@@ -18,10 +19,11 @@
 namespace trophic::reproduction::body_plan {
 
 /// Rule: the genes are a plan, four numbers a module (habitat/body/plan.hpp). An individual without a parent has the plan of
-/// `ecology.robot` (`first_modules` 0) or a random tree of `first_modules` modules; an inherited plan is changed by each operator
-/// with its probability (habitat/body/variation.hpp, [sims1994]), unless nothing but the core would be left. Masses, servos,
-/// friction and forward axis are those of `ecology.robot`; another plan has the name "modules" and no measured walk.   Reads:
-/// nothing.   Random draws: of a first plan 0, or 3 a module but the core; of a mutation 8, and those of the operators that act.
+/// `first_robot` (`first_modules` 0) or a random tree of `first_modules` modules; an inherited plan is changed by each operator
+/// with its probability times `rate` (habitat/body/variation.hpp, [sims1994]), unless nothing but the core would be left. Masses,
+/// servos, friction and forward axis are those of `first_robot`; another plan has the name "modules" and no measured walk.
+/// Reads: nothing.   Random draws: of a first plan 0, or 3 a module but the core; of a mutation 8, and those of the operators
+/// that act.
 struct InheritedModules {
   static constexpr std::string_view name = "inherited_modules";
   static constexpr std::string_view source = "not in the paper; operators of [sims1994]";
@@ -29,13 +31,22 @@ struct InheritedModules {
   struct Params {
     std::size_t first_modules = 0;
     body::TreeMutation mutation;
+    double rate = 1.0;
+    std::string first_robot = {};
     static constexpr auto fields() {
       return std::tuple{field("first_modules", &Params::first_modules, between(0.0, 50.0),
-                              "modules of a random first body, at least 2; 0: the body of ecology.robot"),
-                        field("mutation", &Params::mutation)};
+                              "modules of a random first body, at least 2; 0: the body of first_robot"),
+                        field("mutation", &Params::mutation),
+                        field("rate", &Params::rate, between(0.0, 1.0), "factor of all these probabilities; 0: no body changes"),
+                        field("first_robot", &Params::first_robot, "name or path of a robot; empty: that of ecology.robot")};
     }
   };
   Params params;
+
+  /// The models to load before the run.
+  [[nodiscard]] std::vector<std::string> robots() const {
+    return params.first_robot.empty() ? std::vector<std::string>{} : std::vector{params.first_robot};
+  }
 
   [[nodiscard]] body::Design grow(std::span<const double> genes, Species, const Habitat& habitat) const {
     body::Design design = base(habitat);
@@ -54,12 +65,17 @@ struct InheritedModules {
   }
 
   void mutate(std::vector<double>& genes, const Individual&, const Habitat& habitat, Rng& rng) const {
-    const body::ModuleTree tree = body::mutated(body::tree_of(genes), params.mutation, base(habitat).forward_deg, rng);
+    const body::ModuleTree tree =
+        body::mutated(body::tree_of(genes), params.mutation.times(params.rate), base(habitat).forward_deg, rng);
     if (tree.modules().size() > 1) genes = body::genes_of(tree);
   }
 
  private:
-  [[nodiscard]] static const body::Design& base(const Habitat& habitat) {
+  [[nodiscard]] const body::Design& base(const Habitat& habitat) const {
+    if (!params.first_robot.empty()) {
+      if (const NamedRobot* named = habitat.robot_named(params.first_robot)) return named->design;
+      throw std::invalid_argument{"rules.body_plan.first_robot = \"" + params.first_robot + "\": must be a model of the habitat"};
+    }
     if (habitat.design) return *habitat.design;
     throw std::invalid_argument{"rules.body_plan = inherited_modules: the habitat must have the design of its robot"};
   }
