@@ -17,6 +17,7 @@
 #include <tools/analysis/data/met_inputs.hpp>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/data/shadow.hpp>
+#include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
@@ -52,6 +53,7 @@ struct Options {
   analysis::OwnMetrics own_metrics;
   Offer offer;  ///< the rule tables of the program
   bool lineages = false;
+  bool bodies = false;
   std::optional<double> window_s;
   std::vector<std::string> runs;
   std::vector<std::string> compare;
@@ -116,6 +118,7 @@ void print_remarks(const Options& options, const analysis::ShadowedSet& set) {
   if (options.shadow) command += " --shadow " + *options.shadow;
   if (options.until_s) command += " --until " + number_text(*options.until_s);
   if (options.lineages) command += " --lineages";
+  if (options.bodies) command += " --bodies";
   if (options.window_s) command += " --window " + number_text(*options.window_s);
   if (options.published) command += " --published";
   if (!options.figures.empty()) command += " --figures " + options.figures;
@@ -189,6 +192,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
                           .any_build = options.accept_other_build,
                           .columns = {},
                           .metrics = options.own_metrics,
+                          .bodies = options.bodies,
                           .jobs = options.jobs.value_or(1),
                           .on_run = {}};
   for (const std::string& column : options.columns) how.columns.push_back(analysis::own_column_of(column));
@@ -243,6 +247,11 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
     for (const analysis::RunManifest& manifest : pooled.manifests) check_columns(manifest.folder, how);
   }
   if (options.lineages) how.lineages = lineages_of(all, options);
+  if (options.bodies) {
+    for (const analysis::PooledRuns& pooled : all) {
+      for (const analysis::RunManifest& manifest : pooled.manifests) analysis::check_bodies(manifest.folder);
+    }
+  }
   analysis::check_names({&all[0].manifests.front().web, 1}, how, options.metrics);
   return runs;
 }
@@ -333,6 +342,9 @@ void run(const Options& options) {
   if (options.lineages && (options.published || options.until_s || !options.compare.empty() || !options.columns.empty())) {
     throw std::invalid_argument{"--lineages: not with --published, --until, --compare or --column"};
   }
+  if (options.bodies && (options.published || options.lineages)) {
+    throw std::invalid_argument{"--bodies: not with --published or --lineages"};
+  }
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
   if (options.until_s && !(*options.until_s > 0.0 && std::isfinite(*options.until_s))) {
     throw std::invalid_argument{"--until " + number_text(*options.until_s) + ": must be > 0"};
@@ -396,6 +408,9 @@ Command analyze(const std::string& program, const io::OwnMetrics& own_metrics, c
             "descent, next to the shadow and to drift; docs/how-to/is-it-open-ended.md explains them"},
            {"--window", &options->window_s,
             "of --lineages: seconds for which a type must persist (500, or a quarter of shorter runs)"},
+           {"--bodies", &options->bodies,
+            "measure bodies instead: shape, size, number of plans, genes of gaits and brains, and how fast robots walk; for "
+            "drift, --compare with runs whose parents are drawn at random"},
            {"--accept-other-build", &options->accept_other_build,
             "pool runs that several builds of a program made, whose rules may be other code under the same names"},
            {"--published", &options->published,

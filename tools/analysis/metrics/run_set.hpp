@@ -32,6 +32,7 @@ struct Measuring {
   std::vector<OwnColumn> columns = {};            ///< metrics that are columns of tables
   OwnMetrics metrics = {};                        ///< of the user's program
   std::optional<LineageMeasuring> lineages = {};  ///< lineage measures, and no others
+  bool bodies = false;                            ///< measures of bodies and of users, and no others
   std::size_t jobs = 1;                           ///< runs measured at a time; results do not depend on it
   std::function<void()> on_run = {};              ///< called after each run, by any thread, one at a time
 };

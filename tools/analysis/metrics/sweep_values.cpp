@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <tools/analysis/data/read_run.hpp>
+#include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
 #include <trophic/run/replicates/parallel.hpp>
@@ -23,13 +24,13 @@ std::optional<double> SweepValues::value(std::optional<std::size_t> run, std::si
   return run && !of_run[*run].empty() ? of_run[*run][metric] : std::nullopt;
 }
 
-std::vector<MetricName> metric_names(std::span<const FoodWeb> webs) {
+std::vector<MetricName> metric_names(std::span<const FoodWeb> webs, bool bodies) {
   std::vector<MetricName> names;
   for (const FoodWeb& web : webs) {
     RunData nothing;
     nothing.manifest.web = web;
     nothing.manifest.half_side_m = 1.0;
-    for (const Measurement& measurement : measure_run(nothing).measurements) {
+    for (const Measurement& measurement : (bodies ? measure_bodies(nothing) : measure_run(nothing)).measurements) {
       if (std::ranges::find(names, measurement.name) == names.end()) names.push_back(measurement.name);
     }
   }
@@ -41,7 +42,7 @@ void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<
     static_cast<void>(chosen(lineage_metric_names(webs.front()), choices));
     return;
   }
-  std::vector<MetricName> known = metric_names(webs);
+  std::vector<MetricName> known = metric_names(webs, how.bodies);
   std::vector<std::string> taken;
   for (const MetricName& name : known) taken.push_back(name.metric);
   const std::size_t shipped = taken.size();
@@ -65,7 +66,7 @@ void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<
 }
 
 SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
-  SweepValues values{metric_names(sweep.webs), std::vector<std::vector<std::optional<double>>>(sweep.plan.size())};
+  SweepValues values{metric_names(sweep.webs, how.bodies), std::vector<std::vector<std::optional<double>>>(sweep.plan.size())};
   std::vector<std::vector<Measurement>> own(sweep.plan.size());
   std::vector<std::vector<std::string>> remarks(sweep.plan.size());
   std::vector<std::string> thrown(sweep.plan.size());
@@ -77,7 +78,7 @@ SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
       RunData run = read_run(sweep.folder_of(i));
       if (!run.remarks.empty()) throw std::runtime_error{run.remarks.front()};
       if (how.until_s) cut_to(run, *how.until_s);
-      const RunMetrics measured = measure_run(run);
+      const RunMetrics measured = how.bodies ? measure_bodies(run) : measure_run(run);
       std::vector<std::optional<double>> numbers(values.names.size());
       for (const Measurement& measurement : measured.measurements) numbers[values.place_of(measurement.name)] = measurement.value;
       values.of_run[i] = std::move(numbers);

@@ -29,7 +29,7 @@ struct SweepValues {
 };
 
 /// The metrics of runs with these food webs, each once, as measure_run orders them.
-[[nodiscard]] std::vector<MetricName> metric_names(std::span<const FoodWeb> webs);
+[[nodiscard]] std::vector<MetricName> metric_names(std::span<const FoodWeb> webs, bool bodies = false);
 
 /// Checks before anything is measured that each of the user's metrics has a name of its own, and that each choice names a metric.
 /// Throws std::invalid_argument.
