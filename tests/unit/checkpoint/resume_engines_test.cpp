@@ -9,11 +9,12 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
-#include <trophic/control/gait/inherited_cpg.hpp>
+#include <trophic/control/gait/inherited_cppn.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
-#include <trophic/reproduction/body_plan/named_body.hpp>
+#include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
+#include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/released.hpp>
 #include <unit/checkpoint/resumed.hpp>
@@ -35,12 +36,15 @@ Experiment<rules::Released> crowd(const std::string& arena, double half_extent_m
   return experiment;
 }
 
-/// The same with spiders as predators and geckos as prey, whose gaits are inherited. All die of age every few seconds.
+/// The same with bodies and gaits that are inherited: predators from spiders, prey from random trees. All die of age every few
+/// seconds.
 using Ageing = with_parent_after<with_senescence<rules::Released, death::senescence::OldAge>, Cause::senescence,
                                  reproduction::parent::NearestConspecific>;
-using Mixed = with_gait<with_embodiment<with_body_plan<Ageing, rules::by_species<reproduction::body_plan::NamedBody>>,
-                                        initialization::embodiment::StandsUp>,
-                        control::gait::InheritedCpg>;
+using Mixed =
+    with_viability<with_gait<with_embodiment<with_body_plan<Ageing, rules::by_species<reproduction::body_plan::InheritedModules>>,
+                                             initialization::embodiment::StandsUp>,
+                             control::gait::InheritedCppn>,
+                   reproduction::viability::ModuleLimits>;
 
 template <class BackendParams>
 void check_mixed(const BackendParams& backend, double duration_s, double every_s, std::int64_t cut) {
@@ -48,12 +52,15 @@ void check_mixed(const BackendParams& backend, double duration_s, double every_s
   Experiment<Mixed> mixed{.seed = uniform.seed, .ecology = uniform.ecology};
   mixed.rules.community.predators = 3;
   mixed.rules.placement.half_extent_m = 0.8;
-  mixed.rules.body_plan.get<test::prey>().robot = "gecko";
+  mixed.rules.body_plan.get<test::prey>().first_modules = 7;
+  mixed.rules.gait.first = control::gait::FirstGait::random;
   mixed.rules.senescence.max_age_s = 6.0;
   mixed.physics = {.timestep_s = 0.003, .integrator = Integrator::semi_implicit_euler};  // random gaits are fast
   const TemporaryFolder folder;
   check_resumed(mixed, backend, folder.path(), {cut}, every_s,
                 [](std::size_t part, auto& numbers) { numbers.threads = part % 2 == 0 ? 2 : 1; });
+  const std::string bodies = content(folder.path() / "whole" / "bodies.csv");
+  CHECK(bodies.find(",prey,6,") != std::string::npos);  // seven plans
   CHECK(content(folder.path() / "whole" / "events.csv").find(",death,") != std::string::npos);
 }
 
@@ -82,13 +89,13 @@ TEST_CASE("resume: ODE, robots that touch, another number of threads -> the same
   check_resumed(crowd("walled_square", 0.8, 10.0), backend::Ode::Params{}, folder.path(), {3}, 2.0, other_threads);
 }
 
-TEST_CASE("resume: MuJoCo, spiders and geckos that touch, inherited gaits -> the same bytes") {
+TEST_CASE("resume: MuJoCo, inherited bodies and gaits of robots that touch -> the same bytes") {
   for (const auto stepping : {backend::Mujoco::Stepping::fast, backend::Mujoco::Stepping::islands}) {
     CAPTURE(stepping);
     check_mixed(backend::Mujoco::Params{.stepping = stepping}, 12.0, 4.0, 4);
   }
 }
 
-TEST_CASE("resume: ODE, spiders and geckos that touch, inherited gaits -> the same bytes") {
+TEST_CASE("resume: ODE, inherited bodies and gaits of robots that touch -> the same bytes") {
   check_mixed(backend::Ode::Params{}, 12.0, 4.0, 4);
 }
