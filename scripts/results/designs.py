@@ -212,6 +212,13 @@ def axes_of(grid, path=""):
         yield from axes_of(value, name) if isinstance(value, dict) else [name]
 
 
+def flat(table, path=""):
+    """(path, value) of each value of nested tables."""
+    for key, value in table.items():
+        name = f"{path}.{key}" if path else key
+        yield from flat(value, name) if isinstance(value, dict) else [(name, value)]
+
+
 def progress_rows(cell, progress):
     """Progress over the shadow, by kind of opponents, species and period, from a progress.csv."""
     with open(progress, newline="") as file:
@@ -243,3 +250,40 @@ def lineage_rows(cell, summary):
                          "runs": metric["runs"], "mean": number(metric["mean"]), "null": null["name"], "null_mean": number(null.get("value")),
                          **{key: number(null.get(key)) for key in ("difference", "lower", "upper")}, "p_holm": number(null.get("p_adjusted"))})
     return rows
+
+
+def evolved_rows(study, differences, means):
+    """Measures of bodies, gaits and brains in the late half of runs, with their differences from drift and from the shadow."""
+    with open(means, newline="") as file:
+        shadows = {(row["metric"], row["species"], row["group"]): row for row in csv.DictReader(file) if row["null"] == "shadow"}
+    with open(differences, newline="") as file:
+        compared = [row for row in csv.DictReader(file) if row["compared"] == "raw" and row["mean_a"] and row["mean_b"]]
+    rows = []
+    for row in compared:
+        key = (row["metric"], row["species"], row["group"])
+        scale = 100.0 if row["unit"] == "m/s" else 1.0
+        of_drift = {"runs": row["n_b"], "drift_runs": row["n_a"], "mean": row["mean_b"], "drift": row["mean_a"],
+                    "over_drift": row["difference"], "lower": row["lower"], "upper": row["upper"]}
+        shadow = shadows.get(key, {})
+        of_shadow = {name: shadow.get(column, "") for name, column in
+                     (("shadow", "null_mean"), ("over_shadow", "difference"), ("shadow_lower", "difference_lower"), ("shadow_upper", "difference_upper"))}
+        numbers = {name: value if name.endswith("runs") or not value else number(scale * float(value)) for name, value in {**of_drift, **of_shadow}.items()}
+        rows.append({"study": study, "metric": row["metric"], "species": row["species"], "group": row["group"],
+                     "unit": "cm/s" if scale == 100.0 else row["unit"], **numbers,
+                     "p_holm": row["p_holm"] and number(float(row["p_holm"])), "shadow_p_holm": shadow.get("p_holm") and number(float(shadow["p_holm"]))})
+    return rows
+
+
+def lives_of(runs):
+    """Births, mean and greatest number of ancestors of newborn, and deaths of diverged bodies, as means over the runs of a set."""
+    counts = []
+    for phylogeny in sorted(pathlib.Path(runs).glob("replicate-*/phylogeny.csv")) or sorted(pathlib.Path(runs).glob("phylogeny.csv")):
+        depth, depths = {}, []
+        with open(phylogeny, newline="") as file:
+            for row in sorted(csv.DictReader(file), key=lambda row: int(row["id"])):
+                depth[row["id"]] = 0 if row["ancestor_id"] == row["id"] else depth[row["ancestor_id"]] + 1
+                depths.append(depth[row["id"]])
+        with open(phylogeny.parent / "events.csv", newline="") as file:
+            diverged = sum(row["event"] == "death" and row["cause"] == "diverged" for row in csv.DictReader(file))
+        counts.append((len(depths), mean(depths), max(depths), diverged))
+    return {name: number(mean(values)) for name, values in zip(("births", "mean_depth", "greatest_depth", "diverged"), zip(*counts))}

@@ -303,6 +303,36 @@ def lineages(rows):
     return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
 
 
+EVOLVED = {"brains": ["brain_genes"], "gaits": ["walked", "gait_genes"],
+           "bodies": ["walked", "body_modules", "body_hinges", "body_mass", "body_size", "body_proportion", "body_coverage", "body_branching", "body_limbs",
+                      "body_length_of_limbs", "body_symmetry", "body_joints", "body_plans", "body_plans_shannon", "body_change"]}
+
+
+def evolved(rows, study):
+    """Measures of the late half of the runs, over drift and over the shadow; * after Holm's correction for all measures."""
+    def over(row, keys, p):
+        star = "*" if row[p] and float(row[p]) <= 0.05 else ""
+        middle, lower, upper = (row[key] and f"{float(row[key]):+.3g}" for key in keys)
+        return middle + (f" [{lower}, {upper}]" if lower else "") + star
+
+    lines = []
+    for metric in EVOLVED[study]:
+        for species in ("predator", "prey"):
+            found = [row for row in rows if (row["study"], row["metric"], row["species"], row["group"]) == (study, metric, species, "late")]
+            for row in found:
+                lines.append([f"{metric}, cm/s" if row["unit"] == "cm/s" else f"{metric}, kg" if row["unit"] == "kg" else metric, {"predator": "predators"}.get(species, species),
+                              f"{float(row['mean']):.3g}", f"{float(row['drift']):.3g}", over(row, ("over_drift", "lower", "upper"), "p_holm"),
+                              row["shadow"] and f"{float(row['shadow']):.3g}", over(row, ("over_shadow", "shadow_lower", "shadow_upper"), "shadow_p_holm"),
+                              f"{row['runs']} + {row['drift_runs']}"])
+    return table(["measure, late half", "of", "inheritance", "drift", "over drift", "shadow", "over the shadow", "runs"], lines)
+
+
+def evolved_lives(rows):
+    """Births and ancestors a run."""
+    return table(["study", "rule table", "births", "ancestors of a newborn, mean", "at most", "bodies that diverged"],
+                 [[row["study"], f"`{row['table']}`", *(f"{float(row[key]):.3g}" for key in ("births", "mean_depth", "greatest_depth", "diverged"))] for row in rows])
+
+
 def open_choices(choices):
     """The list of open choices."""
     lines = [[f"`{choice['name']}`", choice["question"], choice["text"], choice["first"], choice["other"]] for choice in choices]
@@ -324,6 +354,9 @@ def tables(data, choices):
             "ablations released": lambda: swaps(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance")), "lineages": lambda: lineages(data("race_arms_race_lineages")),
             "historical": lambda: historical(data("race_arms_race"))}
+    made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
+    for name in EVOLVED:
+        made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
     for name in ("arms_race", "ranges", "room", "mujoco"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):

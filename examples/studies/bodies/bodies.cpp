@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// The study of examples/studies/bodies/README.md: what evolves if gaits, brains and bodies are inherited?
+#include <trophic/experiment.hpp>
+
+#include "studies/bodies/tables.hpp"
+
+int main(int argc, char** argv) {
+  using namespace trophic::bodies_study;
+  return trophic::experiment<EvolvingBodies, EvolvingBodiesByDrift, EvolvingBrains, EvolvingBrainsByDrift>(argc, argv);
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The rule tables of the study: bodies, gaits and brains that evolve, each with its null of drift.
+#pragma once
+
+#include <trophic/control/brain/growing_brain.hpp>
+#include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/initialization/embodiment/stands_up.hpp>
+#include <trophic/reproduction/body_plan/inherited_modules.hpp>
+#include <trophic/reproduction/genome_source/always_inherited.hpp>
+#include <trophic/reproduction/parent/at_random.hpp>
+#include <trophic/reproduction/parent/killer.hpp>
+#include <trophic/reproduction/parent/nearest_active_victim.hpp>
+#include <trophic/reproduction/parent/nearest_conspecific.hpp>
+#include <trophic/reproduction/viability/module_limits.hpp>
+#include <trophic/rules/by_species.hpp>
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/with_part.hpp>
+
+namespace trophic::bodies_study {
+
+using reproduction::parent::AtRandom;
+using reproduction::parent::Killer;
+using reproduction::parent::NearestActiveVictim;
+using reproduction::parent::NearestConspecific;
+using rules::by_species;
+
+/// The paper's rules with parents for all: no random newcomers, and a sacrificed prey's body goes to an offspring of the nearest
+/// predator.
+using Lineages = with_parent_after<with_genome_source<rules::Paper, reproduction::genome_source::AlwaysInherited>,
+                                   Cause::sacrificed, NearestConspecific>;
+
+/// The same births and deaths, each parent drawn among its species.
+using LineagesByDrift = with_parent_after<with_parent_after<with_parent_after<Lineages, Cause::caught, AtRandom<Killer>>,
+                                                            Cause::starved, AtRandom<NearestActiveVictim>>,
+                                          Cause::sacrificed, AtRandom<NearestConspecific>>;
+
+/// A starved predator has a parent for the prey that follows at any distance, and starvation is frequent: more births.
+inline constexpr auto turnover = [](auto& params) {
+  params.parent.starved.range_m = 100.0;
+  params.starvation.interval.base_ticks = 10;
+};
+
+/// Each species has bodies and gaits of its own. Both start from the walker that `first_robot` and `gait` name.
+template <class Base>
+using WithBodies = with_viability<with_body_plan<with_gait<with_embodiment<Base, initialization::embodiment::StandsUp>,
+                                                           by_species<control::gait::InheritedCppn>>,
+                                                 by_species<reproduction::body_plan::InheritedModules>>,
+                                  reproduction::viability::ModuleLimits>;
+
+/// Spiders hunt geckos. Limits keep bodies of the size of the walkers: a larger body costs more time.
+inline constexpr auto spiders_hunt_geckos = [](auto& params) {
+  turnover(params);
+  params.gait.template get<0>().gait = "gecko_steered";
+  params.body_plan.template get<0>().first_robot = "gecko";
+  params.viability.limits.most_modules = 14;
+};
+
+template <class Base>
+using Bodies = with_params<WithBodies<Base>, spiders_hunt_geckos>;
+template <class Base>
+using Brains = with_params<with_brain<Base, control::brain::GrowingBrain>, turnover>;
+
+using EvolvingBodies = named<Bodies<Lineages>, "evolving_bodies">;
+using EvolvingBodiesByDrift = named<Bodies<LineagesByDrift>, "evolving_bodies_by_drift">;
+using EvolvingBrains = named<Brains<Lineages>, "evolving_brains">;
+using EvolvingBrainsByDrift = named<Brains<LineagesByDrift>, "evolving_brains_by_drift">;
+
+}  // namespace trophic::bodies_study

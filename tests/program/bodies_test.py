@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""bodies_test.py BODIES ENCODING TROPHIC: runs in which bodies, gaits and brains evolve, and an encoding of one's own, are recorded and measured."""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TROPHIC = sys.argv.pop(3)
+ENCODING = sys.argv.pop(2)
+BODIES = sys.argv.pop(1)
+FEW = ["--duration", "8", "--set", "ecology.robots=8", "--set", "rules.community.predators=4", "--set", "rules.starvation.interval.base_ticks=1",
+       "--set", "rules.floor.floor=1", "--set", "physics.timestep_s=0.002"]
+
+
+class Bodies(unittest.TestCase):
+    def setUp(self):
+        self.room = tempfile.TemporaryDirectory()
+        self.addCleanup(self.room.cleanup)
+        self.folder = pathlib.Path(self.room.name)
+
+    def call(self, *command, fails_with=None):
+        done = subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300)
+        self.assertEqual(done.returncode, 2 if fails_with else 0, done.stderr)
+        if fails_with:
+            self.assertIn(fails_with, done.stderr)
+        return done.stdout
+
+    def rows(self, file):
+        with open(self.folder / file, newline="") as text:
+            return list(csv.DictReader(text))
+
+    def measured(self, runs):
+        self.call(TROPHIC, "analyze", runs, "--bodies", "--out", f"{runs}-measured")
+        return {(row["metric"], row["species"], row["group"]): row["value"] for row in self.rows(f"{runs}-measured/metrics.csv") if not row["time_s"]}
+
+    def test_bodies_start_from_walkers_and_change_in_the_offspring(self):
+        self.call(BODIES, "--rules", "evolving_bodies", "--backend", "mujoco", *FEW, "--out", "run")
+        bodies = self.rows("run/bodies.csv")
+        births = [row for row in self.rows("run/events.csv") if row["event"] == "birth"]
+        self.assertEqual([row["id"] for row in bodies], [row["id"] for row in births])
+        self.assertGreater(len(bodies), 8)
+        first = {row["species"]: row["modules_text"] for row in reversed(bodies)}
+        self.assertEqual(len(first), 2)
+        for row in bodies[:8]:
+            self.assertEqual(row["modules_text"], first[row["species"]])
+        found = self.measured("run")
+        self.assertGreater(float(found["body_modules", "predator", "late"]), 1.0)
+        self.assertGreater(float(found["walked", "predator", "late"]), 0.0)
+        self.assertGreater(float(found["gait_genes", "prey", "late"]), 6.0)
+
+    def test_an_encoding_of_ones_own_has_command_line_tables_and_measures(self):
+        self.call(ENCODING, "--backend", "mujoco", *FEW, "--out", "run")
+        self.assertGreater(len({row["plan"] for row in self.rows("run/bodies.csv")}), 4)
+        self.assertGreater(float(self.measured("run")["body_plans", "predator", "early"]), 1.0)
+
+    def test_brains_evolve_without_bodies_and_only_their_genes_are_measured(self):
+        self.call(BODIES, "--rules", "evolving_brains", "--backend", "kinematic", "--duration", "600", "--out", "run")
+        found = self.measured("run")
+        self.assertGreater(float(found["brain_genes", "predator", "late"]), 10.0)
+        self.assertEqual(found["body_modules", "predator", "late"], "")
+        self.call(TROPHIC, "analyze", "run", "--bodies", "--lineages", fails_with="--bodies: not with --published or --lineages")
+
+    def test_what_cannot_be_shown_or_measured_is_refused_in_a_sentence(self):
+        self.call(BODIES, "--rules", "evolving_bodies", "--backend", "kinematic", "--out", "run", fails_with="must be a backend with joints")
+        self.call(BODIES, "--rules", "evolving_bodies", "--backend", "mujoco", "--set", "rules.viability.limits.most_modules=1000", "--out", "run",
+                  fails_with="rules.viability.limits.most_modules")
+
+
+if __name__ == "__main__":
+    unittest.main()
