@@ -132,7 +132,7 @@ class Watched(InFolderWithSets):
         self.press("Escape")
         self.wait_for("paused$")
         self.press("space", *["Up"] * 8)
-        self.wait_for("^100.0 s, as fast as it goes, the run has ended$")
+        self.wait_for("^100.0 s, as fast as possible, the run has ended$")
         self.press("q")
         out, err = self.ends(0)
         self.assertIn("files   ", out)

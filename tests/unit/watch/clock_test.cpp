@@ -57,6 +57,10 @@ TEST_CASE("clock: faster or slower -> speeds have limits, and the last is the ru
   for (int i = 0; i < 30; ++i) clock.faster();
   clock.advance(0.01, 1234.0);
   CHECK(clock.time_s() == 1234.0);
-  CHECK(clock.text() == "1234.0 s, as fast as it goes");
+  CHECK(clock.text() == "1234.0 s, as fast as possible");
   CHECK(clock.wanted_until_s(2.0) == std::numeric_limits<double>::infinity());
+  clock.advance(0.5, 1734.0);
+  CHECK(clock.pace() == doctest::Approx(1000.0));
+  clock.slower();
+  CHECK(clock.pace() == 500.0);
 }

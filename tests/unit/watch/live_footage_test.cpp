@@ -43,6 +43,10 @@ TEST_CASE("live footage: frames before the shown moment -> dropped, and pictures
   }
   const auto lines = [&] { return drawing::picture_of(written.footage, 190.3, {.marked = 1, .rows_s = {}, .named = {}}, "now"); };
   const drawing::Picture before = lines();
+  const drawing::Picture fast = drawing::picture_of(written.footage, 190.3, {.flash_s = 40.0}, "now");
+  CHECK(fast.flashes.size() == 20);
+  written.footage.forget_before(190.3, 40.0);
+  CHECK(drawing::picture_of(written.footage, 190.3, {.flash_s = 40.0}, "now").flashes.size() == 20);
   written.footage.forget_before(190.3);
   const drawing::Picture after = lines();
   CHECK(written.footage.frames() < 24);
@@ -52,6 +56,7 @@ TEST_CASE("live footage: frames before the shown moment -> dropped, and pictures
   CHECK(before.lines.back().x1_m == after.lines.back().x1_m);
   CHECK(before.flashes.size() == 3);
   CHECK(after.flashes.size() == 3);
+  CHECK(drawing::picture_of(written.footage, 190.3, {.flash_s = 40.0}, "now").flashes.size() == 3);  // the others are dropped
   CHECK(after.robots[1].is_marked);
   CHECK_FALSE(after.robots[0].is_marked);
   CHECK(after.robots[0].filled);

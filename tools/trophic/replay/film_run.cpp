@@ -50,8 +50,8 @@ namespace {
 class RecordedFootage {
  public:
   /// Throws std::invalid_argument for tables that are not the run's.
-  RecordedFootage(const RecordedRun& run, double from_s, double to_s)
-      : recording_{run.recording}, agents_{run, from_s, to_s, drawing::trail_s}, from_s_{from_s}, to_s_{to_s} {
+  RecordedFootage(const RecordedRun& run, double from_s, double to_s, double flash_s)
+      : recording_{run.recording}, agents_{run, from_s, to_s, drawing::trail_s}, from_s_{from_s}, to_s_{to_s}, flash_s_{flash_s} {
     const auto tags = run.manifest.at("tags").get<std::vector<int>>();
     filled_tag_ = *std::ranges::max_element(tags);
     species_ = run.manifest.at("species").get<std::vector<std::string>>();
@@ -103,7 +103,7 @@ class RecordedFootage {
     analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m", "cause"}};
     while (events.next()) {
       const auto time_s = events.get<double>(0);
-      if (events.text(1) != "death" || time_s < from_s_ - drawing::flash_s || time_s > to_s_) continue;
+      if (events.text(1) != "death" || time_s < from_s_ - flash_s_ || time_s > to_s_) continue;
       deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3), events.text(4) == "caught"});
     }
   }
@@ -121,6 +121,7 @@ class RecordedFootage {
   RecordedAgents agents_;
   double from_s_;
   double to_s_;
+  double flash_s_;
   int filled_tag_ = 1;
   std::vector<drawing::Death> deaths_;
   std::vector<std::string> species_;
@@ -171,6 +172,11 @@ Window window_of(const FilmPlan& plan, const RecordedRun& run, const std::option
           std::min(last_s, scene->time_s + (is_moment ? 0.0 : CatchScene::after_s))};
 }
 
+/// Ecology seconds that a second of a film shows.
+double speed_of(const FilmPlan& plan) {
+  return plan.speed.value_or(plan.catch_ ? 1.0 : 10.0);
+}
+
 /// A narrower picture has neither title nor legend: they would hide it.
 constexpr std::size_t least_width_of_texts = 560;
 
@@ -183,7 +189,8 @@ class Artist {
         window_{window_of(plan, run, scene_)},
         from_s_{window_.start_s(run.recording)},
         to_s_{plan.out.extension() == ".png" && plan.sheet.empty() ? from_s_ : window_.end_s(run.recording)},
-        footage_{run, from_s_, to_s_},
+        flash_s_{film::is_film(plan.out) ? drawing::flash_at(speed_of(plan)) : drawing::flash_s},
+        footage_{run, from_s_, to_s_, flash_s_},
         is_wide_{width >= least_width_of_texts},
         aspect_{static_cast<double>(width) / static_cast<double>(height)},
         renderer_{run.recording.head().robot, run.recording.head().arena, width, height,
@@ -202,8 +209,11 @@ class Artist {
   [[nodiscard]] double from_s() const { return from_s_; }
 
   [[nodiscard]] drawing::Image draw(const Moment& moment) {
-    drawing::Sights sights{
-        .marked = plan_.follow, .rows_s = moment.rows_s, .species = footage_.species(), .has_lines = plan_.has_lines};
+    drawing::Sights sights{.marked = plan_.follow,
+                           .rows_s = moment.rows_s,
+                           .species = footage_.species(),
+                           .has_lines = plan_.has_lines,
+                           .flash_s = flash_s_};
     std::string caption = time_text(moment.time_s);
     if (scene_) {
       sights.marked = scene_->hunter;
@@ -239,7 +249,7 @@ class Artist {
 
   /// Those of a film; a catch stands still for a moment.
   [[nodiscard]] std::vector<Moment> film() const {
-    const double step_s = plan_.speed.value_or(scene_ ? 1.0 : 10.0) / static_cast<double>(plan_.fps);
+    const double step_s = speed_of(plan_) / static_cast<double>(plan_.fps);
     const auto count = static_cast<std::size_t>(std::floor((to_s_ - from_s_) / step_s + 1e-9)) + 1;
     std::vector<Moment> moments;
     bool is_caught = !scene_;
@@ -281,6 +291,7 @@ class Artist {
   Window window_;
   double from_s_;
   double to_s_;
+  double flash_s_;
   RecordedFootage footage_;
   bool is_wide_;
   double aspect_;

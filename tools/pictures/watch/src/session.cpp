@@ -208,10 +208,11 @@ struct Session::Parts {
       Controls& controls = desk.in_use;
       controls.advance(footage, elapsed_s, window.size());
       const double time_s = controls.clock().time_s();
-      footage.forget_before(controls.kept_from_s());
+      const double flash_s = drawing::flash_at(controls.clock().pace());
+      footage.forget_before(controls.kept_from_s(), flash_s);
       const std::string moment = moment_text(controls, footage, has_ended);
       window.say(moment);
-      drawing::Sights sights{.marked = controls.selected(), .rows_s = {}, .named = {}, .has_lines = true};
+      drawing::Sights sights{.marked = controls.selected(), .rows_s = {}, .named = {}, .has_lines = true, .flash_s = flash_s};
       if (controls.selected()) sights.named = {*controls.selected()};
       if (const auto& scene = controls.scene()) {
         sights.named = {scene->shown().hunter, scene->shown().victim};

@@ -29,6 +29,12 @@ struct Death {
 inline constexpr double trail_s = 60.0;
 inline constexpr double flash_s = 6.0;
 
+/// Time for which a ring round a death is visible where `pace` ecology seconds pass in a second of the viewer's: that second, but
+/// at least `flash_s` and at most 1000 s, as more rings hide the robots.
+[[nodiscard]] inline double flash_at(double pace) {
+  return std::clamp(pace, flash_s, 1000.0);
+}
+
 /// Source of a picture's data at any moment, ecology seconds: `rows_at` has a row for each body, as the last tick left it; rows
 /// go back by `trail_s` or to `first_s`, deaths by `flash_s`. If bodies differ, `body_of_robot(time_s, body)` is that of a robot.
 template <class F>

@@ -22,6 +22,8 @@ class Clock {
 
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] double speed() const { return speeds[speed_]; }
+  /// Ecology seconds that pass in a second of real time; as fast as the run: of the last half second.
+  [[nodiscard]] double pace() const { return std::isinf(speed()) ? pace_ : speed(); }
   [[nodiscard]] bool is_paused() const { return is_paused_; }
 
   void set(double time_s) { time_s_ = time_s; }
@@ -49,7 +51,9 @@ class Clock {
       if (time_s_ >= *step_to_s_) step_to_s_.reset();
     } else if (!is_paused_) {
       const double next_s = std::isinf(speed()) ? newest_s : time_s_ + elapsed_s * speed();
+      const double before_s = time_s_;
       time_s_ = std::max(time_s_, std::min(next_s, newest_s));
+      if (elapsed_s > 0.0) pace_ += std::min(1.0, elapsed_s / 0.5) * ((time_s_ - before_s) / elapsed_s - pace_);
     }
   }
 
@@ -64,12 +68,13 @@ class Clock {
     const double tenths = std::round(10.0 * time_s_);
     const std::string whole =
         number_text(std::floor(tenths / 10.0)) + "." + number_text(tenths - 10.0 * std::floor(tenths / 10.0));
-    const std::string pace = is_paused_ ? "paused" : std::isinf(speed()) ? "as fast as it goes" : number_text(speed()) + "x";
+    const std::string pace = is_paused_ ? "paused" : std::isinf(speed()) ? "as fast as possible" : number_text(speed()) + "x";
     return whole + " s, " + pace;
   }
 
  private:
   double time_s_ = 0.0;
+  double pace_ = 0.0;
   std::size_t speed_ = 6;
   bool is_paused_ = false;
   std::optional<double> step_to_s_;

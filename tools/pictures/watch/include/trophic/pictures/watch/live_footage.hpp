@@ -71,12 +71,12 @@ class LiveFootage {
       tick.ancestries.push_back({.parent = view.robots[body].parent, .age_s = view.time_s - view.robots[body].born_s});
     }
   }
-  /// Drops frames that no picture from `time_s` on needs.
-  void forget_before(double time_s) {
+  /// Drops frames that no picture from `time_s` on needs, and deaths that no picture shows for `flash_s`.
+  void forget_before(double time_s, double flash_s = drawing::flash_s) {
     std::erase_if(catches_, [&](const Catch& one) { return one.time_s < time_s; });
     while (frames_.size() > 2 && frames_[1].time_s <= time_s) frames_.pop_front();
     while (ticks_.size() > 2 && ticks_[1].time_s <= time_s - drawing::trail_s - 2.0 * tick_s_) ticks_.pop_front();
-    std::erase_if(deaths_, [&](const drawing::Death& death) { return death.time_s < time_s - drawing::flash_s; });
+    std::erase_if(deaths_, [&](const drawing::Death& death) { return death.time_s < time_s - flash_s; });
   }
 
   /// Whether there is a frame to show.
