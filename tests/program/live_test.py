@@ -153,6 +153,8 @@ class Live(InFolder):
             page.send({"do": "restart", "seed": 9, "rules": "paper"})
             facts = page.until_kind("run")
             self.assertEqual(facts["head"]["seed"], 9)
+            at_start = {number["path"].split(".")[1] for number in facts["numbers"] if number["acts_at_start"]}
+            self.assertEqual(at_start - {"placement"}, {"community"})
             self.assertEqual([number["value"] for number in facts["numbers"] if number["path"] == "rules.capture.reach_m"], ["0.5"])
             page.send({"do": "restart", "seed": 10, "rules": "released"})
             self.assertEqual(page.until_kind("run")["head"]["rule_table"], "released")

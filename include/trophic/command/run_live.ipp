@@ -27,13 +27,6 @@ namespace detail {
   return numbers;
 }
 
-/// Throws std::invalid_argument for an experiment that a page cannot draw.
-inline void check_can_be_live(const AnyExperiment& experiment, std::uint64_t seed, const std::string& rule_table) {
-  if (!experiment.simulations(false)(seed)->describe(0.0).bodies_differ) return;
-  throw std::invalid_argument{"--live: individuals of " + rule_table +
-                              " have bodies of their own, which the page cannot draw; --watch shows them"};
-}
-
 /// Options and numbers of the run that a page asks for.
 inline void restart(const Restart& restart, const std::string& old_table, const std::filesystem::path& first_out,
                     ExperimentOptions& options, Config& config) {
@@ -62,7 +55,6 @@ TROPHIC_INLINE int run_live(Selection selection, ExperimentOptions options, Conf
   {  // Refusals come before a port is opened.
     if (!options.resume) io::check_new_folder(options.out);
     const auto experiment = detail::experiment_of(selection, options, config);
-    detail::check_can_be_live(*experiment, experiment->seed(), selection.table->name);
     static_cast<void>(detail::simulations(selection, options, config, *experiment, false)(experiment->seed()));
   }
   const std::unique_ptr<LiveServer> server =

@@ -46,7 +46,7 @@ TEST_CASE("live wishes: each kind -> read") {
 }
 
 TEST_CASE("live wishes: anything else -> refused with what must be") {
-  const std::string json = "message: must be a JSON object that says what to do";
+  const std::string json = "message: must be a JSON object with the key do";
   CHECK(refusal("") == json);
   CHECK(refusal("{") == json);
   CHECK(refusal("7") == json);
@@ -55,7 +55,7 @@ TEST_CASE("live wishes: anything else -> refused with what must be") {
   CHECK(refusal(R"({"do": "speed"})") == json);
   CHECK(refusal(std::string(5000, ' ')) == "message: must have <= 4096 bytes");
   CHECK(refusal(R"({"do": "x"})") == "do = x: must be play, pause, tick, speed, set or restart");
-  CHECK(refusal(R"({"do": "speed", "value": 1e9})") == "speed = 1e+09: must be 0, as fast as it goes, or >= 0.05 and <= 1000");
+  CHECK(refusal(R"({"do": "speed", "value": 1e9})") == "speed = 1e+09: must be 0 (as fast as possible), or >= 0.05 and <= 1000");
   CHECK(refusal(R"({"do": "set", "number": "rules.x", "value": "1"})") == "rules.x: is not a number of a rule of this run");
   for (const char* value : {"", "1\n2", "[1]", "1 # 2", "'a'"}) {
     const std::string text = json_text(Json{{"do", "set"}, {"number", "rules.capture.reach_m"}, {"value", value}});

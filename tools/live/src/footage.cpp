@@ -14,10 +14,16 @@ namespace {
 
 namespace recording = io::recording;
 
+/// Whether a number acts at the start of a run alone: those of the first individuals and their places.
+bool acts_at_start(const std::string& path) {
+  return path.starts_with("rules.community.") || path.starts_with("rules.placement.");
+}
+
 /// A number with its meaning and bounds; null for none.
 Json json_of(const NamedParam& number) {
   const auto finite = [](double bound) { return std::isfinite(bound) ? Json(bound) : Json(nullptr); };
-  Json json{{"path", number.path}, {"value", value_text(number)}, {"help", number.help}};
+  Json json{
+      {"path", number.path}, {"value", value_text(number)}, {"help", number.help}, {"acts_at_start", acts_at_start(number.path)}};
   const bool is_whole = std::holds_alternative<std::int64_t>(number.value);
   if (std::holds_alternative<bool>(number.value)) {
     json["kind"] = "switch";
@@ -34,7 +40,8 @@ Json json_of(const NamedParam& number) {
 
 /// The head of a recording whose first frame is at time 0.
 Json head_of(const RunFacts& facts) {
-  return {{"fingerprint", facts.description.fingerprint},
+  return {{"version", facts.description.bodies_differ ? recording::version_of_bodies : recording::version},
+          {"fingerprint", facts.description.fingerprint},
           {"seed", facts.description.seed},
           {"rule_table", facts.description.rules},
           {"backend", facts.description.backend},
@@ -51,10 +58,16 @@ Json head_of(const RunFacts& facts) {
           {"arena", recording::json_of(facts.arena)}};
 }
 
+std::uint32_t frame_of(double time_s, const RunFacts& facts) {
+  const auto per_tick = static_cast<double>(facts.times.per_tick(live_hz));
+  return static_cast<std::uint32_t>(std::floor(time_s / facts.times.tick_s * per_tick + 1e-6));
+}
+
 /// The frames of a tick as the block of a recording.
 std::string poses_of(const TickSight& sight, const RunFacts& facts) {
   const recording::Units units = recording::Units::for_extent(facts.arena.extent_m);
-  const std::size_t columns = facts.robots * (recording::pose_channels + facts.joints);
+  const std::size_t joints = std::ranges::max(sight.frames, {}, &TickSight::Moment::joints).joints;
+  const std::size_t columns = facts.robots * (recording::pose_channels + joints);
   std::vector<std::int16_t> values(columns * sight.frames.size());
   for (std::size_t frame = 0; frame < sight.frames.size(); ++frame) {
     const TickSight::Moment& moment = sight.frames[frame];
@@ -64,17 +77,30 @@ std::string poses_of(const TickSight& sight, const RunFacts& facts) {
         values[at] = value;
         at += facts.robots;
       }
-      for (std::size_t joint = 0; joint < facts.joints; ++joint, at += facts.robots) {
-        values[at] = recording::whole(moment.angles_rad[robot * facts.joints + joint], units.joint_rad);
+      for (std::size_t joint = 0; joint < moment.joints; ++joint, at += facts.robots) {
+        values[at] = recording::whole(moment.angles_rad[robot * moment.joints + joint], units.joint_rad);
       }
     }
   }
-  const auto per_tick = static_cast<double>(facts.times.per_tick(live_hz));
-  const double first = std::floor(sight.frames.front().time_s / facts.times.tick_s * per_tick + 1e-6);
   std::string bytes;
-  recording::append_u32(bytes, static_cast<std::uint32_t>(first));
+  recording::append_u32(bytes, frame_of(sight.frames.front().time_s, facts));
   recording::append_u32(bytes, static_cast<std::uint32_t>(sight.frames.size()));
+  if (facts.description.bodies_differ) {
+    recording::append_u32(bytes, static_cast<std::uint32_t>(recording::pose_channels + joints));
+  }
   return bytes + recording::packed(values, columns);
+}
+
+/// The robots that were set down since the frames before.
+Json bodies_of(const TickSight& sight, const RunFacts& facts) {
+  Json bodies = Json::array();
+  for (const auto& robot : sight.set_down.bodies) bodies.push_back(recording::json_of(*robot));
+  Json set_down = Json::array();
+  for (const auto& [robot, body] : sight.set_down.of_robots) set_down.push_back({robot, body});
+  return {{"kind", "bodies"},
+          {"frame", frame_of(sight.set_down.time_s, facts)},
+          {"bodies", std::move(bodies)},
+          {"set_down", std::move(set_down)}};
 }
 
 template <class Number>
@@ -146,6 +172,7 @@ SharedMessage facts_message(const RunFacts& facts) {
 
 std::vector<SharedMessage> tick_messages(const TickSight& sight, const RunFacts& facts) {
   std::vector<SharedMessage> messages;
+  if (!sight.set_down.of_robots.empty()) messages.push_back(message_of(bodies_of(sight, facts), Message::Kind::events));
   if (!sight.frames.empty()) {
     messages.push_back(std::make_shared<Message>(
         Message{.kind = Message::Kind::poses, .text = poses_of(sight, facts), .is_last = sight.is_last}));

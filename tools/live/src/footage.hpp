@@ -15,6 +15,7 @@
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/json.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::live {
@@ -33,7 +34,14 @@ struct TickSight {
   struct Moment {
     double time_s = 0.0;
     std::vector<Pose> roots;
-    std::vector<double> angles_rad;
+    std::vector<double> angles_rad;  ///< `joints` of each robot; 0 for those that a smaller body lacks
+    std::size_t joints = 0;
+  };
+  /// Robots whose own bodies were set down before a frame.
+  struct SetDown {
+    double time_s = 0.0;                                       ///< of the frame
+    std::vector<std::shared_ptr<const RobotModel>> bodies;     ///< that are new; they are numbered from 0 in this order
+    std::vector<std::pair<BodyIndex, std::size_t>> of_robots;  ///< robot, number of its body
   };
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -41,6 +49,7 @@ struct TickSight {
   std::vector<io::AgentRow> rows;  ///< empty: only events are shown of this tick
   std::vector<bool> are_spare;     ///< bodies without an individual
   std::vector<Moment> frames;
+  SetDown set_down;      ///< empty if all robots have one body
   bool is_last = false;  ///< of the run
 };
 
@@ -54,14 +63,14 @@ struct RunFacts {
   Arena arena;
   observe::FrameTimes times;
   std::size_t robots = 0;
-  std::size_t joints = 0;
+  std::size_t joints = 0;  ///< of the first frame
 };
 
 /// Frames a simulated second, as recordings have them.
 inline constexpr double live_hz = 5.0;
 
 [[nodiscard]] SharedMessage facts_message(const RunFacts& facts);
-/// The messages of a tick, the poses before the robots.
+/// The messages of a tick: bodies, poses, events, robots.
 [[nodiscard]] std::vector<SharedMessage> tick_messages(const TickSight& sight, const RunFacts& facts);
 [[nodiscard]] SharedMessage message_of(const Json& json, Message::Kind kind = Message::Kind::state);
 

@@ -40,12 +40,12 @@ std::string new_token() {
 }
 
 std::optional<Refusal> refusal_of(const Request& request, std::string_view token) {
-  if (request.method != "GET") return Refusal{405, "This address takes no data: it only shows a run of trophic."};
-  if (!is_this_machine(request.host)) return Refusal{403, "This run of trophic is shown on its own machine alone."};
+  if (request.method != "GET") return Refusal{405, "This address accepts no data; it only shows a run."};
+  if (!is_this_machine(request.host)) return Refusal{403, "The run is shown on its own machine only."};
   const std::size_t question = request.target.find('?');
   const std::string_view path = request.target.substr(0, question);
   const std::string_view query = question == std::string_view::npos ? "" : request.target.substr(question + 1);
-  if (path != (request.is_upgrade ? "/live" : "/")) return Refusal{404, "There is no such page here."};
+  if (path != (request.is_upgrade ? "/live" : "/")) return Refusal{404, "This address has no page."};
   constexpr std::string_view name = "token=";
   if (!query.starts_with(name) || !same(query.substr(name.size()), token)) {
     return Refusal{403, "The address lacks the run's token: open the one that the program printed."};
@@ -53,7 +53,7 @@ std::optional<Refusal> refusal_of(const Request& request, std::string_view token
   if (!request.is_upgrade) return std::nullopt;
   constexpr std::string_view scheme = "http://";
   if (!request.origin.starts_with(scheme) || request.origin.substr(scheme.size()) != request.host) {
-    return Refusal{403, "Only the run's own page may speak to it."};
+    return Refusal{403, "Only the run's own page may connect to it."};
   }
   return std::nullopt;
 }

@@ -55,7 +55,7 @@ class Server::Hub {
     if (!error) acceptor_.set_option(asio::socket_base::reuse_address{true}, error);
     if (!error) acceptor_.bind(here, error);
     if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
-    if (error) throw std::invalid_argument{"--live: no port " + std::to_string(port) + " can be opened: " + error.message()};
+    if (error) throw std::invalid_argument{"--live-port " + std::to_string(port) + ": cannot be opened: " + error.message()};
     port_ = acceptor_.local_endpoint().port();
     accept();
     thread_ = std::thread{[this] { context_.run(); }};
@@ -315,7 +315,7 @@ void Server::show(std::shared_ptr<TickSight> sight, std::shared_ptr<const RunFac
     sight->rows.clear();
     sight->frames.clear();
   }
-  if (sight->rows.empty() && sight->events.empty()) return;
+  if (sight->rows.empty() && sight->events.empty() && sight->set_down.of_robots.empty()) return;
   ++hub_->waiting_ticks_;
   hub_->post([hub = hub_.get(), sight = std::move(sight), facts = std::move(facts)] {
     --hub->waiting_ticks_;

@@ -2,8 +2,11 @@
 // Definitions of sight.hpp.
 #include <tools/live/src/sight.hpp>
 
-#include <stdexcept>
+#include <algorithm>
+#include <limits>
+#include <span>
 #include <trophic/io/agent_log.hpp>
+#include <trophic/io/recording_head.hpp>
 #include <utility>
 
 namespace trophic::live {
@@ -13,13 +16,11 @@ void Sight::begin(const command::LiveRun& run) {
   facts_->run = run;
   sight_ = std::make_shared<TickSight>();
   is_full_ = true;
+  individuals_.clear();
+  bodies_.clear();
 }
 
 void Sight::on_start(const observe::RunDescription& run, const View& view) {
-  if (run.bodies_differ) {
-    throw std::invalid_argument{
-        "--live: robots with bodies of their own: must be shown by --watch, trophic film or trophic export"};
-  }
   facts_->description = run;
   facts_->robots = view.robots.size();
   for (Species species = 0; species < view.web.size(); ++species) facts_->species.push_back(view.web.name(species));
@@ -32,13 +33,35 @@ void Sight::on_frame(const observe::Frame& frame) {
     facts_->robot = frame.robot;
     facts_->arena = frame.arena;
     facts_->times = frame.times;
-    facts_->joints = frame.joint_angles_rad.size() / frame.roots.size();
+    for (std::size_t robot = 0; robot < frame.roots.size(); ++robot) {
+      facts_->joints = std::max(facts_->joints, frame.joint_angles(robot).size());
+    }
     server_.begin(facts_message(*facts_));
     steering_.set_visible();
   }
-  sight_->frames.push_back({.time_s = frame.time_s,
-                            .roots = {frame.roots.begin(), frame.roots.end()},
-                            .angles_rad = {frame.joint_angles_rad.begin(), frame.joint_angles_rad.end()}});
+  if (!frame.phenotypes.empty()) see_bodies(frame);
+  TickSight::Moment moment{.time_s = frame.time_s, .roots = {frame.roots.begin(), frame.roots.end()}, .angles_rad = {}};
+  for (std::size_t robot = 0; robot < frame.roots.size(); ++robot) {
+    moment.joints = std::max(moment.joints, frame.joint_angles(robot).size());
+  }
+  for (std::size_t robot = 0; robot < frame.roots.size(); ++robot) {
+    const std::span<const double> angles_rad = frame.joint_angles(robot);
+    moment.angles_rad.insert(moment.angles_rad.end(), angles_rad.begin(), angles_rad.end());
+    moment.angles_rad.resize((robot + 1) * moment.joints);
+  }
+  sight_->frames.push_back(std::move(moment));
+}
+
+void Sight::see_bodies(const observe::Frame& frame) {
+  individuals_.resize(frame.roots.size(), std::numeric_limits<std::uint64_t>::max());
+  for (BodyIndex robot = 0; robot < frame.roots.size(); ++robot) {
+    if (std::exchange(individuals_[robot], frame.phenotypes[robot].individual) == frame.phenotypes[robot].individual) continue;
+    const std::string hash = hash_text(json_text(io::recording::json_of(frame.model(robot))));
+    const auto [body, is_new] = bodies_.try_emplace(hash, bodies_.size());
+    if (is_new) sight_->set_down.bodies.push_back(std::make_shared<RobotModel>(frame.model(robot)));
+    sight_->set_down.time_s = frame.time_s;
+    sight_->set_down.of_robots.emplace_back(robot, body->second);
+  }
 }
 
 void Sight::on_event(const observe::Event& event, const View& view) {

@@ -2,11 +2,16 @@
 // The observer that hands a run over to its pages. It draws nothing and changes nothing.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
 #include <tools/live/src/footage.hpp>
 #include <tools/live/src/server.hpp>
 #include <tools/live/src/steering.hpp>
 #include <trophic/observe/progress.hpp>
+#include <vector>
 
 namespace trophic::live {
 
@@ -28,8 +33,13 @@ class Sight {
   void on_tick(const View& view);
 
  private:
+  /// Notes the bodies that were set down since the last frame.
+  void see_bodies(const observe::Frame& frame);
+
   Server& server_;
   Steering& steering_;
+  std::vector<std::uint64_t> individuals_;     ///< whose bodies the last frame showed, if bodies differ
+  std::map<std::string, std::size_t> bodies_;  ///< hashes of bodies, and their numbers
   std::shared_ptr<RunFacts> facts_;
   std::shared_ptr<TickSight> sight_;
   observe::Stopwatch watch_;

@@ -27,7 +27,7 @@ std::string text_at(const Json& json, const std::string& key) {
 double speed_at(const Json& json) {
   const double speed = json.at("value").get<double>();
   if (speed == 0.0 || (speed >= least_speed && speed <= most_speed)) return speed;
-  throw std::invalid_argument{"speed = " + number_text(speed) + ": must be 0, as fast as it goes, or >= " +
+  throw std::invalid_argument{"speed = " + number_text(speed) + ": must be 0 (as fast as possible), or >= " +
                               number_text(least_speed) + " and <= " + number_text(most_speed)};
 }
 
@@ -66,7 +66,7 @@ Wish read_wish(std::string_view message, const command::LiveRun& run) {
     }
     return wish;
   } catch (const Json::exception&) {
-    throw std::invalid_argument{"message: must be a JSON object that says what to do"};
+    throw std::invalid_argument{"message: must be a JSON object with the key do"};
   }
 }
 

@@ -111,7 +111,9 @@ class OwnTables {
       throw std::invalid_argument{where + ": the recording next to it ends at " + number_text(last_s_) + " s"};
     }
     if (time_s < head.first_time_s) return {body, std::move(where)};
-    const Eigen::Vector3d at = recording_.root(recording_.frame_at(std::min(time_s + 1e-9, last_s_)), body).position_m;
+    const std::size_t frame = recording_.frame_at(std::min(time_s + 1e-9, last_s_));
+    if (recording_.is_set_down(frame + 1, body)) return {body, std::move(where)};  // a newborn's place, which later frames have
+    const Eigen::Vector3d at = recording_.root(frame, body).position_m;
     const double x_m = csv.get<double>(3);
     const double y_m = csv.get<double>(4);
     if (std::hypot(at.x() - x_m, at.y() - y_m) > 0.002 + head.units.position_m) {

@@ -95,12 +95,9 @@ std::string table_without(const std::filesystem::path& path, std::initializer_li
 /// Larger than any recording that a browser shows: in the page it is a text, of which browsers take half a gigabyte.
 constexpr std::size_t most_recording_bytes = std::size_t{384} << 20U;
 
-/// The bytes of a recording, only of the blocks that a window touches; others are skipped, not read.
-std::string recording_bytes(const RecordedRun& run, const Window& window) {
+/// The blocks of a recording that a window touches, with those of bodies set down before its end; others are skipped, not read.
+std::string recording_blocks(const RecordedRun& run, const Window& window) {
   const std::filesystem::path path = run.folder / "replay.trp";
-  if (run.recording.head().bodies_differ) {
-    throw std::invalid_argument{path.string() + ": has robots with bodies of their own: must be shown by trophic film or export"};
-  }
   namespace format = io::recording;
   constexpr std::size_t front_bytes = 16;  // size and kind of a block, and the first and the number of its frames
   std::ifstream file{path, std::ios::binary};
@@ -112,7 +109,10 @@ std::string recording_bytes(const RecordedRun& run, const Window& window) {
     file.clear();
     const std::size_t size = std::size_t{12} + format::u32_at(front, 0);
     const std::string_view kind = std::string_view{front}.substr(4, 4);
-    bool keep = kind == format::head_kind || (!window.from_s && !window.to_s);
+    bool keep = kind == format::head_kind || kind == format::body_kind || (!window.from_s && !window.to_s);
+    if (kind == format::who_kind && !keep) {
+      keep = !window.to_s || run.recording.time_s(format::u32_at(front, 8)) <= *window.to_s + 1e-9;
+    }
     if (kind == format::frames_kind && !keep) {
       const std::size_t first = format::u32_at(front, 8);
       const std::size_t last = first + format::u32_at(front, 12) - 1;
@@ -136,6 +136,12 @@ std::string recording_bytes(const RecordedRun& run, const Window& window) {
     }
   }
   return kept;
+}
+
+/// The recording in the page. Its frames are compressed, its bodies are not.
+std::string recording_bytes(const RecordedRun& run, const Window& window) {
+  const std::string blocks = recording_blocks(run, window);
+  return run.recording.head().bodies_differ ? deflated(blocks) : blocks;
 }
 
 /// Files of a run in the page: (name, bytes).

@@ -20,6 +20,8 @@ import type { View, World } from "./world";
 
 /** A death is seen for at least so long, ecology seconds, and for at least a second of the viewer's. */
 const leastFlashSeconds = 6;
+/** More deaths than those of that time would hide the robots, ecology seconds. */
+const mostFlashSeconds = 1000;
 /** The sentence about an event stands for so many ecology seconds. */
 const bannerSeconds = 10;
 
@@ -57,6 +59,8 @@ export class App {
   private isNow = false;
   private hasGrown = false;
   private grownAt = -Infinity;
+  /** Ecology seconds a second that a live run makes where it is as fast as it goes. */
+  private pace = 0;
   private readonly notice = make("p", "notice");
 
   /** `live`: of a live run, the only one. */
@@ -411,6 +415,7 @@ export class App {
     if (!this.isNow || !this.live) return;
     const { newest } = this.live;
     const behind = newest - this.time;
+    if (passed > 0) this.pace += Math.min(1, 2 * passed) * (Math.max(0, behind) / passed - this.pace);
     if (behind <= 0) return;
     const { tick_s } = this.run.recording.head;
     const isSmooth = this.speed > 0 && behind <= 3 * tick_s;
@@ -443,7 +448,7 @@ export class App {
         selected: body,
         pair: isCurrent ? this.pair : [],
         highlighted: this.branches.get(number) ?? new Set(),
-        flashSeconds: this.scene ? 4 : Math.max(leastFlashSeconds, this.speed),
+        flashSeconds: this.scene ? 4 : Math.min(mostFlashSeconds, Math.max(leastFlashSeconds, this.speed || this.pace)),
         shown: this.shown,
       });
     });

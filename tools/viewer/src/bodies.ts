@@ -16,27 +16,37 @@ function shadowMatrix(): Matrix4 {
 
 export class Bodies {
   readonly group = new Group();
-  private readonly boxes: InstancedMesh;
-  private readonly shadows: InstancedMesh;
+  private boxes!: InstancedMesh;
+  private shadows!: InstancedMesh;
+  private most = 0;
+  private readonly geometry = new BoxGeometry(1, 1, 1);
+  private readonly material = new MeshLambertMaterial();
   private readonly shadowMaterial = new MeshBasicMaterial({ depthWrite: false });
   private readonly colour = new Color();
   private rootColour = new Color();
   private limbColour = new Color();
   private count = 0;
 
-  constructor(most: number, hasFlatFloor: boolean) {
-    const geometry = new BoxGeometry(1, 1, 1);
-    this.boxes = new InstancedMesh(geometry, new MeshLambertMaterial(), most);
+  constructor(most: number, private readonly hasFlatFloor: boolean) {
+    this.reserve(most);
+    this.paint();
+  }
+
+  /** Room for that many boxes. */
+  private reserve(most: number): void {
+    for (const mesh of this.most > 0 ? [this.boxes, this.shadows] : []) mesh.dispose();
+    this.group.clear();
+    this.most = most;
+    this.boxes = new InstancedMesh(this.geometry, this.material, most);
     this.boxes.frustumCulled = false;
-    this.shadows = new InstancedMesh(geometry, this.shadowMaterial, most);
+    this.shadows = new InstancedMesh(this.geometry, this.shadowMaterial, most);
     this.shadows.instanceMatrix = this.boxes.instanceMatrix;
     this.shadows.frustumCulled = false;
     this.shadows.renderOrder = -2;
     this.shadows.matrixAutoUpdate = false;
     this.shadows.matrix.copy(shadowMatrix());
-    this.shadows.visible = hasFlatFloor;
+    this.shadows.visible = this.hasFlatFloor;
     this.group.add(this.shadows, this.boxes);
-    this.paint();
   }
 
   /** Takes the colours of the theme. */
@@ -44,7 +54,9 @@ export class Bodies {
     this.shadowMaterial.color.set(theme().shadow);
   }
 
-  clear(): void {
+  /** Begins a picture of at most `boxes` boxes. */
+  clear(boxes: number): void {
+    if (boxes > this.most) this.reserve(Math.max(boxes, Math.ceil(1.5 * this.most)));
     this.count = 0;
   }
 

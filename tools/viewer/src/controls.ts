@@ -67,12 +67,12 @@ export class Controls {
       return element;
     };
     this.element.append(
-      withClass("wide", makeButton("−1", "a tick back (←)", () => actions.step(-1))),
+      withClass("wide", makeButton("−1", "one tick back (←)", () => actions.step(-1))),
       this.playButton,
-      withClass(isLive ? "tick" : "wide", makeButton("+1", "a tick on (→)", () => actions.step(1))),
+      withClass(isLive ? "tick" : "wide", makeButton("+1", "one tick forward (→)", () => actions.step(1))),
       this.speedBox,
       this.clock,
-      makeButton("◂ catch", "the catch before, from some seconds before it (p)", () => actions.nextCatch(-1)),
+      makeButton("◂ catch", "the previous catch, from some seconds before it (p)", () => actions.nextCatch(-1)),
       makeButton("Next catch ▸", "from some seconds before it, both in the picture (n)", () => actions.nextCatch(1)),
       make("span", "space"),
       toggle("trails", "trails"),
@@ -101,7 +101,7 @@ export class Controls {
   /** Whether a live run is shown as it is now. */
   showNow(isNow: boolean): void {
     this.nowButton.classList.toggle("on", isNow);
-    this.nowButton.title = isNow ? "this is happening now" : "to what happens now (End)";
+    this.nowButton.title = isNow ? "the page shows the present" : "to the present (End)";
   }
 
   /** Whether this page steers the run. */

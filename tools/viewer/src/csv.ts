@@ -26,7 +26,7 @@ export class Table {
 
   text(name: string): string[] {
     const column = this.columns.get(name);
-    if (!column) throw new Error(`a table without the column ${name}`);
+    if (!column) throw new Error(`a table lacks the column ${name}`);
     return column;
   }
 

@@ -11,8 +11,8 @@ export interface Key {
 }
 
 const pointer: [string, string][] = [
-  ["click a robot", "select it; on the floor: none"],
-  ["drag, wheel, right drag", "turn, come nearer, move"],
+  ["click a robot", "select it; on the floor: clear the selection"],
+  ["drag, wheel, right drag", "turn, zoom, move"],
   ["click on the time bar or a curve", "go to that moment"],
   ["wheel, drag, double click on the time bar", "zoom, move, all of it"],
 ];

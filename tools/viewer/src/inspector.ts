@@ -52,12 +52,12 @@ export class Inspector {
       }
       rows.push(["perceives", seen]);
       const angle = (agents.targetAngle[at] * 180) / Math.PI;
-      const turn = Math.abs(angle) < 0.5 ? "walks straight on" : `turns ${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}`;
+      const turn = Math.abs(angle) < 0.5 ? "walks straight ahead" : `turns ${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}`;
       rows.push(["brain", `${turn}, shows tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
       if (run.senses) rows.push(...sensed(run.senses, at));
       for (const [name, column] of agents.extra) rows.push([plain(name), column[at] === "" ? "–" : plain(column[at])]);
       if (places) rows.push(["place", `${fixed(places.drawn[3 * body], 2)}, ${fixed(places.drawn[3 * body + 1], 2)} m`]);
-      rows.push(["body", `${body}`]);
+      rows.push(["body", `${body}${shapeWords(run, body, time)}`]);
     } else {
       rows.push(["now", time < one.birth ? "not yet born" : "dead"]);
     }
@@ -68,6 +68,13 @@ export class Inspector {
       rows.map(([term, text]) => `<dt>${term}</dt><dd>${text}</dd>`).join("") +
       "</dl>";
   }
+}
+
+/** ": gecko, 6 hinges", of a robot whose body may differ from others'. */
+function shapeWords({ recording }: Run, body: number, time: number): string {
+  if (!recording.bodiesDiffer) return "";
+  const { name, links } = recording.bodies[recording.bodyAt(recording.shownAt(time), body)];
+  return `: ${plain(name)}, ${links.length - 1} ${links.length === 2 ? "hinge" : "hinges"}`;
 }
 
 /** "3.4 m ahead to the left", from a body to another. */
@@ -92,7 +99,7 @@ function sensed(senses: Senses, row: number): [string, string][] {
   } else {
     rows.push(["brain's inputs", "none at this tick"]);
   }
-  if (cell("exempt") === "1") rows.push(["hunger", "was to starve, exempt"]);
+  if (cell("exempt") === "1") rows.push(["hunger", "would starve, exempt"]);
   if (cell("height_m") !== "") {
     rows.push(["root", `${number(cell("height_m"))} m high, tilted by ${fixed((Number(cell("tilt_rad")) * 180) / Math.PI, 0)}°`]);
     const touched = Number(cell("robots_touched"));

@@ -6,14 +6,14 @@ import type { Help, Key } from "./help";
 export function keysOf(app: App): Key[] {
   return [
     { keys: [" "], name: "space", meaning: "play or pause", work: () => app.play(!app.playing) },
-    { keys: ["ArrowLeft"], name: "←", meaning: "a tick back", work: () => app.step(-1) },
-    { keys: ["ArrowRight"], name: "→", meaning: "a tick on", work: () => app.step(1) },
+    { keys: ["ArrowLeft"], name: "←", meaning: "one tick back", work: () => app.step(-1) },
+    { keys: ["ArrowRight"], name: "→", meaning: "one tick forward", work: () => app.step(1) },
     { keys: ["ArrowUp", "+"], name: "↑, +", meaning: "faster", work: () => app.faster(1) },
     { keys: ["ArrowDown", "-"], name: "↓, −", meaning: "slower", work: () => app.faster(-1) },
     { keys: ["Home"], name: "Home", meaning: "to the start", work: () => app.seek(app.firstTime) },
-    { keys: ["End"], name: "End", meaning: app.live ? "to what happens now" : "to the end", work: () => app.toEnd() },
+    { keys: ["End"], name: "End", meaning: app.live ? "to the present" : "to the end", work: () => app.toEnd() },
     { keys: ["n"], name: "n", meaning: "the next catch, from some seconds before it", work: () => app.nextCatch(1) },
-    { keys: ["p"], name: "p", meaning: "the catch before", work: () => app.nextCatch(-1) },
+    { keys: ["p"], name: "p", meaning: "the previous catch", work: () => app.nextCatch(-1) },
     { keys: ["o"], name: "o", meaning: "turn, zoom and move freely", work: () => app.look("orbit") },
     { keys: ["t"], name: "t", meaning: "from above", work: () => app.look("top") },
     { keys: ["f"], name: "f", meaning: "follow the selected robot", work: () => app.look("follow") },
@@ -27,7 +27,7 @@ export function keysOf(app: App): Key[] {
         app.side.events.search.focus();
       },
     },
-    { keys: ["Escape"], name: "Esc", meaning: "close, end the scene, select none", work: () => app.leave() },
+    { keys: ["Escape"], name: "Esc", meaning: "close, end the scene, clear the selection", work: () => app.leave() },
     { keys: ["?"], name: "?", meaning: "this help", work: () => app.help.toggle() },
   ];
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A live run: its web socket, the run that grows by it, and what the page asks of it.
-import type { Head } from "./recording";
+import type { Head, RobotModel } from "./recording";
 import { type LiveEvent, type LiveTick, Run } from "./run";
 
 /** A number of a rule, with its meaning and bounds. */
@@ -12,6 +12,7 @@ export interface LiveNumber {
   lower?: number | null;
   upper?: number | null;
   lower_excluded?: boolean;
+  acts_at_start: boolean;
 }
 
 export interface LiveFacts {
@@ -52,6 +53,7 @@ export interface LiveListener {
 type Message =
   | ({ kind: "run" } & LiveFacts)
   | { kind: "events"; events: LiveEvent[] }
+  | { kind: "bodies"; frame: number; bodies: RobotModel[]; set_down: [number, number][] }
   | ({ kind: "tick" } & LiveTick)
   | ({ kind: "state" } & LiveState)
   | ({ kind: "changed" } & LiveChange)
@@ -128,6 +130,9 @@ export function connect(listener: LiveListener): void {
       case "events":
         live.run.addEvents(message.events);
         return grow();
+      case "bodies":
+        live.run.recording.bodies.push(...message.bodies);
+        return live.run.recording.setDown(message.frame, message.set_down);
       case "tick":
         live.run.addTick(message);
         return grow();
@@ -148,7 +153,7 @@ export function connect(listener: LiveListener): void {
   });
   socket.addEventListener("close", () => {
     if (live) live.isConnected = false;
-    listener.said("The program has ended. The page keeps what it shows; the run is in its folder.");
+    listener.said("The program has ended. The page still shows the run, and its folder has the files.");
     listener.state();
   });
 }

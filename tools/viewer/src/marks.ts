@@ -111,11 +111,11 @@ export class Marks {
     this.highlights.set(index, highlight ? mark : null, highlight ?? undefined);
   }
 
-  /** Rings that widen where something has just happened, and crossed rings where a robot was caught. */
+  /** Rings that widen where something has just happened, and crossed rings where a robot was caught; the last ones of too many. */
   flash(marks: Mark[], catches: Mark[]): void {
-    for (let i = 0; i < this.flashCount; ++i) {
-      this.flashes.set(i, marks[i] ?? null);
-      this.catches.set(i, catches[i] ?? null);
+    for (let i = 1; i <= this.flashCount; ++i) {
+      this.flashes.set(i - 1, marks.at(-i) ?? null);
+      this.catches.set(i - 1, catches.at(-i) ?? null);
     }
   }
 

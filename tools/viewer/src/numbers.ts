@@ -70,7 +70,7 @@ export class NumbersPanel {
     if (!live) return;
     const { state } = live;
     this.remark.textContent = !live.isConnected
-      ? "The program has ended; nothing more comes."
+      ? "The program has ended."
       : !state.steers
         ? "Another page steers this run; this one only shows it."
         : state.over
@@ -139,7 +139,8 @@ export class NumbersPanel {
       inputs.push(slider);
       element.append(box, slider);
     }
-    element.append(make("p", "hint", `${number.help}${number.help ? "; " : ""}${number.kind === "switch" ? "on or off" : boundWords(number)}`));
+    const meaning = [number.help, number.kind === "switch" ? "on or off" : boundWords(number), number.acts_at_start ? "acts when a run starts" : ""];
+    element.append(make("p", "hint", meaning.filter(Boolean).join("; ")));
     return { number, element, inputs };
   }
 

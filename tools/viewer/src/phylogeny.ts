@@ -97,7 +97,7 @@ export class PhylogenyView {
   }
 
   private build(): void {
-    const head = make("h3", "", "phylogeny: a line a life, over time");
+    const head = make("h3", "", "phylogeny: one line per life, over time");
     const drawing = make("div");
     drawing.append(this.canvas, this.tip);
     this.collapse.type = "checkbox";

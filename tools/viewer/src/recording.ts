@@ -16,7 +16,14 @@ export interface LinkShape {
   boxes: BoxShape[];
   hinge?: { name: string; axis: number[] };
 }
+export interface RobotModel {
+  name: string;
+  forward_rad: number;
+  bounding_radius_m: number;
+  links: LinkShape[];
+}
 export interface Head {
+  version: number;
   fingerprint: string;
   seed: number;
   rule_table: string;
@@ -30,7 +37,7 @@ export interface Head {
   robots: number;
   joints: number;
   units: { position_m: number; yaw_rad: number; tilt_rad: number; joint_rad: number };
-  robot: { name: string; forward_rad: number; bounding_radius_m: number; links: LinkShape[] };
+  robot: RobotModel;
   arena: {
     name: string;
     half_side_m: number;
@@ -42,48 +49,114 @@ export interface Head {
 interface Block {
   first: number;
   frames: number;
+  channels: number;
   bytes: Uint8Array;
   values?: Int16Array;
   waiting?: Promise<Int16Array>;
 }
 
 const poseChannels = 6;
+/** Version of recordings whose robots have bodies of their own. */
+const versionOfBodies = 2;
 
 export class Recording {
-  readonly channels: number;
+  /** The bodies, by their numbers; one for all robots unless bodies differ. */
+  readonly bodies: RobotModel[];
+  /** For each robot whose body differs from others': the frames before which a body was set down, and its number. */
+  private readonly setDowns: { frame: number; body: number }[][] = [];
   private readonly blocks: Block[] = [];
   private kept: Block[] = [];
+  private before = new Float32Array(7);
+  private after = new Float32Array(7);
 
   /** Of a live run: `append` adds its frames. */
   constructor(readonly head: Head) {
-    this.channels = poseChannels + head.joints;
+    this.bodies = this.bodiesDiffer ? [] : [head.robot];
+    for (let robot = 0; this.bodiesDiffer && robot < head.robots; ++robot) this.setDowns.push([]);
   }
+
+  get bodiesDiffer(): boolean {
+    return this.head.version === versionOfBodies;
+  }
+
+  /** Robots (robot, body) that were set down before a frame. */
+  setDown(frame: number, pairs: [number, number][]): void {
+    for (const [robot, body] of pairs) {
+      if (!this.setDowns[robot] || !this.bodies[body]) throw new Error("this recording names a robot or body that it lacks");
+      this.setDowns[robot].push({ frame, body });
+    }
+  }
+
+  /** The last time that a robot was set down, at or before a frame. */
+  private lastSetDown(frame: number, robot: number): { frame: number; body: number } {
+    const all = this.setDowns[robot];
+    let low = 0;
+    let high = all.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (all[middle].frame <= frame) low = middle;
+      else high = middle - 1;
+    }
+    return all[low];
+  }
+
+  /** The number of a robot's body at a frame. */
+  bodyAt(frame: number, robot: number): number {
+    return this.bodiesDiffer ? (this.lastSetDown(frame, robot)?.body ?? 0) : 0;
+  }
+
+  /** That of the file. */
+  static readonly firstByte = 0x89;
 
   /** Throws for bytes that are not a recording. */
   static read(bytes: Uint8Array): Recording {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    if (bytes[0] !== 0x89 || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("replay.trp is not a recording");
+    if (bytes[0] !== Recording.firstByte || String.fromCharCode(...bytes.subarray(1, 4)) !== "TRP") throw new Error("replay.trp is not a recording");
     let head: Head | undefined;
-    const poses: Uint8Array[] = [];
+    let recording: Recording | undefined;
+    const numbers = (data: Uint8Array): number[] => {
+      const words = new DataView(data.buffer, data.byteOffset, data.byteLength);
+      return Array.from({ length: data.length >> 2 }, (_, i) => words.getUint32(4 * i, true));
+    };
     for (let at = 8; at + 12 <= bytes.length; ) {
       const size = view.getUint32(at, true);
       if (at + 12 + size > bytes.length) break;
       const kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
       const data = bytes.subarray(at + 8, at + 8 + size);
-      if (kind === "HEAD") head = { ...head, ...(JSON.parse(new TextDecoder().decode(data)) as Head) };
-      if (kind === "POSE") poses.push(data);
+      const json = (): unknown => JSON.parse(new TextDecoder().decode(data));
+      if (kind === "HEAD") {
+        head = { ...head, ...(json() as Head) };
+        if (recording) Object.assign(recording.head, head);
+        else recording = new Recording(head);
+      } else if (recording && kind === "BODY") {
+        recording.bodies.push(json() as RobotModel);
+      } else if (recording && kind === "WHO ") {
+        const [frame, ...rest] = numbers(data);
+        recording.setDown(frame, rest.flatMap((robot, i): [number, number][] => (i % 2 === 0 ? [[robot, rest[i + 1]]] : [])));
+      } else if (recording && kind === "POSE") {
+        recording.append(data);
+      }
       at += 12 + size;
     }
-    if (!head || poses.length === 0) throw new Error("this recording has no frames");
-    const recording = new Recording(head);
-    for (const block of poses) recording.append(block);
+    if (!recording || recording.isEmpty) throw new Error("this recording has no frames");
     return recording;
   }
 
-  /** Adds a block: its first frame, its number of frames, the frames. */
+  /** Adds a block: its first frame, its number of frames, of channels if bodies differ, then the frames. */
   append(block: Uint8Array): void {
     const view = new DataView(block.buffer, block.byteOffset, block.byteLength);
-    this.blocks.push({ first: view.getUint32(0, true), frames: view.getUint32(4, true), bytes: block.subarray(8) });
+    const channels = this.bodiesDiffer ? view.getUint32(8, true) : poseChannels + this.head.joints;
+    this.blocks.push({ first: view.getUint32(0, true), frames: view.getUint32(4, true), channels, bytes: block.subarray(this.bodiesDiffer ? 12 : 8) });
+    const size = 1 + channels; // a quaternion has four numbers, its channels three
+    if (size > this.before.length) {
+      this.before = new Float32Array(size);
+      this.after = new Float32Array(size);
+    }
+  }
+
+  /** Numbers of a pose: position, orientation and joint angles. */
+  get poseSize(): number {
+    return this.before.length;
   }
 
   get isEmpty(): boolean {
@@ -99,7 +172,7 @@ export class Recording {
   }
   /** How many unpacked blocks are kept. */
   private get keptAtMost(): number {
-    return Math.max(4, Math.floor(96e6 / (this.blocks[0].frames * this.head.robots * this.channels * 2)));
+    return Math.max(4, Math.floor(96e6 / (this.blocks[0].frames * this.head.robots * this.blocks[0].channels * 2)));
   }
 
   /** The ecology's clock at a frame. */
@@ -156,7 +229,7 @@ export class Recording {
   private async unpack(block: Block): Promise<Int16Array> {
     if (block.values) return block.values;
     block.waiting ??= inflate(block.bytes).then((planes) => {
-      const count = this.channels * this.head.robots * block.frames;
+      const count = block.channels * this.head.robots * block.frames;
       if (planes.length !== 2 * count) throw new Error(`the block of frame ${block.first} is damaged`);
       const values = new Int16Array(count);
       for (let column = 0; column < count; column += block.frames) {
@@ -209,24 +282,31 @@ export class Recording {
     out[4] = c * x - s * y;
     out[5] = c * y + s * x;
     out[6] = s * w;
-    for (let joint = 0; joint < this.head.joints; ++joint) out[7 + joint] = values[(at += stride)] * units.joint_rad;
+    out.fill(0, 7);
+    for (let channel = poseChannels; channel < block.channels; ++channel) out[channel + 1] = values[(at += stride)] * units.joint_rad;
   }
 
-  private readonly before = new Float32Array(128);
-  private readonly after = new Float32Array(128);
+  /** The frame that a moment begins from. */
+  shownAt(time: number): number {
+    return this.known(this.frameAt(time));
+  }
 
-  /** As `frameInto` at any moment whose frames are ready: interpolated between the frames next to it. */
+  /**
+   * As `frameInto` at any moment whose frames are ready: interpolated between the frames next to it, unless the robot was set down
+   * between them. `out` has `poseSize` numbers.
+   */
   poseInto(out: Float32Array, time: number, robot: number): void {
     const wanted = this.frameAt(time);
     const frame = this.known(wanted);
-    const next = frame === wanted ? this.known(Math.min(this.frames - 1, frame + 1)) : frame;
+    let next = frame === wanted ? this.known(Math.min(this.frames - 1, frame + 1)) : frame;
+    if (this.bodiesDiffer && this.lastSetDown(next, robot)?.frame > frame) next = frame;
     const { before: a, after: b } = this;
     this.frameInto(a, frame, robot);
     const gap = this.time(next) - this.time(frame);
     const part = gap > 0 ? Math.min(1, Math.max(0, (time - this.time(frame)) / gap)) : 0;
-    const size = 7 + this.head.joints;
+    const size = a.length;
     if (part < 1e-6 || !this.isReady(next)) {
-      out.set(a.subarray(0, size));
+      out.set(a);
       return;
     }
     this.frameInto(b, next, robot);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A robot's boxes in space, from its root pose and joint angles.
 import { Matrix4, Quaternion, Vector3 } from "three";
-import type { Head } from "./recording";
+import type { RobotModel } from "./recording";
 
 const vector = (v: number[]): Vector3 => new Vector3(v[0], v[1], v[2]);
 const quaternion = (q: number[]): Quaternion => new Quaternion(q[1], q[2], q[3], q[0]);
@@ -15,8 +15,8 @@ export class RobotShape {
   private readonly links: Matrix4[] = [];
   private readonly turn = new Matrix4();
 
-  constructor(head: Head) {
-    for (const [index, link] of head.robot.links.entries()) {
+  constructor(readonly model: RobotModel) {
+    for (const [index, link] of model.links.entries()) {
       this.parents.push(link.parent);
       this.rest.push(new Matrix4().compose(vector(link.offset_m), quaternion(link.rotation), one));
       this.axes.push(link.hinge ? vector(link.hinge.axis) : new Vector3(0, 1, 0));
@@ -28,13 +28,13 @@ export class RobotShape {
     }
   }
 
-  /** The links' frames for a pose as Recording.poseInto gives it. */
-  place(pose: Float32Array, joints: number): Matrix4[] {
+  /** The links' frames for a pose as Recording.poseInto gives it; without joint angles all hinges are at rest. */
+  place(pose: Float32Array): Matrix4[] {
     const root = this.links[0];
     root.compose(new Vector3(pose[0], pose[1], pose[2]), new Quaternion(pose[4], pose[5], pose[6], pose[3]), one);
     for (let link = 1; link < this.links.length; ++link) {
       const own = this.links[link].multiplyMatrices(this.links[this.parents[link]], this.rest[link]);
-      if (joints > 0) own.multiply(this.turn.makeRotationAxis(this.axes[link], pose[7 + link - 1]));
+      if (pose.length > 6 + link) own.multiply(this.turn.makeRotationAxis(this.axes[link], pose[7 + link - 1]));
     }
     return this.links;
   }

@@ -343,7 +343,9 @@ export class Run {
       return found;
     };
     const table = async (file: string): Promise<Table> => new Table(new TextDecoder().decode(await inflate(bytes(file))));
-    const recording = Recording.read(bytes("replay"));
+    const replay = bytes("replay");
+    const isPlain = replay[0] === Recording.firstByte; // else compressed, as bodies are long
+    const recording = Recording.read(isPlain ? replay : await inflate(replay));
     const [agents, events, phylogeny] = await Promise.all([table("agents"), table("events"), table("phylogeny")]);
     const senses = index.inputs ? new Senses(await table("senses"), index.inputs) : null;
     await recording.prepare(recording.firstFrame);

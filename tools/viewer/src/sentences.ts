@@ -2,7 +2,7 @@
 // Sentences about events and the state of a run.
 import type { Event, Run } from "./run";
 
-const deaths: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age" };
+const deaths: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age", diverged: "was lost: its body diverged" };
 
 /** "was caught", or the cause itself if it is a rule's own. */
 export function deathWords(cause: string): string {

@@ -45,15 +45,16 @@ export class World {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(38, 1, 0.05, 400);
   private readonly controls: OrbitControls;
-  private readonly shape: RobotShape;
+  /** Of each body that was drawn, and of each robot as it is drawn now. */
+  private readonly shapes: RobotShape[] = [];
+  private shapeOf: RobotShape[] = [];
   private readonly ground: Ground;
   private readonly bodies: Bodies;
   private readonly marks: Marks;
   private readonly trails: Lines;
   private readonly links: Lines;
-  private readonly pose = new Float32Array(128);
+  private pose = new Float32Array(7);
   private readonly matrix = new Matrix4();
-  private readonly ringSize: number;
   /** Last drawn place of each robot: x, y, z. */
   readonly drawn: Float32Array;
   /** The way that each robot was drawn to head, radians. */
@@ -73,15 +74,13 @@ export class World {
     sun.position.set(...sunAt);
     this.ground = new Ground(head.arena);
     this.scene.add(sun, this.ground.group);
-    this.shape = new RobotShape(head);
-    this.bodies = new Bodies(robots * this.shape.boxes.length, !head.arena.height_field);
+    this.bodies = new Bodies(robots, !head.arena.height_field);
     this.marks = new Marks(robots);
     this.trails = new Lines(robots * trailTicks, 0.004);
     this.links = new Lines(robots, 0.1);
     this.scene.add(this.bodies.group, this.marks.group, this.trails.object, this.links.object);
     this.drawn = new Float32Array(3 * robots);
     this.headings = new Float32Array(robots);
-    this.ringSize = Math.max(head.robot.bounding_radius_m * 1.15, 0.021 * head.arena.half_side_m);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.maxPolarAngle = 0.495 * Math.PI;
@@ -155,10 +154,18 @@ export class World {
     return this.point.set(this.drawn[3 * body], this.drawn[3 * body + 1], this.drawn[3 * body + 2]);
   }
 
+  /** The radius of a robot's body. */
+  private radiusOf(body: number): number {
+    return (this.shapeOf[body]?.model ?? this.run.recording.head.robot).bounding_radius_m;
+  }
+  private ringOf(body: number): number {
+    return Math.max(1.15 * this.radiusOf(body), 0.021 * this.run.recording.head.arena.half_side_m);
+  }
+
   /** How large a robot is on the screen. */
   private pixelsOf(body: number): number {
     const focal = (0.5 * this.canvas.clientHeight) / Math.tan((0.5 * this.camera.fov * Math.PI) / 180);
-    return (2 * this.run.recording.head.robot.bounding_radius_m * focal) / this.placeOf(body).distanceTo(this.camera.position);
+    return (2 * this.radiusOf(body) * focal) / this.placeOf(body).distanceTo(this.camera.position);
   }
 
   /** Place of a robot in the canvas, CSS pixels. */
@@ -176,7 +183,7 @@ export class World {
     const row = run.rowAt(look.rowTime);
     const bodyOf = new Map<number, number>();
     for (let body = 0; body < run.robots; ++body) bodyOf.set(agents.id[row + body], body);
-    this.bodies.clear();
+    this.takeShapes(look.time);
     for (let body = 0; body < run.robots; ++body) {
       recording.poseInto(this.pose, look.time, body);
       this.drawRobot(body, row, look);
@@ -193,22 +200,36 @@ export class World {
     this.placeLabels(look, row);
   }
 
+  /** The shapes of all robots' bodies at a moment. */
+  private takeShapes(time: number): void {
+    const { recording, robots } = this.run;
+    if (this.pose.length < recording.poseSize) this.pose = new Float32Array(recording.poseSize);
+    const frame = recording.shownAt(time);
+    let boxes = 0;
+    for (let robot = 0; robot < robots; ++robot) {
+      const body = recording.bodyAt(frame, robot);
+      this.shapeOf[robot] = this.shapes[body] ??= new RobotShape(recording.bodies[body]);
+      boxes += this.shapeOf[robot].boxes.length;
+    }
+    this.bodies.clear(boxes);
+  }
+
   private drawRobot(body: number, row: number, look: Look): void {
     const { run, pose } = this;
     const { agents } = run;
-    const { head } = run.recording;
     const colour = agents.active[row + body] === 1 ? colourOf(agents.species[row + body]) : inactiveColour;
     this.drawn.set(pose.subarray(0, 3), 3 * body);
-    const links = this.shape.place(pose, head.joints);
+    const shape = this.shapeOf[body];
+    const links = shape.place(pose);
     this.bodies.begin(colour);
     const isFar = run.robots > manyRobots && this.pixelsOf(body) < farPixels;
-    for (const box of this.shape.boxes) {
+    for (const box of shape.boxes) {
       if (!isFar || box.link === 0) this.bodies.add(this.matrix.multiplyMatrices(links[box.link], box.frame), box.link === 0);
     }
     const [, , , w, x, y, z] = pose;
-    const heading = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) + head.robot.forward_rad;
+    const heading = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) + shape.model.forward_rad;
     this.headings[body] = heading;
-    const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringSize };
+    const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringOf(body) };
     const isMarked = look.highlighted.has(agents.id[row + body]);
     this.marks.set(body, mark, body === look.selected ? theme().ink : isMarked ? branchColour : null);
   }
@@ -227,7 +248,7 @@ export class World {
     for (const body of bodies) middle.addScaledVector(this.placeOf(body), 1 / bodies.length);
     let apart = 0;
     for (const body of bodies) apart = Math.max(apart, this.placeOf(body).distanceTo(middle));
-    const wanted = (10 * this.run.recording.head.robot.bounding_radius_m + 2.6 * apart) * Math.max(1, 1.1 / this.camera.aspect);
+    const wanted = (10 * Math.max(...bodies.map((body) => this.radiusOf(body))) + 2.6 * apart) * Math.max(1, 1.1 / this.camera.aspect);
     const offset = this.camera.position.clone().sub(this.controls.target);
     const flat = Math.hypot(offset.x, offset.y);
     const direction = flat > 1e-3 ? new Vector3(offset.x / flat, offset.y / flat, 0.8).normalize() : new Vector3(0, -1, 0.8).normalize();
@@ -246,13 +267,13 @@ export class World {
     const { events } = this.run;
     const { ink } = theme();
     for (let i = firstAfter(events, time - flashSeconds); i < events.length && events[i].time <= time; ++i) {
-      const { kind, cause, species, time: then, x, y } = events[i];
+      const { kind, cause, species, time: then, x, y, body } = events[i];
       if (kind !== "death" && kind !== "activation") continue;
       const age = (time - then) / flashSeconds;
-      const mark = { x, y, heading: 0, filled: false, colour: ink, size: this.ringSize * (1.2 + 2.2 * age) };
+      const mark = { x, y, heading: 0, filled: false, colour: ink, size: this.ringOf(body) * (1.2 + 2.2 * age) };
       if (kind === "activation") marks.push({ ...mark, colour: colourOf(species) });
       else if (cause !== "caught") marks.push(mark);
-      else catches.push({ ...mark, colour: catchColour, size: this.ringSize * (1.35 + 0.5 * age) });
+      else catches.push({ ...mark, colour: catchColour, size: this.ringOf(body) * (1.35 + 0.5 * age) });
     }
     this.marks.flash(marks, catches);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run with --live in a real browser. PREDATOR_PREY and CHROMIUM name the programs.
+// A run with --live in a real browser. PREDATOR_PREY, OWN_BODIES and CHROMIUM name the programs.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -14,8 +14,8 @@ const options = (out, ...more) => ["--backend", "kinematic", "--seed", "7", "--d
 const started = [];
 
 /** A program with --live: its address, and its end. */
-async function start(out) {
-  const program = spawn(process.env.PREDATOR_PREY, options(out, "--live"));
+async function start(out, name = process.env.PREDATOR_PREY, given = options(out)) {
+  const program = spawn(name, [...given, "--live"]);
   started.push(program);
   const ended = new Promise((resume) => program.on("exit", resume));
   const address = await new Promise((resume, reject) => {
@@ -139,6 +139,28 @@ test("live: number out of bounds, a second page, another run -> one sentence eac
   assert.equal(readFileSync(join(at("hostile"), "changes.csv"), "utf8"), "time_s,tick,number,value,before\n");
   assert.deepEqual(opened.complaints, []);
   await page.close();
+});
+
+test("live: individuals with bodies of their own -> each is drawn in its own", async () => {
+  const given = ["--out", at("bodies"), "--seed", "3", "--duration", "200", "--set", "rules.body_plan.first_modules=6"];
+  const run = await start("bodies", process.env.OWN_BODIES, given);
+  const opened = await open(run.address);
+  await opened.page.locator(".controls select").selectOption("0");
+  await opened.page.keyboard.press("Space");
+  await opened.until(() => window.trophic.live.state.over && window.trophic.time === 200 && window.trophic.settled);
+  const drawn = await opened.evaluate(() => {
+    const { run: shown, worlds, time } = window.trophic;
+    const row = shown.rowAt(time);
+    return worlds[0].shapeOf.map((shape, body) => [shown.agents.id[row + body], shape.model.links.length - 1]);
+  });
+  assert.deepEqual(opened.complaints, []);
+  await opened.page.close();
+  assert.equal(await run.ended, 0);
+  const [header, ...lines] = readFileSync(join(at("bodies"), "bodies.csv"), "utf8").trim().split("\n").map((line) => line.split(","));
+  const born = new Map(lines.map((cells) => [Number(cells[0]), cells]));
+  const settled = drawn.filter(([id]) => Number(born.get(id)[header.indexOf("time_s")]) < 200); // the last newborns are not set down
+  assert.ok(settled.length > 20);
+  assert.deepEqual(settled, settled.map(([id]) => [id, Number(born.get(id)[header.indexOf("hinges")])]));
 });
 
 test("live: on a phone and in the dark -> numbers in a sheet from below", async () => {
