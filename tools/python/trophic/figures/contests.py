@@ -41,7 +41,7 @@ def contests(folder, against, hunter, victim):
         raise Missing("no contests")
     matrices = [matrix(part) for _, part in sets]
     limits = (min(cells.to_numpy().min() for cells in matrices), max(cells.to_numpy().max() for cells in matrices))
-    figure, panels = plt.subplots(1, len(sets), figsize=(width_in(), 0.55 * width_in() if len(sets) > 1 else 0.9 * width_in()),
+    figure, panels = plt.subplots(1, len(sets), figsize=(width_in(), 0.57 * width_in() if len(sets) > 1 else 0.9 * width_in()),
                                   squeeze=False, layout="constrained")
     for axes, (title, part), cells in zip(panels[0], sets, matrices):
         shown = draw_matrix(axes, cells, limits, hunter, victim)

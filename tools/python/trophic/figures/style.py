@@ -80,8 +80,9 @@ def letter_panels(figure):
 
 
 def _with_caption(figure):
-    width = int(figure.get_figwidth() * 20.5)
-    figure.supxlabel("\n".join(textwrap.wrap(figure.caption, width)), fontsize=6, color="#444444", x=0.01, ha="left", linespacing=1.15)
+    lines = textwrap.wrap(figure.caption, int(figure.get_figwidth() * 20.5))
+    figure.set_figheight(figure.get_figheight() + len(lines) * 6 * 1.15 / 72)  # so panels stay as large as without a caption
+    figure.supxlabel("\n".join(lines), fontsize=6, color="#444444", x=0.01, ha="left", linespacing=1.15)
 
 
 def _tex(text):
