@@ -200,7 +200,7 @@ def cells_of(sweep, grid):
     for line in (pathlib.Path(sweep) / "plan.jsonl").read_text().splitlines():
         run = json.loads(line)
         of_run = {**run["settings"], "rule_table": run["rule_table"]}
-        words = [str(of_run[key]) if key == "rule_table" else f"{key.split('.')[-1]} {of_run[key]:.3g}" for key in axes_of(grid)]
+        words = [str(of_run[key]) if key == "rule_table" else f"{key.split('.')[-1]} {of_run[key]:.4g}" for key in axes_of(grid)]
         cells[run["cell"]] = ", ".join(words)
     return sorted(cells.items())
 

@@ -277,7 +277,7 @@ def race(rows):
 def historical(rows):
     """Progress against opponents of the own run."""
     lines = []
-    for cell in dict.fromkeys(row["cell"] for row in rows):
+    for cell in dict.fromkeys(row["cell"] for row in rows if row["measure"].startswith("historical")):
         of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}
         lines.append([f"`{cell}`", *(seconds(of_cell.get((f"historical {period}", species))) for period in ("early", "late") for species in ("predator", "prey"))])
     return table(["cell", "predators early, s", "prey early, s", "predators late, s", "prey late, s"], lines)
