@@ -17,7 +17,7 @@ namespace trophic::backend::mujoco {
 /// Whether the included header is of MuJoCo 3.
 inline constexpr bool is_mujoco_3 = mjVERSION_HEADER >= 300;
 
-/// Whether the attribute `collision` of MJCF's option limits collisions to the listed pairs. Without it, geoms without a contact type do.
+/// Whether MJCF's attribute `collision` limits collisions to the listed pairs. Without it, geoms without a contact type do.
 inline constexpr bool has_collision_option = !is_mujoco_3;
 
 /// Whether MuJoCo reports half the depth of face contacts between boxes: up to 3.3.7 (see box_depth.hpp).
