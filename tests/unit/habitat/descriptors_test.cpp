@@ -41,9 +41,10 @@ TEST_CASE("descriptors: bodies drawn by hand -> values computed by hand") {
       {"core[front:brick1[left:brick0]]",
        {.size = 0.15, .proportion = 0.5, .coverage = 0.75, .limbs = 0.5, .length_of_limbs = 1}},
   };
-  for (const auto& [plan, expected] : all) {
-    CAPTURE(plan);
-    const Descriptors found = descriptors_of(read_plan(plan), 20);
+  for (const auto& one : all) {
+    CAPTURE(one.plan);
+    const Descriptors& expected = one.expected;
+    const Descriptors found = descriptors_of(read_plan(one.plan), 20);
     for_each_field(found, [&](const auto& field, double value) {
       CAPTURE(field.name);
       CHECK(value == doctest::Approx(expected.*(field.member)).epsilon(1e-12));

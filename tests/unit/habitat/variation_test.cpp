@@ -170,9 +170,9 @@ TEST_CASE("random tree: n modules -> n modules, each place as likely") {
     CHECK(random_tree(12, other).modules().size() == 12);
   }
   CHECK(found.size() == 32);
-  for (const auto& [plan, times] : found) {
-    CAPTURE(plan);
-    CHECK(times > 60);  // 100 expected, 4 standard deviations of 9.8
-    CHECK(times < 140);
+  for (const auto& plan_and_times : found) {
+    CAPTURE(plan_and_times.first);
+    CHECK(plan_and_times.second > 60);  // 100 expected, 4 standard deviations of 9.8
+    CHECK(plan_and_times.second < 140);
   }
 }
