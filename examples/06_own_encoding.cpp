@@ -18,7 +18,7 @@ using namespace trophic;
 /// gene that changes.
 struct LSystem {
   static constexpr std::string_view name = "l_system";
-  static constexpr std::string_view source = "not in the paper (docs/how-to/let-my-body-evolve.md)";
+  static constexpr std::string_view source = "not in the paper";
 
   struct Params {
     double rate = 0.05;
