@@ -314,3 +314,4 @@
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <trophic/support/without_slash.hpp>
+#include <trophic/support/word_hash.hpp>

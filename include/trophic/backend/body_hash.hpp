@@ -9,15 +9,14 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/habitat/robot_model.hpp>
+#include <trophic/support/word_hash.hpp>
 
 namespace trophic::backend {
 
 /// Returns a hash of the numbers that decide how a body moves. Names, gaits and the order of module parts are not among them.
 [[nodiscard]] inline std::uint64_t body_hash(const RobotModel& robot) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto add = [&](double number) {
-    hash = std::rotl((hash ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x100000001b3ULL, 29);
-  };
+  WordHash hash;
+  const auto add = [&](double number) { hash.add(std::bit_cast<std::uint64_t>(number + 0.0)); };
   const auto add_all = [&](const auto& matrix) {
     for (const double number : std::span{matrix.data(), static_cast<std::size_t>(matrix.size())}) add(number);
   };
@@ -43,7 +42,7 @@ namespace trophic::backend {
     add(hinge.servo.velocity_gain);
     add(hinge.servo.target_limit_rad);
   }
-  return hash;
+  return hash.value();
 }
 
 /// Throws std::invalid_argument that names the first robot whose body differs. Both: hashes of robots' bodies.

@@ -5,7 +5,6 @@
 #include <link.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <trophic/io/program_code.hpp>
 #include <trophic/params/named_params.hpp>
+#include <trophic/support/word_hash.hpp>
 #include <vector>
 
 namespace trophic {
@@ -52,11 +52,10 @@ __attribute__((no_sanitize("address"))) inline void copy_unchecked(const char* f
   return words;
 }
 
-/// FNV-1a of words, turned after each so that high bits reach low ones.
 [[nodiscard]] inline std::uint64_t hash_words(std::span<const std::uint64_t> words) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const std::uint64_t word : words) hash = std::rotl((hash ^ word) * 0x100000001b3ULL, 29);
-  return hash;
+  WordHash hash;
+  for (const std::uint64_t word : words) hash.add(word);
+  return hash.value();
 }
 
 /// Hashes the program, which is the first object that the system names.
