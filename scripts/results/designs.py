@@ -229,16 +229,22 @@ def progress_rows(cell, progress):
                 for row in csv.DictReader(file)]
 
 
-def raced_rows(cell, summary):
-    """Velocities over the shadow, in cm/s."""
+def raced_rows(cell, summary, shadow=None):
+    """Velocities over the shadow, in cm/s. `shadow`: the summary of the shadow's runs, if the set has none of its own."""
     rows = []
-    for row in set_rows("", summary):
-        if row["metric"] == "velocity" and row["group"] == "inherited" and row["mean"]:
-            rows.append({**cell, "measure": "velocity", "species": row["species"], "runs": row["runs"],
-                         **{key: row[name] and number(100.0 * float(row[name])) for key, name in
-                            (("mean", "mean"), ("shadow", "shadow"), ("over_shadow", "difference"), ("lower", "difference_lower"),
-                             ("upper", "difference_upper"))}, "p_holm": ""})
+    for row in raced(summary):
+        names = ("shadow", "difference", "difference_lower", "difference_upper")
+        if shadow:
+            theirs = next(one for one in raced(shadow) if one["species"] == row["species"])
+            row.update(zip(names, (theirs["mean"], *welch(*([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, theirs))))))
+        rows.append({**cell, "measure": "velocity", "species": row["species"], "runs": row["runs"],
+                     **{key: number(100.0 * float(row[name])) if row[name] != "" else "" for key, name in
+                        zip(("mean", "shadow", "over_shadow", "lower", "upper"), ("mean", *names))}, "p_holm": ""})
     return rows
+
+
+def raced(summary):
+    return [row for row in set_rows("", summary) if row["metric"] == "velocity" and row["group"] == "inherited" and row["mean"]]
 
 
 def lineage_rows(cell, summary):

@@ -249,8 +249,11 @@ def inheritance(rows):
     return table(["parameter", "change", *heads], lines)
 
 
-def seconds(row):
-    return f"{float(row['over_shadow']):+.1f} [{float(row['lower']):+.1f}, {float(row['upper']):+.1f}]" if row and row["lower"] else "too few runs"
+def seconds(row, places=1):
+    """A difference from the shadow with its interval."""
+    if not row or not row["lower"]:
+        return "too few runs"
+    return "{:+.{p}f} [{:+.{p}f}, {:+.{p}f}]".format(*(float(row[key]) for key in ("over_shadow", "lower", "upper")), p=places)
 
 
 def race_answer(late):
@@ -261,17 +264,20 @@ def race_answer(late):
     return "arms race" if len(better) == 2 else f"progress of {better[0].replace('predator', 'predators')}" if better else "none found"
 
 
+RACED = [("velocity", "prey", "prey, cm/s"), ("velocity", "predator", "predators, cm/s"), ("global early", "predator", "predators early, s"),
+         ("global early", "prey", "prey early, s"), ("global late", "predator", "predators late, s"), ("global late", "prey", "prey late, s")]
+
+
 def race(rows):
-    """Velocity and global progress over the shadow, and the answer of the decision rule, in each cell."""
+    """Velocity and global progress over the shadow, as far as they are measured, and the answer of the decision rule, in each cell."""
+    columns = [column for column in RACED if any((row["measure"], row["species"]) == column[:2] for row in rows)]
     lines = []
     for cell in dict.fromkeys(row["cell"] for row in rows):
         of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}
-        velocity = [of_cell.get(("velocity", species)) for species in ("prey", "predator")]
         late = {species: of_cell["global late", species] for species in ("predator", "prey")}
-        lines.append([f"`{cell}`", *(f"{float(row['over_shadow']):+.2f} [{float(row['lower']):+.2f}, {float(row['upper']):+.2f}]" if row and row["lower"] else "" for row in velocity),
-                      *(seconds(of_cell.get((f"global {period}", species))) for period in ("early", "late") for species in ("predator", "prey")),
+        lines.append([f"`{cell}`", *(seconds(of_cell.get((measure, species)), 2 if measure == "velocity" else 1) for measure, species, _ in columns),
                       late["prey"]["runs"], race_answer(late)])
-    return table(["cell", "prey, cm/s", "predators, cm/s", "predators early, s", "prey early, s", "predators late, s", "prey late, s", "runs", "arms race"], lines)
+    return table(["cell", *(head for _, _, head in columns), "runs", "arms race"], lines)
 
 
 def historical(rows):
@@ -357,7 +363,7 @@ def tables(data, choices):
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
     for name in EVOLVED:
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
-    for name in ("arms_race", "ranges", "room", "mujoco"):
+    for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):
         for rules in ("paper", "released"):
