@@ -2,7 +2,7 @@
 // The study of docs/results/arms-race.md: does a criterion for the reproduction of prey, or prey that age, start an arms race?
 #include <trophic/experiment.hpp>
 
-#include "studies/arms_race/tables.hpp"
+#include "studies/arms_race/ecologies.hpp"
 
 int main(int argc, char** argv) {
   using namespace trophic::arms_race;

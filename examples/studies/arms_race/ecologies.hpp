@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The ecologies of the study, each compiled in one of two files.
+#pragma once
+
+#include <trophic/ecology/shipped.hpp>
+
+#include "studies/arms_race/tables.hpp"
+
+namespace trophic {
+
+// In criteria.cpp.
+extern template class Ecology<arms_race::PaperLastEscapee>;
+extern template class Ecology<arms_race::PaperMostEscapes>;
+extern template class Ecology<arms_race::PaperFastestEscape>;
+extern template class Ecology<arms_race::PaperAgeing>;
+extern template class Ecology<arms_race::PaperLastEscapeeAgeing>;
+extern template class Ecology<arms_race::PaperMostEscapesAgeing>;
+extern template class Ecology<arms_race::PaperFastestEscapeAgeing>;
+
+// In others.cpp.
+extern template class Ecology<arms_race::PaperAfterEscapes>;
+extern template class Ecology<arms_race::ReleasedMostEscapes>;
+extern template class Ecology<arms_race::ReleasedAgeing>;
+extern template class Ecology<arms_race::ReleasedMostEscapesAgeing>;
+extern template class Ecology<arms_race::PaperRoom>;
+extern template class Ecology<arms_race::PaperMostEscapesRoom>;
+
+}  // namespace trophic
