@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Draws docs/performance.png and fills the tables of speed in README.md and backends/mujoco/README.md from what bench_mujoco
+"""Draws docs/performance.png and fills the tables of speed in docs/performance.md and backends/mujoco/README.md from what bench_mujoco
 printed. All of it anew, measurement included: cmake --build build/ci --target performance
 
-    python3 docs/performance.py docs/performance.txt docs/performance.png README.md backends/mujoco/README.md
+    python3 docs/performance.py docs/performance.txt docs/performance.png docs/performance.md backends/mujoco/README.md
 """
 import re
 import sys

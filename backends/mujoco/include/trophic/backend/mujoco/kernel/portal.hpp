@@ -217,9 +217,12 @@ class Search {
     return Overlap{depth, unit(nearest), place()};
   }
 
-  /// The origin as a point of both bodies, by its barycentric coordinates in the tetrahedron or, where that is flat, the triangle.
+  /// The origin as a point of both bodies, by its barycentric coordinates in the tetrahedron or, where that is flat, the
+  /// triangle.
   [[nodiscard]] Point place() const {
-    const auto volume = [&](std::size_t a, std::size_t b, std::size_t c) { return dot(cross(v_[a].apart, v_[b].apart), v_[c].apart); };
+    const auto volume = [&](std::size_t a, std::size_t b, std::size_t c) {
+      return dot(cross(v_[a].apart, v_[b].apart), v_[c].apart);
+    };
     std::array<double, 4> weight = {volume(1, 2, 3), volume(3, 2, 0), volume(0, 1, 3), volume(2, 1, 0)};
     double sum = weight[0] + weight[1] + weight[2] + weight[3];
     if (is_zero(sum) || sum < 0.0) {
@@ -243,11 +246,11 @@ class Search {
   std::array<Vertex, 4> v_;
 };
 
-/// The overlap of two bodies, to a depth that is at most `tolerance` too small unless that takes over `most_steps`; none where they
-/// are apart. Not inlined, so that it is compiled once.
+/// The overlap of two bodies, to a depth that is at most `tolerance` too small unless that takes over `most_steps`; none where
+/// they are apart. Not inlined, so that it is compiled once.
 template <class First, class Second>
 [[nodiscard, gnu::noinline]] std::optional<Overlap> find_overlap(const First& first, const Second& second, double tolerance,
-                                                                int most_steps) {
+                                                                 int most_steps) {
   return Search{first, second}.find(tolerance, most_steps);
 }
 
