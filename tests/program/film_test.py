@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""film_test.py PREDATOR_PREY TROPHIC: pictures and films of a recorded run, and bad requests."""
+"""film_test.py PREDATOR_PREY TROPHIC OWN_BODIES: pictures and films of a recorded run, and bad requests."""
 
 import csv
 import json
@@ -19,7 +19,7 @@ import numpy  # noqa: E402
 from in_folder import InFolderWithSets  # noqa: E402
 from PIL import Image  # noqa: E402
 
-PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+PROGRAM, TROPHIC, OWN_BODIES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 BLUE, ORANGE, RED = (0, 114, 178), (213, 94, 0), (194, 0, 46)
 
 
@@ -34,13 +34,16 @@ class Films(InFolderWithSets):
         done = subprocess.run([PROGRAM, "--backend", "kinematic", "--duration", "200", "--seed", "3", "--out", str(cls.sets / "run")],
                               capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, done.stderr
+        for modules in (3, 14):
+            command = [OWN_BODIES, "--duration", "4", "--seed", "3", "--set", f"rules.body_plan.first_modules={modules}", "--out", str(cls.sets / f"bodies-{modules}")]
+            subprocess.run(command, capture_output=True, check=True, timeout=300)
 
-    def film(self, *arguments, **how):
-        command = [TROPHIC, "film", str(self.sets / "run"), *map(str, arguments)]
+    def film(self, *arguments, run="run", **how):
+        command = [TROPHIC, "film", str(self.sets / run), *map(str, arguments)]
         return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300, **how)
 
-    def draw(self, *arguments):
-        result = self.film(*arguments, "-o", "picture.png")
+    def draw(self, *arguments, run="run"):
+        result = self.film(*arguments, "-o", "picture.png", run=run)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         picture = numpy.array(Image.open(self.folder / "picture.png"))
         (self.folder / "picture.png").unlink()
@@ -105,6 +108,16 @@ class Films(InFolderWithSets):
                 self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
                 self.assertIn(sentence, result.stderr)
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_individuals_with_bodies_of_their_own(self):
+        drawn = []
+        for modules in (3, 14):
+            with open(self.sets / f"bodies-{modules}/bodies.csv", newline="") as table:
+                founder = next(row for row in csv.DictReader(table) if row["species"] == "predator")
+            self.assertEqual(int(founder["modules"]), modules)
+            picture = self.draw("--from", 1, "--follow", founder["id"], "--size", "640x480", "--lines", "off", "--legend", "off", run=f"bodies-{modules}")
+            drawn.append(near(picture[120:360, 200:440], ORANGE, 110))
+        self.assertGreater(drawn[1], 1.3 * drawn[0], "14 modules against 3, next to the same ring")
 
     def test_a_contact_sheet(self):
         sheet = self.draw("--sheet", "3x2", "--from", 20, "--to", 180, "--size", "320x240")

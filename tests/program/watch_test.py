@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""watch_test.py PREDATOR_PREY WITHOUT_WINDOW: a run in a window: keys, mouse and picture; its files are those of a run without a window."""
+"""watch_test.py PREDATOR_PREY WITHOUT_WINDOW OWN_BODIES: a run in a window: keys, mouse and picture; its files are those of a run without a window."""
 
 import csv
 import json
@@ -22,10 +22,10 @@ import numpy  # noqa: E402
 from in_folder import InFolderWithSets  # noqa: E402
 from PIL import Image  # noqa: E402
 
-PROGRAM, WITHOUT_WINDOW = sys.argv.pop(1), sys.argv.pop(1)
+PROGRAM, WITHOUT_WINDOW, OWN_BODIES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 BLUE, ORANGE = (0, 114, 178), (213, 94, 0)
 RUN = ["--backend", "kinematic", "--duration", "100", "--seed", "3"]
-NAME = "trophic-predator-prey: "
+OWN_RUN = ["--duration", "100", "--seed", "3", "--set", "rules.body_plan.first_modules=6"]
 
 
 def near(picture, colour, reach=110):
@@ -42,15 +42,18 @@ class Watched(InFolderWithSets):
     def make_sets(cls):
         done = subprocess.run([PROGRAM, *RUN, "--out", str(cls.sets / "alone")], capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, done.stderr
+        command = [OWN_BODIES, *OWN_RUN, "--out", str(cls.sets / "bodies")]
+        subprocess.run(command, capture_output=True, check=True, timeout=300)
         cls.screen = cls.enterClassContext(virtual_screen.VirtualScreen())
 
-    def start(self, *arguments):
+    def start(self, *arguments, program=PROGRAM, run=RUN):
         """Starts a watched run and pauses it."""
-        command = [PROGRAM, *RUN, "--watch", "--out", str(self.folder / "run"), *arguments]
+        command = [program, *run, "--watch", "--out", str(self.folder / "run"), *arguments]
+        self.name = f"{'own_bodies' if program == OWN_BODIES else 'trophic-predator-prey'}: "
         self.program = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.screen.environment)
         self.addCleanup(self.program.communicate)
         self.addCleanup(self.program.kill)
-        self.id = self.screen.window(NAME, self.program)
+        self.id = self.screen.window(self.name, self.program)
         self.screen.xdotool("windowfocus", self.id)
         self.wait_for(r"\d s, 10x")
         self.press("space")
@@ -60,7 +63,7 @@ class Watched(InFolderWithSets):
         self.screen.xdotool("windowfocus", self.id, "key", *keys)
 
     def title(self):
-        return self.screen.xdotool("getwindowname", self.id).removeprefix(NAME)
+        return self.screen.xdotool("getwindowname", self.id).removeprefix(self.name)
 
     def wait_for(self, pattern, within_s=60):
         for _ in range(20 * within_s):
@@ -94,12 +97,12 @@ class Watched(InFolderWithSets):
         self.assertEqual(self.program.returncode, code, out + err)
         return out, err
 
-    def check_same_files(self):
-        alone, watched = files_of(self.sets / "alone"), files_of(self.folder / "run")
+    def check_same_files(self, of="alone"):
+        alone, watched = files_of(self.sets / of), files_of(self.folder / "run")
         self.assertEqual(alone.keys(), watched.keys())
         for name in alone:
             self.assertTrue(alone[name] == watched[name], name)
-        manifests = [json.loads((folder / "manifest.json").read_text()) for folder in (self.sets / "alone", self.folder / "run")]
+        manifests = [json.loads((folder / "manifest.json").read_text()) for folder in (self.sets / of, self.folder / "run")]
         self.assertEqual(manifests[0]["fingerprint"], manifests[1]["fingerprint"])
 
     def test_pause_step_click_follow_and_to_the_end(self):
@@ -138,6 +141,20 @@ class Watched(InFolderWithSets):
         self.assertIn("files   ", out)
         self.assertEqual(err, "")
         self.check_same_files()
+
+    def test_individuals_with_bodies_of_their_own(self):
+        self.start(program=OWN_BODIES, run=OWN_RUN)
+        self.press("t", "h")
+        self.step()
+        time.sleep(0.5)
+        picture = self.picture()
+        for colour in (BLUE, ORANGE):
+            self.assertGreater(near(picture, colour), 40)
+        self.press("a", "space", *["Up"] * 8)
+        self.wait_for("^100.0 s, as fast as possible, the run has ended$")  # with newborns in bodies of other sizes
+        self.press("q")
+        self.assertEqual(self.ends(0)[1], "")
+        self.check_same_files("bodies")
 
     def test_the_run_continues_without_its_window(self):
         self.start()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages that `trophic show` makes, in a real browser. TROPHIC, PREDATOR_PREY and CHROMIUM name the programs.
+// Pages that `trophic show` makes, in a real browser. TROPHIC, PREDATOR_PREY, OWN_BODIES and CHROMIUM name the programs.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -34,6 +34,9 @@ before(async () => {
   writeFileSync(at("wide.toml"), 'name = "wide"\nside_m = 400\n');
   run("wide", "--duration", 4, "--set", `ecology.arena=${at("wide.toml")}`);
   show("wide.html", "wide");
+  execFileSync(process.env.OWN_BODIES, ["--out", at("bodies"), "--seed", "3", "--duration", "400", "--set", "rules.body_plan.first_modules=6"]);
+  show("bodies.html", "bodies");
+  execFileSync(process.env.TROPHIC, ["show", at("bodies"), "--from", "200", "--to", "300", "--out", at("some_bodies.html")]);
   browser = await Browser.start();
 });
 after(async () => {
@@ -89,6 +92,56 @@ test("page: world of 400 m -> drawn as any other, and a press on it changes noth
   });
   await opened.click(".view canvas", 40, 40);
   assert.equal(await opened.evaluate(() => window.shownTrees), 0);
+  await leave(opened);
+});
+
+/** At a moment of the page: (individual, hinges of the body in which it is drawn), and how many boxes are drawn. */
+const shapes = (opened, time) =>
+  opened.evaluate(async (moment) => {
+    const app = window.trophic;
+    app.seek(moment);
+    while (!app.settled) await new Promise(requestAnimationFrame);
+    const { run, worlds } = app;
+    const row = run.rowAt(moment);
+    const drawn = worlds[0].shapeOf.map((shape, body) => [run.agents.id[row + body], shape.model.links.length - 1]);
+    return { drawn, boxes: worlds[0].bodies.boxes.count, wanted: worlds[0].shapeOf.reduce((sum, shape) => sum + shape.boxes.length, 0) };
+  }, time);
+
+test("page: individuals with bodies of their own -> each is drawn in its own, in a stretch of the run too", async () => {
+  const hinges = new Map(rows("bodies", "bodies.csv").map((row) => [Number(row.id), Number(row.hinges)]));
+  assert.ok(new Set(hinges.values()).size > 3);
+  for (const [page, times] of [["bodies.html", [1, 51, 399]], ["some_bodies.html", [201, 299]]]) {
+    const opened = await browser.open(at(page));
+    for (const time of times) {
+      const { drawn, boxes, wanted } = await shapes(opened, time); // half a tick after the births, when bodies are set down
+      assert.deepEqual(drawn, drawn.map(([id]) => [id, hinges.get(id)]));
+      assert.equal(boxes, wanted);
+    }
+    await opened.evaluate(() => window.trophic.select(window.trophic.run.agents.id[window.trophic.run.rowAt(window.trophic.time)]));
+    await opened.settle();
+    assert.match(await opened.page.locator(".inspector").innerText(), /\d+: modules, \d+ hinges?/);
+    await leave(opened);
+  }
+});
+
+test("page: newborn with a body of its own -> appears where it is set down, without a glide from the body before", async () => {
+  const opened = await browser.open(at("bodies.html"));
+  const births = rows("bodies", "events.csv").filter((row) => row.event === "birth" && Number(row.time_s) > 0).slice(0, 20);
+  const places = await opened.evaluate(async (wanted) => {
+    const { run } = window.trophic;
+    const { recording } = run;
+    const pose = new Float32Array(recording.poseSize);
+    const found = [];
+    for (const { time, body } of wanted) {
+      const frame = recording.frameAt(time);
+      await recording.prepare(frame);
+      const at = (moment) => (recording.poseInto(pose, moment, body), [pose[0], pose[1]]);
+      found.push([at(time), at(0.9 * recording.time(frame + 1) + 0.1 * time), at(recording.time(frame + 1))]);
+    }
+    return found;
+  }, births.map((row) => ({ time: Number(row.time_s), body: Number(row.body) })));
+  for (const [death, between] of places) assert.deepEqual(between, death);
+  assert.ok(places.some(([death, , born]) => Math.hypot(death[0] - born[0], death[1] - born[1]) > 0.001));
   await leave(opened);
 });
 

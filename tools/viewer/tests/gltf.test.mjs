@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of `trophic export` in Khronos' validator and three.js. TROPHIC, PREDATOR_PREY and ENGINE name programs and backend.
+// Files of `trophic export` in Khronos' validator and three.js. TROPHIC, PREDATOR_PREY, OWN_BODIES and ENGINE name programs and backend.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -18,6 +18,7 @@ before(() => {
     execFileSync(process.env.PREDATOR_PREY, ["--backend", backend, "--seed", "3", "--out", at(name), ...options]);
   run("long", "kinematic", "--duration", "600");
   run("walk", process.env.ENGINE, "--duration", "20");
+  execFileSync(process.env.OWN_BODIES, ["--out", at("bodies"), "--seed", "3", "--duration", "100", "--set", "rules.body_plan.first_modules=6"]);
   run("slopes", "kinematic", "--duration", "20", "--set", "ecology.arena=height_field");
 });
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -25,7 +26,7 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 test("glTF: exported run -> no finding of Khronos' validator", async () => {
   const files = [
     ["long", "long.glb"], ["walk", "walk.gltf"], ["slopes", "slopes.glb"], ["walk", "moment.glb", "--from", 4, "--to", 4],
-    ["long", "one.glb", "--follow", 5, "--to", 2],
+    ["long", "one.glb", "--follow", 5, "--to", 2], ["bodies", "bodies.glb"],
   ];
   for (const [run, name, ...options] of files) {
     write(run, name, ...options);
@@ -34,6 +35,18 @@ test("glTF: exported run -> no finding of Khronos' validator", async () => {
     assert.deepEqual([numErrors, numWarnings], [0, 0], JSON.stringify(messages.slice(0, 5)));
     assert.equal(report.info.hasAnimations ?? report.info.animationCount > 0, name !== "moment.glb");
   }
+});
+
+test("glTF: individuals with bodies of their own -> each node has the hinges of its own body", () => {
+  write("bodies", "own.gltf");
+  const { nodes } = JSON.parse(readFileSync(at("own.gltf"), "utf8"));
+  const [header, ...lines] = readFileSync(join(at("bodies"), "bodies.csv"), "utf8").trim().split("\n").map((line) => line.split(","));
+  const recorded = lines.filter((cells) => Number(cells[header.indexOf("time_s")]) < 100); // those born at the end have no frame
+  const hinges = new Map(recorded.map((cells) => [Number(cells[header.indexOf("id")]), Number(cells[header.indexOf("hinges")])]));
+  const joints = (node) => (node.children ?? []).reduce((sum, child) => sum + (nodes[child].mesh === undefined ? 1 : 0) + joints(nodes[child]), 0);
+  const robots = nodes.filter((node) => hinges.has(node.extras?.id));
+  assert.ok(robots.length >= 30);
+  for (const robot of robots) assert.equal(joints(robot), hinges.get(robot.extras.id), robot.name);
 });
 
 test("glTF: played by three.js -> robots at their places in agents.csv, walking on the floor", async () => {
