@@ -3,11 +3,14 @@
 """bodies_test.py BODIES ENCODING TROPHIC: runs in which bodies, gaits and brains evolve, and an encoding of one's own, are recorded and measured."""
 
 import csv
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
+
+import figures_python  # noqa: F401
 
 TROPHIC = sys.argv.pop(3)
 ENCODING = sys.argv.pop(2)
@@ -51,6 +54,10 @@ class Bodies(unittest.TestCase):
         self.assertGreater(float(found["body_modules", "predator", "late"]), 1.0)
         self.assertGreater(float(found["walked", "predator", "late"]), 0.0)
         self.assertGreater(float(found["gait_genes", "prey", "late"]), 6.0)
+        self.call(TROPHIC, "plot", "run-measured", "--trophic", TROPHIC)
+        captions = json.loads((self.folder / "run-measured/figures/captions.json").read_text())
+        self.assertEqual(list(captions), ["measures", "morphospace", "plans"])
+        self.assertRegex(captions["plans"], rf"\(\d+ of {len({row['plan'] for row in bodies})} plans\)")
 
     def test_an_encoding_of_ones_own_has_command_line_tables_and_measures(self):
         self.call(ENCODING, "--backend", "mujoco", *FEW, "--out", "run")

@@ -27,8 +27,8 @@ def main(arguments=None):
     try:
         import matplotlib
         matplotlib.use("Agg")
-        from .runs import RunError
-        from .figures import contests, cross_check, paper, style, sweep
+        from .runs import RunError, read_analysis
+        from .figures import bodies, contests, cross_check, paper, style, sweep
     except ModuleNotFoundError as error:
         return refuse(f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-matplotlib python3-pandas "
                       "python3-scipy, or TROPHIC_PYTHON=/usr/bin/python3 if it is installed there")
@@ -47,6 +47,8 @@ def main(arguments=None):
             figures = cross_check.figures_of(folder)
         elif (folder / "contests.csv").exists():
             figures = contests.figures_of(folder)
+        elif bodies.has_bodies(read_analysis(folder).metrics):
+            figures = bodies.figures_of(folder, options.run, options.trophic)
         else:
             figures = paper.figures_of(folder, options.run, options.trophic)
     except (RunError, IndexError) as error:
