@@ -138,8 +138,10 @@ def write(root: pathlib.Path, out: pathlib.Path, images: pathlib.Path, cards: li
         text = converted(root, path, names, images)
         children = [name for name in wanted if parent_of(name, names) == path]
         if path == "README.md":
-            others = [name for name in wanted if name != path and parent_of(name, names) is None]
-            text += "\n".join(["", *(f"@subpage {label(name)}\n" for name in others), "@subpage rule_cards\n", "@subpage page_gallery\n", "@subpage page_references", ""])
+            others = [label(name) for name in wanted if name != path and parent_of(name, names) is None]
+            after_how_tos = others.index(label("docs/how-to/README.md")) + 1
+            others[after_how_tos:after_how_tos] = ["page_gallery", "rule_cards"]
+            text += "\n".join(["", *(f"@subpage {name}\n" for name in others), "@subpage page_references", ""])
         elif children:
             text += "\n".join(["", *(f"- @subpage {label(name)}" for name in children), ""])
         (out / (path if path == "README.md" else path.replace("/", "__"))).write_text(text)

@@ -85,6 +85,12 @@ def pictures_are_drawn_from_the_headers() -> None:
     assert "reach 0.25 m" in rule_pictures.picture_of(reach)[0]
 
 
+def search_offers_documents_alone() -> None:
+    offered = "".join(path.read_text() for path in (OUT / "html/search").glob("*.js"))
+    assert "../page_docs_tutorial.html" in offered and "../card_capture_catch_within_reach.html" in offered
+    assert "_8md.html" not in offered and not list((OUT / "html").glob("*_8md.html"))
+
+
 def main() -> int:
     pictures_are_drawn_from_the_headers()
     cards_are_used_as_they_say()
@@ -94,7 +100,10 @@ def main() -> int:
     if not shutil.which("doxygen"):
         print("doxygen is not installed")
         return 77
-    return subprocess.run([ROOT / "scripts/build-site", "--out", OUT]).returncode
+    if code := subprocess.run([ROOT / "scripts/build-site", "--out", OUT]).returncode:
+        return code
+    search_offers_documents_alone()
+    return 0
 
 
 if __name__ == "__main__":
