@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <tools/analysis/data/csv_reader.hpp>
+#include <tools/analysis/metrics/run_metrics.hpp>
 #include <tools/analysis/metrics/series.hpp>
 #include <trophic/habitat/body/distance.hpp>
 #include <trophic/habitat/body/plan.hpp>
@@ -250,6 +251,10 @@ RunMetrics measure_bodies(const RunData& run) {
     add_body_tracks(std::move(tracks), end_s, result);
   }
   return result;
+}
+
+RunMetrics measure_shipped(const RunData& run, bool bodies) {
+  return bodies ? measure_bodies(run) : measure_run(run);
 }
 
 }  // namespace trophic::analysis

@@ -24,4 +24,7 @@ void check_bodies(const std::filesystem::path& folder);
 /// A run without a folder has no value of any.
 [[nodiscard]] RunMetrics measure_bodies(const RunData& run);
 
+/// The measures of a run's bodies, or those of measure_run.
+[[nodiscard]] RunMetrics measure_shipped(const RunData& run, bool bodies);
+
 }  // namespace trophic::analysis

@@ -57,7 +57,7 @@ RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& h
     if (const std::string lost = lost_to_thinning(manifest.agents_every_ticks); !lost.empty()) {
       remarks[i].push_back(manifest.folder.string() + "/" + lost);
     }
-    set.runs[i] = how.bodies ? measure_bodies(run) : measure_run(run);
+    set.runs[i] = measure_shipped(run, how.bodies);
     measure_users(how, run, set.runs[i], remarks[i]);
     const std::scoped_lock lock{one_at_a_time};
     if (how.on_run) how.on_run();

@@ -10,7 +10,6 @@
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/metric_choice.hpp>
-#include <tools/analysis/metrics/run_metrics.hpp>
 #include <trophic/run/replicates/parallel.hpp>
 #include <utility>
 
@@ -30,7 +29,7 @@ std::vector<MetricName> metric_names(std::span<const FoodWeb> webs, bool bodies)
     RunData nothing;
     nothing.manifest.web = web;
     nothing.manifest.half_side_m = 1.0;
-    for (const Measurement& measurement : (bodies ? measure_bodies(nothing) : measure_run(nothing)).measurements) {
+    for (const Measurement& measurement : measure_shipped(nothing, bodies).measurements) {
       if (std::ranges::find(names, measurement.name) == names.end()) names.push_back(measurement.name);
     }
   }
@@ -78,7 +77,7 @@ SweepValues measure_sweep(const SweepRuns& sweep, const Measuring& how) {
       RunData run = read_run(sweep.folder_of(i));
       if (!run.remarks.empty()) throw std::runtime_error{run.remarks.front()};
       if (how.until_s) cut_to(run, *how.until_s);
-      const RunMetrics measured = how.bodies ? measure_bodies(run) : measure_run(run);
+      const RunMetrics measured = measure_shipped(run, how.bodies);
       std::vector<std::optional<double>> numbers(values.names.size());
       for (const Measurement& measurement : measured.measurements) numbers[values.place_of(measurement.name)] = measurement.value;
       values.of_run[i] = std::move(numbers);
