@@ -164,7 +164,7 @@ TEST_CASE("controls: N -> the run runs ahead to the next catch, which is played 
   REQUIRE(scene.controls.scene());
   CHECK(scene.controls.clock().time_s() == 16.0);
   CHECK(scene.controls.wanted_until_s() == 28.0);
-  CHECK(watch::moment_text(scene.controls, scene.footage, false).ends_with("17 catches 18 (in 8 s)"));
+  CHECK(watch::moment_text(scene.controls, scene.footage, false) == "16.0 s, 1x, 17 catches 18 (in 8 s)");
   for (const std::size_t body : {0U, 1U}) {
     const std::pair<double, double> at = scene.pixel(body);
     CHECK(at.first > 0.0);
