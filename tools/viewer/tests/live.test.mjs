@@ -124,6 +124,11 @@ test("live: number out of bounds, a second page, another run -> one sentence eac
   await box.press("Enter");
   await opened.until(() => document.querySelector(".problem").textContent !== "");
   assert.equal(await page.locator(".problem").innerText(), "rules.capture.reach_m = -1: must be > 0");
+  const isInSight = () => {
+    const { left, top } = document.querySelector(".problem").getBoundingClientRect();
+    return document.elementFromPoint(left + 2, top + 6)?.className === "problem";
+  };
+  assert.ok(await opened.evaluate(isInSight), "the sentence is scrolled away");
   await opened.until(() => document.querySelector("[aria-label='rules.capture.reach_m']").value === "1");
 
   const second = await open(run.address);
@@ -168,6 +173,7 @@ test("live: on a phone and in the dark -> numbers in a sheet from below", async 
   const phone = await browser.with({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: "dark" });
   const opened = await open(run.address, phone);
   assert.equal(await opened.page.evaluate(() => document.documentElement.scrollWidth), 390);
+  assert.ok((await opened.rowsOfControls()) <= 2);
   await opened.page.getByRole("button", { name: "Details" }).click();
   await opened.page.getByRole("button", { name: "Numbers" }).click();
   assert.equal(await opened.page.locator(".number").first().isVisible(), true);

@@ -96,6 +96,14 @@ export class OpenedPage {
     return metrics.find((metric) => metric.name === "TaskDuration").value;
   }
 
+  /** Rows that the controls take. */
+  rowsOfControls() {
+    return this.page.$$eval(".controls > *", (ones) => {
+      const shown = ones.filter((one) => one.offsetHeight > 0 && one.className !== "space");
+      return new Set(shown.map((one) => Math.round((one.offsetTop + one.offsetHeight / 2) / 12))).size;
+    });
+  }
+
   evaluate(work, argument) {
     return this.page.evaluate(work, argument);
   }
