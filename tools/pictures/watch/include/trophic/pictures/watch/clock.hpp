@@ -64,14 +64,14 @@ class Clock {
   }
 
   /// "60.0 s, 10x", "60.0 s, paused".
-  [[nodiscard]] std::string text() const { return text_at(speed()); }
-  /// As text, for a picture that plays at another speed than the clock's.
-  [[nodiscard]] std::string text_at(double speed) const {
+  [[nodiscard]] std::string text() const {
+    const std::string pace = is_paused_ ? "paused" : std::isinf(speed()) ? "as fast as possible" : number_text(speed()) + "x";
+    return time_text() + ", " + pace;
+  }
+  /// "60.0 s".
+  [[nodiscard]] std::string time_text() const {
     const double tenths = std::round(10.0 * time_s_);
-    const std::string whole =
-        number_text(std::floor(tenths / 10.0)) + "." + number_text(tenths - 10.0 * std::floor(tenths / 10.0));
-    const std::string pace = is_paused_ ? "paused" : std::isinf(speed) ? "as fast as possible" : number_text(speed) + "x";
-    return whole + " s, " + pace;
+    return number_text(std::floor(tenths / 10.0)) + "." + number_text(tenths - 10.0 * std::floor(tenths / 10.0)) + " s";
   }
 
  private:

@@ -36,7 +36,9 @@ struct Columns {
 [[nodiscard]] inline std::string moment_text(const Controls& controls, const LiveFootage& footage, bool has_ended) {
   std::string text = controls.clock().text();
   if (controls.seeks_catch()) return text + ", on to the next catch";
-  if (controls.scene()) return controls.clock().text_at(1.0) + ", " + controls.scene()->text(controls.clock().time_s());
+  if (controls.scene()) {
+    return controls.clock().time_text() + ", 1x, " + controls.scene()->text(controls.clock().time_s());
+  }
   if (has_ended && controls.clock().time_s() >= footage.newest_s()) text += ", the run has ended";
   const std::string chosen = chosen_text(controls, footage);
   return chosen.empty() ? text : text + ", " + chosen;
