@@ -47,6 +47,9 @@ void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots);
 void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
                    const std::optional<std::string>& demand);
 
+/// Throws RuleError for a species' name that would break a row of a table: with a comma, a quote or a control character.
+void check_names(const FoodWeb& web);
+
 /// Throws RuleError unless a slot's rule returned one value for each robot.
 void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots);
 

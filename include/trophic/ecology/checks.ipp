@@ -8,6 +8,8 @@
 #include <string_view>
 #include <trophic/ecology/checks.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/plain_text.hpp>
 #include <trophic/support/rule_error.hpp>
 
 namespace trophic::detail {
@@ -22,6 +24,15 @@ TROPHIC_INLINE void check_one_each(std::string_view slot, std::string_view what,
   if (returned == robots) return;
   throw RuleError{slot, std::to_string(returned) + " " + std::string{what} + ": must be " + std::to_string(robots) +
                             ", the number of robots"};
+}
+
+TROPHIC_INLINE void check_names(const FoodWeb& web) {
+  for (Species species = 0; species < web.size(); ++species) {
+    const std::string& name = web.name(species);
+    if (is_plain(name) && name.find_first_of(",\"") == std::string::npos) continue;
+    throw RuleError{"community", "the name of species " + std::to_string(species) + ", " + json_text(name) +
+                                     ": must have no comma, quote or control character"};
+  }
 }
 
 TROPHIC_INLINE void check_places(std::span<const GroundPose> places, std::size_t robots) {

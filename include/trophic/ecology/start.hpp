@@ -16,10 +16,12 @@
 
 namespace trophic {
 
-/// The species of the founder in each body, no_species for a spare body. Throws RuleError for other numbers than of robots.
+/// The species of the founder in each body, no_species for a spare body. Throws RuleError for other numbers than of robots,
+/// or for a name of a species that breaks a table.
 template <class Rules>
 [[nodiscard]] std::vector<Species> founders_of(const Experiment<Rules>& params, const Policies<Rules>& rules,
                                                const FoodWeb& web) {
+  detail::check_names(web);
   const std::size_t robots = params.ecology.robots;
   std::vector<Species> species;
   if (!params.lineup.empty()) {

@@ -309,6 +309,14 @@ struct Short {
   [[nodiscard]] std::vector<Species> founders(std::size_t robots) const { return std::vector<Species>(robots - 1, test::prey); }
 };
 
+/// Prey of a given name.
+struct Named {
+  static constexpr std::string_view name = "named";
+  static inline std::string given;
+  [[nodiscard]] FoodWeb web() const { return {{"predator", given}, {{.hunter = test::predator, .victim = test::prey}}}; }
+  [[nodiscard]] std::vector<Species> founders(std::size_t robots) const { return std::vector<Species>(robots, test::prey); }
+};
+
 /// Names a parent without anything to inherit.
 struct Nobody {
   static constexpr std::string_view name = "nobody";
@@ -345,6 +353,20 @@ TEST_CASE("ecology: wrong number of founders or places, or a place that is not f
   CHECK(rule_error([&] {
           Kinematics<Scene>{params, still};
         }) == "the policy in rules.placement returned the place of body 1: must be finite");
+}
+
+TEST_CASE("ecology: a species' name that breaks a row of a table -> RuleError") {
+  using Rules = with_community<Scene, Named>;
+  const auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
+  const auto made_with = [&](std::string name) {
+    Named::given = std::move(name);
+    return rule_error([&] { Kinematics<Rules>{params, still}; });
+  };
+  CHECK(made_with("gr\xc3\xbcne Beute") == "");
+  CHECK(made_with("prey, small") ==
+        "the policy in rules.community returned the name of species 1, \"prey, small\": must have no comma, quote or control "
+        "character");
+  for (const char* name : {"\"prey\"", "prey\nprey", "\x1b[2J"}) CHECK(made_with(name).ends_with("control character"));
 }
 
 TEST_CASE("ecology: parent without a genome -> RuleError with its id") {
