@@ -232,3 +232,20 @@ TEST_CASE("kernel backend: another number of threads, or a restored state -> the
   check_threads_and_restore("spider_released", "spider", load_arena("height_field"),
                             {.timestep_s = 0.012, .integrator = Integrator::rk4});
 }
+
+TEST_CASE("kernel backend: more robots in one heap than the kernel steps -> MuJoCo steps them, and a remark") {
+  const RobotModel robot = load_robot("spider");
+  Arena arena;
+  arena.half_side_m = 5.0;
+  arena.extent_m = 10.0;
+  const auto remark = [&](std::size_t robots, double side_m, Mujoco::Stepping stepping) {
+    Mujoco world{robot, arena, square(robot, robots, side_m), Physics{}, {.stepping = stepping}};
+    CHECK(world.speed_remark().empty());
+    world.advance_to(0.012);
+    return world.speed_remark();
+  };
+  CHECK(remark(40, 2.0, Mujoco::Stepping::fast)
+            .starts_with("backend.stepping = fast: MuJoCo itself took 100 % of the robots' steps"));
+  CHECK(remark(40, 2.0, Mujoco::Stepping::islands).empty());
+  CHECK(remark(4, 4.0, Mujoco::Stepping::fast).empty());
+}

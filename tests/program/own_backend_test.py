@@ -27,6 +27,15 @@ class OwnBackend(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(json.loads((self.folder / "run/manifest.json").read_text())["backend"], "toy 1")
 
+    def test_its_remark_on_its_speed_is_printed_and_in_the_manifests(self):
+        run = ["--robots", 1, "--set", "rules.community.predators=0", "--duration", 20]
+        printed = self.call(*run, "--out", "run")
+        self.assertIn("\nremark  a toy is slow\n", printed.stdout)
+        self.assertEqual(self.call(*run, "--replicates", 1, "--out", "set").returncode, 0)
+        for manifest in ("run/manifest.json", "set/replicate-00/manifest.json"):
+            found = json.loads((self.folder / manifest).read_text())
+            self.assertEqual((found["remarks"], found["speed"]), (["physics has no effect: a toy"], "a toy is slow"))
+
     def test_a_number_of_its_backend_is_read_and_checked(self):
         program = pathlib.Path(PROGRAM).name
         for assignment, message in (("backend.breaks_beyond_rad=-1", "backend.breaks_beyond_rad = -1: must be > 0"),

@@ -61,6 +61,7 @@ class ToyBackend {
     return {{state_.x_m, state_.y_m, z_m_}, Eigen::Quaterniond{Eigen::AngleAxisd{state_.yaw_rad, Eigen::Vector3d::UnitZ()}}};
   }
   [[nodiscard]] std::span<const double> joint_angles(std::size_t) const { return state_.targets_rad; }
+  [[nodiscard]] std::string speed_remark() const { return state_.time_s > 0.0 ? "a toy is slow" : ""; }
   [[nodiscard]] State save() const { return state_; }
   void restore(const State& state) { state_ = state; }
 

@@ -48,6 +48,9 @@ class AnyBackend {
   /// Throws std::logic_error if the backend cannot exchange bodies.
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) { bodies_->embody(robot, model, pose); }
 
+  /// A sentence if the backend has been much slower than its numbers promise (its own speed_remark()); else empty.
+  [[nodiscard]] std::string speed_remark() const { return bodies_->speed_remark(); }
+
   /// The backend's State, for `restore` of the same AnyBackend.
   [[nodiscard]] std::any save() const { return bodies_->save(); }
   void restore(const std::any& state) { bodies_->restore(state); }
@@ -78,6 +81,7 @@ class AnyBackend {
     virtual void set_target_angle(std::size_t robot, double target_angle_rad) = 0;
     [[nodiscard]] virtual bool can_embody() const = 0;
     virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
+    [[nodiscard]] virtual std::string speed_remark() const = 0;
     [[nodiscard]] virtual std::any save() const = 0;
     virtual void restore(const std::any& state) = 0;
     virtual void persist(Archive& archive) = 0;
@@ -122,6 +126,10 @@ class AnyBackend {
       } else {
         throw std::logic_error{"backend " + std::string{B::name} + ": cannot exchange bodies"};
       }
+    }
+    [[nodiscard]] std::string speed_remark() const override {
+      if constexpr (requires { backend.speed_remark(); }) return backend.speed_remark();
+      return {};
     }
     [[nodiscard]] std::any save() const override { return backend.save(); }
     void restore(const std::any& state) override { backend.restore(std::any_cast<const typename B::State&>(state)); }

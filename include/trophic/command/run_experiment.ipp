@@ -92,8 +92,11 @@ namespace detail {
 }
 
 /// Reports how a run in a folder ended, and returns the exit code.
-[[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const View& view, double until_s) {
-  folder.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
+[[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const Simulation& ecology,
+                                    const observe::RunDescription& run) {
+  const View view = ecology.view();
+  const double until_s = run.until_s;
+  const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology, run.remarks.size());
   const bool is_stopped = view.time_s < until_s;
   if (is_stopped) {
     const int signal = observe::StopOnSignal::caught();
@@ -102,6 +105,7 @@ namespace detail {
               << folder.path().string() << " resumes it\n";
   }
   progress.summary(std::cout, view);
+  if (!slow.empty()) std::cout << "remark  " << slow << "\n";
   std::cout << "files   " << folder.path().string() << "/{";
   for (const std::string& name : folder.files()) {
     const bool is_table = name.ends_with(".csv");
@@ -165,6 +169,7 @@ namespace detail {
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
                                          checkpoint::RunState run_state, const std::optional<OriginRun>& origin, Window* window) {
   observe::StopOnSignal stop;
+  const observe::RunDescription run = ecology.describe(until_s);
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
                        run_state.opening(), ecology.state_columns(), changes::with_changes(options.own_tables, ecology)};
   if (options.states && ecology.state_columns().names.empty()) {
@@ -189,7 +194,7 @@ namespace detail {
               << "\n";
     return code;
   }
-  return report_run(folder, progress, ecology.view(), until_s);
+  return report_run(folder, progress, ecology, run);
 }
 
 /// One run, shown by a window, which may be null.

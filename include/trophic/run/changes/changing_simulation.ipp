@@ -118,6 +118,7 @@ TROPHIC_INLINE ChangingSimulation::~ChangingSimulation() = default;
 TROPHIC_INLINE observe::RunDescription ChangingSimulation::describe(double until_s) const {
   observe::RunDescription run = first_;
   run.until_s = until_s;
+  run.remarks = current_->describe(until_s).remarks;
   return run;
 }
 

@@ -2,18 +2,34 @@
 // One run of several into its own folder.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <trophic/ecology/simulation.hpp>
+#include <trophic/io/manifest.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
+#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/run/changes/changing_simulation.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/common_options.hpp>
+#include <vector>
 
 namespace trophic::replicates {
+
+/// Adds the wall time of an ecology that has run to its manifest, and what its engine remarks on its speed. Returns that remark,
+/// which may be empty. `before`: the number of remarks when it began.
+inline std::string add_speed(io::Manifest& manifest, double wall_s, const Simulation& ecology, std::size_t before) {
+  io::Provenance speed{{"wall_s", observe::short_text(wall_s)}};
+  const std::vector<std::string> remarks = ecology.describe(ecology.time_s()).remarks;
+  std::string remark = remarks.size() > before ? remarks.back() : std::string{};
+  if (!remark.empty()) speed.emplace_back("speed", remark);
+  manifest.add(speed);
+  return remark;
+}
 
 /// Runs an ecology that has not begun to `until_s` into a folder, from its beginning, from the moment of another run at which it
 /// begins or from the folder's checkpoint, until a signal comes; the manifest has the origin. `extra...` observe it. Throws as
@@ -21,8 +37,8 @@ namespace trophic::replicates {
 template <class... Observers>
 void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,
                    observe::JointProgress::Part progress, const observe::StopOnSignal& stop, Observers&... extra) {
-  checkpoint::RunState run_state =
-      checkpoint::run_state_in(folder, ecology.describe(until_s), common.snapshot, common.checkpoints.other_build);
+  const observe::RunDescription run = ecology.describe(until_s);
+  checkpoint::RunState run_state = checkpoint::run_state_in(folder, run, common.snapshot, common.checkpoints.other_build);
   io::RunFolder files{folder,
                       common.provenance,
                       common.output,
@@ -34,7 +50,7 @@ void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::p
                          checkpoint::parts_of(files, progress, stop, extra...));
   }
   checkpoint::run_with_checkpoints(ecology, until_s, folder, common.checkpoints, run_state.from, files, progress, stop, extra...);
-  files.manifest().add({{"wall_s", observe::short_text(progress.elapsed_s())}});
+  add_speed(files.manifest(), progress.elapsed_s(), ecology, run.remarks.size());
 }
 
 }  // namespace trophic::replicates

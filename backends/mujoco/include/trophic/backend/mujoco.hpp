@@ -80,6 +80,8 @@ class Mujoco {
   /// The share of robots' steps so far that `mj_step` took, between 0 and 1: small for `fast` if the kernel supports the bodies.
   /// Not part of the state.
   [[nodiscard]] double engine_share() const;
+  /// A sentence if `fast` was not fast, as `mj_step` took most steps so far; else empty.
+  [[nodiscard]] std::string speed_remark() const;
 
   /// Throws std::invalid_argument unless there is one finite number per hinge.
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad);

@@ -33,6 +33,7 @@ class Mujoco::Simulation {
         arena_{arena},
         physics_{checked(physics, params, starts.size())},
         box_depth_{params.box_depth},
+        is_fast_{params.stepping == Stepping::fast},
         steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
         stepper_{make_stepper(robot, starts.size(), params.stepping, params.threads)},
         states_{layout_of(0), starts.size()},
@@ -87,6 +88,12 @@ class Mujoco::Simulation {
   [[nodiscard]] double engine_share() const {
     const auto* const islands = std::get_if<mujoco::Islands>(&stepper_);
     return islands != nullptr ? islands->engine_share() : 1.0;
+  }
+  [[nodiscard]] std::string speed_remark() const {
+    if (!is_fast_ || engine_share() <= 0.5) return {};
+    return "backend.stepping = fast: MuJoCo itself took " + number_text(std::round(100.0 * engine_share())) +
+           " % of the robots' steps, at the speed of islands; the README of the MuJoCo backend lists the steps that its kernel "
+           "leaves to MuJoCo";
   }
   [[nodiscard]] std::size_t robots() const { return states_.robots(); }
   [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * physics_.timestep_s; }
@@ -213,6 +220,7 @@ class Mujoco::Simulation {
   Arena arena_;
   Physics physics_;
   mujoco::BoxDepth box_depth_;
+  bool is_fast_;
   std::size_t steps_per_block_;
   Stepper stepper_;
   mujoco::RobotStates states_;
@@ -250,6 +258,9 @@ TROPHIC_INLINE const RobotModel& Mujoco::model(std::size_t robot) const {
 }
 TROPHIC_INLINE double Mujoco::engine_share() const {
   return simulation_->engine_share();
+}
+TROPHIC_INLINE std::string Mujoco::speed_remark() const {
+  return simulation_->speed_remark();
 }
 TROPHIC_INLINE std::size_t Mujoco::robots() const {
   return simulation_->robots();
