@@ -230,6 +230,14 @@ class Changes(InFolder):
             rows = rows_of(self.folder / "run" / folder / "changes.csv")
             self.assertEqual([(row["time_s"], row["value"], row["before"]) for row in rows], [("20", "0.5", "1")])
 
+    def test_of_a_number_that_changes_again_the_last_change_counts(self):
+        reach, sd = "rules.capture.reach_m", "rules.mutation.sd"
+        text = f"time_s,number,value\n4,{reach},0.5\n8,{sd},0.7\n8,{reach},0.4\n20,{sd},0.6\n20,{reach},1\n"
+        self.assertEqual(self.run_with(text).returncode, 0)
+        rows = rows_of(self.folder / "run" / "changes.csv")
+        self.assertEqual([(row["value"], row["before"]) for row in rows if row["number"] == reach], [("0.5", "1"), ("0.4", "0.5"), ("1", "0.4")])
+        self.assertEqual([(row["value"], row["before"]) for row in rows if row["number"] == sd][1:], [("0.6", "0.7")])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -6,9 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <trophic/command/any_experiment.hpp>
 #include <trophic/command/config.hpp>
@@ -76,6 +79,16 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return schedule;
 }
 
+/// The changes in force after all of them, in their order: of a number, those at the moment of its last one.
+[[nodiscard]] inline std::vector<changes::Change> in_force(const std::vector<changes::Change>& made) {
+  std::map<std::string_view, double> last_s;
+  for (const changes::Change& change : made) last_s[change.number] = change.time_s;
+  std::vector<changes::Change> left;
+  std::ranges::copy_if(made, std::back_inserter(left),
+                       [&](const changes::Change& change) { return change.time_s == last_s.at(change.number); });
+  return left;
+}
+
 /// Makes the ecologies of an experiment, or of its neutral shadow, with --changes and those of a conductor, which may be null.
 [[nodiscard]] inline MakeSimulation simulations(const Selection& selection, const ExperimentOptions& options,
                                                 const Config& config, AnyExperiment& experiment, bool shadow,
@@ -85,7 +98,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return [=](std::uint64_t seed) -> std::unique_ptr<Simulation> {
     const auto make = [=](const std::vector<changes::Change>& made) {
       const auto changed = experiment_of(selection, options, config);
-      for (const changes::Change& change : made) {
+      for (const changes::Change& change : in_force(made)) {
         const toml::table number = read_assignment(change.number + "=" + change.value);
         command::check_keys(number, changed->named_params(), "");
         changed->read(number);
