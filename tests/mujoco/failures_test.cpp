@@ -174,15 +174,20 @@ TEST_CASE("failures: bad input -> named error before the simulation") {
   CHECK(contains(with_threads(5000), "mujoco.threads = 5000"));
   CHECK(contains(complaint([&] { Mujoco{spider, square, {}, {}, {}}; }), "robots = 0"));
   CHECK(contains(complaint([&] { Mujoco{spider, square, starts, {.timestep_s = -1.0}, {}}; }), "physics.timestep_s = -1"));
-  for (const Eigen::Vector3d& at : {Eigen::Vector3d{10.5, 0.0, 0.1}, Eigen::Vector3d{0.0, std::nan(""), 0.1},
-                                    Eigen::Vector3d{0.0, 0.0, std::numeric_limits<double>::infinity()}}) {
+  const auto from = [&](const Eigen::Vector3d& at) {
     std::vector<Pose> outside = starts;
     outside[1].position_m = at;
-    CHECK(contains(complaint([&] { Mujoco{spider, square, outside, {}, {}}; }), "start pose 1"));
-  }
+    return complaint([&] { Mujoco{spider, square, outside, {}, {}}; });
+  };
+  CHECK(contains(from({10.5, 0.0, 0.1}), "start pose 1 at (10.5, 0, 0.1): must be finite and within +-10"));
+  CHECK(contains(from({0.0, std::nan(""), 0.1}), "): must be finite and within +-10"));
+  CHECK(contains(from({0.0, 0.0, std::numeric_limits<double>::infinity()}), "inf): its height must be finite and within +-"));
   std::vector<Pose> unturned = starts;
   unturned[0].orientation.coeffs().setZero();
-  CHECK(contains(complaint([&] { Mujoco{spider, square, unturned, {}, {}}; }), "start pose 0"));
+  CHECK(contains(complaint([&] {
+                   Mujoco{spider, square, unturned, {}, {}};
+                 }),
+                 "start pose 0 has an orientation of norm 0: must be > 0.5 and < 2"));
   RobotModel weightless = spider;
   weightless.links[1].mass_kg = 0.0;
   CHECK(complaint([&] { Mujoco{weightless, square, starts, {}, {}}; }) != "accepted");

@@ -162,8 +162,14 @@ TEST_CASE("ODE backend: feature that ODE lacks -> named error") {
   bad.starts[0].position_m.x() = 10.5;
   CHECK(contains(complaint(bad), "start pose 0 at (10.5"));
   bad = world;
+  bad.starts[0].position_m.y() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(contains(complaint(bad), "): must be finite and within +-10"));
+  bad = world;
+  bad.starts[0].position_m.z() = 1e6;
+  CHECK(contains(complaint(bad), "its height must be finite and within +-"));
+  bad = world;
   bad.starts[0].orientation.w() = std::numeric_limits<double>::quiet_NaN();
-  CHECK(contains(complaint(bad), "start pose 0"));
+  CHECK(contains(complaint(bad), "start pose 0 has an orientation of norm nan: must be > 0.5 and < 2"));
 }
 
 TEST_CASE("ODE backend: integrator rk4 -> its own steps, with a remark") {

@@ -17,7 +17,7 @@ TEST_CASE("ODE engine: assertions, errors and messages -> exceptions") {
   try {
     dDebug(d_ERR_IASSERT, "assertion %d failed", 7);
   } catch (const ode::EngineError& error) {
-    CHECK(std::string{error.what()} == "assertion 7 failed");
+    CHECK(std::string{error.what()} == "ODE: assertion 7 failed");
   }
   // A real one, from inside a step: a force that is not finite.
   ode::WorldPtr world{dWorldCreate()};

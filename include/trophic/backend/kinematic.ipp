@@ -43,10 +43,13 @@ TROPHIC_INLINE Kinematic::Kinematic(const RobotModel& robot, const Arena& arena,
   if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const GroundPose start = ground_pose(starts[i], forward_rad_);
-    const double farthest_m = std::max(std::abs(start.x_m), std::abs(start.y_m));
-    if (!(farthest_m <= arena.half_side_m) || !std::isfinite(start.heading_rad)) {
+    const bool is_inside = std::abs(start.x_m) <= arena.half_side_m && std::abs(start.y_m) <= arena.half_side_m;
+    if (!is_inside) {
       throw std::invalid_argument{"start pose " + std::to_string(i) + " at (" + number_text(start.x_m) + ", " +
                                   number_text(start.y_m) + "): must be finite and within +-" + number_text(arena.half_side_m)};
+    }
+    if (!std::isfinite(start.heading_rad)) {
+      throw std::invalid_argument{"start pose " + std::to_string(i) + ": its heading must be finite"};
     }
     state_.bodies.push_back({.x_m = start.x_m, .y_m = start.y_m, .heading_rad = start.heading_rad});
   }

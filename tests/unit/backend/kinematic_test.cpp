@@ -100,6 +100,10 @@ TEST_CASE("kinematic: bad number -> error with field, value and bound") {
   CHECK(message_of<std::invalid_argument>([&] {
           world({standing(0.0, 0.0, 0.0), standing(0.0, -11.0, 0.0)});
         }) == "start pose 1 at (0, -11): must be finite and within +-10");
+  CHECK(message_of<std::invalid_argument>([&] { world({standing(0.0, std::nan(""), 0.0)}); }) ==
+        "start pose 0 at (0, nan): must be finite and within +-10");
+  CHECK(message_of<std::invalid_argument>([&] { world({standing(0.0, 0.0, std::nan(""))}); }) ==
+        "start pose 0: its heading must be finite");
   CHECK(message_of<std::invalid_argument>([&] {
           Kinematic backend = world(one);
           backend.set_target_angle(0, std::nan(""));

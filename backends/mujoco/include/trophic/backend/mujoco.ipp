@@ -105,10 +105,13 @@ class Mujoco::Simulation {
   /// Throws std::invalid_argument for a state of other bodies or another number of robots.
   void restore(const State& state) {
     require_same_bodies(state.bodies, body_hashes());
-    if (state.robots.size() != states_.values().size() || state.targets_rad.size() != targets_rad_.values().size()) {
-      throw std::invalid_argument{"mujoco state of " + std::to_string(state.robots.size()) + " numbers: must have " +
-                                  std::to_string(states_.values().size())};
-    }
+    const auto check_size = [](const std::string& field, std::size_t size, std::size_t expected) {
+      if (size == expected) return;
+      throw std::invalid_argument{"state." + field + ".size() = " + std::to_string(size) + ": must be " +
+                                  std::to_string(expected)};
+    };
+    check_size("robots", state.robots.size(), states_.values().size());
+    check_size("targets_rad", state.targets_rad.size(), targets_rad_.values().size());
     steps_ = state.steps;
     states_.set_values(state.robots);
     targets_rad_.set_values(state.targets_rad);
@@ -174,13 +177,18 @@ class Mujoco::Simulation {
   void check_start(std::size_t robot, const Pose& start) const {
     const Eigen::Vector3d& at = start.position_m;
     const double norm = start.orientation.norm();
-    const bool inside = at.allFinite() && std::max(std::abs(at.x()), std::abs(at.y())) <= arena_.half_side_m &&
-                        std::abs(at.z()) <= arena_.extent_m;
-    if (!inside || !(norm > 0.5 && norm < 2.0)) {
-      throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(at.x()) + ", " +
-                                  number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +
-                                  number_text(arena_.half_side_m)};
+    const std::string pose = "start pose " + std::to_string(robot) + " ";
+    const std::string place =
+        pose + "at (" + number_text(at.x()) + ", " + number_text(at.y()) + ", " + number_text(at.z()) + "): ";
+    const auto within = [](double value, double most) { return std::abs(value) <= most; };
+    if (!within(at.x(), arena_.half_side_m) || !within(at.y(), arena_.half_side_m)) {
+      throw std::invalid_argument{place + "must be finite and within +-" + number_text(arena_.half_side_m)};
     }
+    if (!within(at.z(), arena_.extent_m)) {
+      throw std::invalid_argument{place + "its height must be finite and within +-" + number_text(arena_.extent_m)};
+    }
+    if (norm > 0.5 && norm < 2.0) return;
+    throw std::invalid_argument{pose + "has an orientation of norm " + number_text(norm) + ": must be > 0.5 and < 2"};
   }
 
   void advance(std::size_t steps) {
@@ -202,7 +210,7 @@ class Mujoco::Simulation {
       result = {.end = mujoco::GroupResult::End::diverged,
                 .steps = steps,
                 .robot = i,
-                .what = left ? "it left the arena" : mujoco::too_fast()};
+                .what = left ? "its position is beyond +-" + number_text(arena_.extent_m) + " m" : mujoco::too_fast()};
       return;
     }
   }

@@ -141,11 +141,18 @@ class Ode::Simulation {
     const Arena& arena = setup_->arena;
     const Eigen::Vector3d& at = start.position_m;
     const double norm = start.orientation.norm();
-    const bool inside = std::max(std::abs(at.x()), std::abs(at.y())) <= arena.half_side_m && std::abs(at.z()) <= arena.extent_m;
-    if (inside && norm > 0.5 && norm < 2.0) return;
-    throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(at.x()) + ", " +
-                                number_text(at.y()) + ", " + number_text(at.z()) + "): must be finite and within +-" +
-                                number_text(arena.half_side_m)};
+    const std::string pose = "start pose " + std::to_string(robot) + " ";
+    const std::string place =
+        pose + "at (" + number_text(at.x()) + ", " + number_text(at.y()) + ", " + number_text(at.z()) + "): ";
+    const auto within = [](double value, double most) { return std::abs(value) <= most; };
+    if (!within(at.x(), arena.half_side_m) || !within(at.y(), arena.half_side_m)) {
+      throw std::invalid_argument{place + "must be finite and within +-" + number_text(arena.half_side_m)};
+    }
+    if (!within(at.z(), arena.extent_m)) {
+      throw std::invalid_argument{place + "its height must be finite and within +-" + number_text(arena.extent_m)};
+    }
+    if (norm > 0.5 && norm < 2.0) return;
+    throw std::invalid_argument{pose + "has an orientation of norm " + number_text(norm) + ": must be > 0.5 and < 2"};
   }
 
   [[nodiscard]] std::size_t checked(std::size_t robot) const {

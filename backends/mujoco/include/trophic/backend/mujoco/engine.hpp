@@ -65,7 +65,7 @@ class EngineGuard {
   }
 
   static void on_error(const char* text) {
-    if (depth() > 0) throw EngineError{text};
+    if (depth() > 0) throw EngineError{std::string{"MuJoCo: "} + text};
     if (earlier_error() != nullptr) return earlier_error()(text);
     std::fprintf(stderr, "MuJoCo error: %s\n", text);
     std::exit(EXIT_FAILURE);

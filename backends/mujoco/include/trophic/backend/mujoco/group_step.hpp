@@ -48,9 +48,19 @@ struct GroupResult {
       return "an acceleration is NaN or too large";
     case mjWARN_BADCTRL:
       return "a servo's target is NaN or too large";
+    case mjWARN_CONTACTFULL:
+    case mjWARN_CNSTRFULL:
+      return "it touches too much at once: the largest model of MuJoCo, 2^31 bytes, has no room for the contacts";
     default:
       return "warning " + std::to_string(kind) + " of MuJoCo";
   }
+}
+
+/// An error of MuJoCo in the model of these robots, which does not name one: of the first.
+[[nodiscard]] inline GroupResult read_error(const EngineError& error, std::span<const std::size_t> robots) {
+  const std::string others =
+      robots.size() == 1 ? "" : ", in the model of this robot and " + std::to_string(robots.size() - 1) + " others";
+  return {.end = GroupResult::End::diverged, .robot = robots.front(), .what = error.what() + others};
 }
 
 /// The first warning in MuJoCo's counters, if any, as a result; `robots` are the group's.
@@ -120,7 +130,9 @@ struct GroupResult {
       result.steps = step;
     }
   } catch (const EngineError& error) {
-    result = {.end = GroupResult::End::diverged, .steps = result.steps, .robot = robots.front(), .what = error.what()};
+    const std::size_t whole = result.steps;
+    result = read_error(error, robots);
+    result.steps = whole;
   }
   for (std::size_t i = 0; i < robots.size() && result.end == GroupResult::End::done; ++i) {
     if (!to.store(robots[i], shares[i], data)) {

@@ -159,7 +159,7 @@ class LaneStepper {
       mj_step(&compiled.model(), &data);
       result = read_warnings(compiled, data, robots);
     } catch (const EngineError& error) {
-      result = {.end = GroupResult::End::diverged, .robot = robots.front(), .what = error.what()};
+      result = read_error(error, robots);
     }
     for (std::size_t i = 0; i < robots.size() && result.end == GroupResult::End::done; ++i) {
       if (!to.store(robots[i], compiled.shares()[i], data)) {

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <trophic/support/colour.hpp>
@@ -106,9 +107,15 @@ inline void save_mjcf(const std::filesystem::path& path, std::span<const RobotMo
 
   std::ostringstream text;
   document.save(text, "  ");
-  if (arena.height_field)
-    write_new_file(std::filesystem::path{path}.replace_extension(".hfield"), height_file_content(*arena.height_field));
-  write_new_file(path, text.str());
+  const std::filesystem::path heights = std::filesystem::path{path}.replace_extension(".hfield");
+  if (arena.height_field) write_new_file(heights, height_file_content(*arena.height_field));
+  try {
+    write_new_file(path, text.str());
+  } catch (...) {
+    std::error_code ignored;
+    if (arena.height_field) std::filesystem::remove(heights, ignored);
+    throw;
+  }
 }
 
 }  // namespace trophic::backend::mujoco

@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 
 namespace trophic::backend::ode {
 
@@ -31,7 +32,7 @@ class EngineGuard {
     static const Handlers& handlers = earlier();
     static_cast<void>(handlers);
     static thread_local const bool ready = dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
-    if (!ready) throw EngineError{"no memory for this thread's collision buffers"};
+    if (!ready) throw EngineError{"ODE: refuses its data for a thread, such as its collision buffers"};
     ++depth();
   }
   ~EngineGuard() { --depth(); }
@@ -53,7 +54,7 @@ class EngineGuard {
   /// The handlers that were set earlier; the first call starts ODE and sets the library's own.
   static const Handlers& earlier() {
     static const Handlers handlers = [] {
-      if (dInitODE2(0) == 0) throw EngineError{"the library cannot be started"};
+      if (dInitODE2(0) == 0) throw EngineError{"ODE: the library cannot be started"};
       const Handlers before{.error = dGetErrorHandler(), .debug = dGetDebugHandler(), .message = dGetMessageHandler()};
       dSetErrorHandler(on_error);
       dSetDebugHandler(on_debug);
@@ -67,7 +68,7 @@ class EngineGuard {
     if (depth() == 0 && before != nullptr) return before(number, format, arguments);
     std::array<char, 512> text{};
     std::vsnprintf(text.data(), text.size(), format, arguments);
-    if (depth() > 0) throw EngineError{text.data()};
+    if (depth() > 0) throw EngineError{std::string{"ODE: "} + text.data()};
     std::fprintf(stderr, "ODE %d: %s\n", number, text.data());
   }
   static void on_error(int number, const char* format, va_list arguments) { report(earlier().error, number, format, arguments); }

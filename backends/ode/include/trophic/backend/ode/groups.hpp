@@ -93,7 +93,9 @@ class Groups {
       scene->step(members, bodies, state);
     } catch (const EngineError& error) {
       static_cast<void>(scene.release());  // ODE cannot destroy a world in which it was interrupted
-      return Failure{.robot = members[0], .what = std::string{"ODE: "} + error.what()};
+      const std::string others =
+          members.size() == 1 ? "" : ", in the world of this robot and " + std::to_string(members.size() - 1) + " others";
+      return Failure{.robot = members[0], .what = error.what() + others};
     }
     for (const std::size_t robot : members) {
       for (std::size_t link = 0; link < bodies.links(robot); ++link) {
@@ -112,7 +114,7 @@ class Groups {
     if (!within(link.rotation, 1.1)) return "has no finite rotation";
     if (!within(link.velocity_m_s, most_m_s)) return "is faster than 1 km/s";
     if (!within(link.spin_rad_s, most_rad_s)) return "spins faster than 1e4 rad/s";
-    if (!within(link.position_m, setup_.arena.extent_m + reach_m)) return "left the arena";
+    if (!within(link.position_m, setup_.arena.extent_m + reach_m)) return "is beyond the arena's extent";
     return {};
   }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <mutex>
+#include <new>
 #include <span>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/ode/bodies.hpp>
@@ -105,16 +106,17 @@ class Scene {
     law_.touch(world_.get(), contacts_.get(), a.geom.get(), b.geom.get(), friction);
   }
 
+  /// Throws std::bad_alloc if there is no memory for a step: ODE then leaves all bodies where they are.
   void solve() {
-    if (params_.solver == Solver::world_step) {
-      dWorldStep(world_.get(), timestep_s_);
-    } else if (params_.sweeps <= sweeps_without_draws) {
-      dWorldQuickStep(world_.get(), timestep_s_);
-    } else {
-      const std::lock_guard lock{random_sequence_mutex()};
-      dRandSetSeed(0);
-      dWorldQuickStep(world_.get(), timestep_s_);
-    }
+    if (!has_solved()) throw std::bad_alloc{};
+  }
+
+  [[nodiscard]] bool has_solved() {
+    if (params_.solver == Solver::world_step) return dWorldStep(world_.get(), timestep_s_) != 0;
+    if (params_.sweeps <= sweeps_without_draws) return dWorldQuickStep(world_.get(), timestep_s_) != 0;
+    const std::lock_guard lock{random_sequence_mutex()};
+    dRandSetSeed(0);
+    return dWorldQuickStep(world_.get(), timestep_s_) != 0;
   }
 
   std::vector<KindPtr> kinds_;
