@@ -27,17 +27,37 @@ struct BoxContact {
   double depth_m;                              ///< signed distance, negative
 };
 
+/// As MuJoCo's function, with its bits, but inlined.
+[[nodiscard]] inline double dot3(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// As MuJoCo's function, with its bits, but inlined: a vector without length becomes the x axis.
+inline void normalize3(std::array<double, 3>& vector) {
+  const double length = std::sqrt(dot3(vector.data(), vector.data()));
+  if (length < mjMINVAL) {
+    vector = {1.0, 0.0, 0.0};
+    return;
+  }
+  const double scale = 1.0 / length;
+  for (double& part : vector) part *= scale;
+}
+
 /// Normal along `direction` and MuJoCo's choice of tangents: the first is the part across the normal of y, of z where the normal
 /// is within 60 degrees of +-y; the second completes the frame.
 [[nodiscard]] inline std::array<std::array<double, 3>, 3> contact_frame(const mjtNum* direction) {
   std::array<std::array<double, 3>, 3> frame{};
   auto& [normal, first, second] = frame;
   std::copy_n(direction, 3, normal.begin());
-  mju_normalize3(normal.data());
+  normalize3(normal);
   const std::size_t axis = std::abs(normal[1]) < 0.5 ? 1 : 2;
   for (std::size_t i = 0; i < 3; ++i) first[i] = (i == axis ? 1.0 : 0.0) - normal[axis] * normal[i];
-  mju_normalize3(first.data());
-  mju_cross(second.data(), normal.data(), first.data());
+  normalize3(first);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    second[i] = normal[j] * first[k] - normal[k] * first[j];
+  }
   return frame;
 }
 
@@ -81,7 +101,11 @@ class BoxCollider {
     const auto end = found_.begin() + count;
     std::array<std::array<double, 3>, 3> frame{};
     for (auto contact = found_.begin(); contact != end; ++contact) {
-      const auto same_point = [&](const mjContact& other) { return mju_dist3(contact->pos, other.pos) < rounding_m; };
+      const auto same_point = [&](const mjContact& other) {
+        const double between_m[] = {contact->pos[0] - other.pos[0], contact->pos[1] - other.pos[1],
+                                    contact->pos[2] - other.pos[2]};
+        return std::sqrt(dot3(between_m, between_m)) < rounding_m;
+      };
       if (std::any_of(contact + 1, end, same_point)) return false;
       // One face or one pair of edges gives all points, so that most normals are the one before.
       if (contact == found_.begin() || !std::equal(contact->frame, contact->frame + 3, contact[-1].frame)) {
@@ -100,7 +124,7 @@ class BoxCollider {
     constexpr double rounding = 1e-12;
     return std::ranges::any_of(first.axis, [&](const auto& u) {
       return std::ranges::any_of(second.axis, [&](const auto& v) {
-        const double cosine = std::abs(mju_dot3(u, v));
+        const double cosine = std::abs(dot3(u, v));
         return cosine < rounding || cosine > 1.0 - rounding;
       });
     });
