@@ -10,6 +10,7 @@
 #include <set>
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
+#include <trophic/control/brain/hebbian.hpp>
 #include <trophic/support/rng.hpp>
 #include <unit/brain/check_out.hpp>
 #include <vector>
@@ -118,6 +119,19 @@ TEST_CASE("growing brain: any sequence of births -> networks that fit, weights t
       RC_ASSERT((std::abs(out[0]) <= 1.0 && std::abs(out[1]) <= 1.0));
     }
   }));
+}
+
+TEST_CASE("growing brain: distance of two networks -> of their weights, links matched by their neurons") {
+  const GrowingBrain brain;
+  CHECK(brain.distance(hand, hand) == 0.0);
+  CHECK(brain.distance(hand, Genes{1, 0, 2, 1, 3, 2, 4, 0.5, -1, 5}) == 3.0);
+  CHECK(brain.distance(hand, Genes{1, 0, 2, 2, 4, 0.5, 2}) == 1.0);    // without 1 -> 3
+  CHECK(brain.distance(hand, Genes{0, 1, 2, -1}) == std::sqrt(4.25));  // without neuron 2 and its links
+  const Genes split{2, 0, 2, 2, 3, 1, 4, 3, 5, 1, 0.5, -1, 2};         // 0 -> 2 split: 0.5 becomes 1 and 0.5
+  REQUIRE(brain.fits(split, 2, 2));
+  CHECK(brain.distance(hand, split) == std::sqrt(1.5));
+  CHECK(brain.distance(split, hand) == std::sqrt(1.5));
+  CHECK(control::brain::Hebbian<GrowingBrain>{}.distance(hand, split) == std::sqrt(1.5));
 }
 
 TEST_CASE("growing brain: split link with a small input -> nearly the same output") {

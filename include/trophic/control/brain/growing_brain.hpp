@@ -80,6 +80,11 @@ struct GrowingBrain {
     genes = network.genes();
   }
 
+  /// The distance between the weights of two genomes, links matched by their neurons (detail/network_genes.hpp).
+  [[nodiscard]] double distance(std::span<const double> a, std::span<const double> b) const {
+    return detail::network_distance(a, b);
+  }
+
   [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> genes) const {
     return detail::decision_of(outputs(inputs, genes), params.turn_angle_rad);
   }

@@ -98,6 +98,11 @@ struct Hebbian {
     network().mutate_structure(genes, inputs, outputs, rng);
   }
 
+  [[nodiscard]] double distance(std::span<const double> a, std::span<const double> b) const requires requires(const Network n) {
+    n.distance(a, b);
+  }
+  { return network().distance(a, b); }
+
   [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
     own.learnt.resize(weights.size(), 0.0);
     const std::vector<double> sum = learnt_weights(weights, own);

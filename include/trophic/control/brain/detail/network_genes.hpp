@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <trophic/support/rng.hpp>
 #include <utility>
@@ -117,6 +118,46 @@ class Network {
     last = link;
   }
   return std::ranges::all_of(genes.last(links), [](double weight) { return std::isfinite(weight); });
+}
+
+/// The links of a network after `added` neurons are inserted before neuron `place`.
+[[nodiscard]] inline std::vector<Link> widened_links(std::span<const double> genes, std::size_t place, std::size_t added) {
+  const std::size_t count = genes.size() / 3;
+  const auto end = [&](std::size_t gene) {
+    const auto neuron = static_cast<std::size_t>(genes[gene]);
+    return neuron < place ? neuron : neuron + added;
+  };
+  std::vector<Link> links;
+  for (std::size_t i = 0; i < count; ++i) {
+    links.push_back({.from = end(1 + 2 * i), .to = end(2 + 2 * i), .weight = genes[1 + 2 * count + i]});
+  }
+  return links;
+}
+
+/// The Euclidean distance between the weights of two networks with links that ascend. A link that one of them lacks has weight 0
+/// there. Neurons are matched in order; those that one network lacks are inserted in it side by side, at the place that gives the
+/// smallest distance.
+[[nodiscard]] inline double network_distance(std::span<const double> fewer, std::span<const double> more) {
+  if (fewer[0] > more[0]) std::swap(fewer, more);
+  const auto added = static_cast<std::size_t>(more[0] - fewer[0]);
+  const std::vector<Link> others = widened_links(more, 0, 0);
+  std::size_t last = 0;
+  for (const Link& link : others) last = std::max(last, link.to);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t place = 0; place <= (added == 0 ? 0 : last); ++place) {
+    const std::vector<Link> links = widened_links(fewer, place, added);
+    double sum = 0.0;
+    auto other = others.begin();
+    for (const Link& link : links) {
+      for (; other != others.end() && *other < link; ++other) sum += other->weight * other->weight;
+      const bool is_in_both = other != others.end() && !(link < *other);
+      const double step = link.weight - (is_in_both ? (other++)->weight : 0.0);
+      sum += step * step;
+    }
+    for (; other != others.end(); ++other) sum += other->weight * other->weight;
+    least = std::min(least, sum);
+  }
+  return std::sqrt(least);
 }
 
 /// One layer of hidden neurons, or none, with every link and all weights 0.
