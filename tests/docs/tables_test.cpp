@@ -108,7 +108,9 @@ std::string document() {
 Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
   text += states;
   text += section<io::TaxonRow>(
-      "phylogeny.csv", "Every individual in the ALife data standard, written when it dies. Individuals alive at the end follow.");
+      "phylogeny.csv",
+      R"(Every individual in the ALife data standard, written when it dies. Individuals alive at the end follow. If bodies differ, a last
+column modules_text follows: the plan of its body, as in bodies.csv.)");
   text += section<io::GenomeRow>(
       "genomes.csv",
       R"(One row per birth. If genomes are shared, a later row with the same genome_id holds the weights of all who share it from then

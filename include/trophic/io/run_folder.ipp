@@ -138,6 +138,7 @@ TROPHIC_INLINE void RunFolder::on_start(const observe::RunDescription& run, cons
   if (run.has_more_genes && !tables_->genes) tables_->genes.emplace(path_ / GeneLog::file_name, Opening::created);
   if (run.bodies_differ && !tables_->bodies) tables_->bodies.emplace(path_ / BodyLog::file_name, Opening::created);
   if (tables_->genes) tables_->genes->on_start(run, view);
+  tables_->phylogeny.on_start(run, view);
   tables_->genomes.on_start(run, view);
   manifest_.on_start(run, view);
   recording_.on_start(run, view);

@@ -14,6 +14,7 @@ TEST_CASE("phylogeny: deaths and end -> rows, roots without ancestor") {
   const auto path = folder.path() / "phylogeny.csv";
   test::HandPopulation robots = test::three_robots();
   io::Phylogeny log{path};
+  log.on_start(test::short_run(), robots.view());
   for (BodyIndex body = 0; body < 3; ++body) {
     log.on_event({.kind = EventKind::birth, .body = body, .individual = robots.individuals[body], .cause = {}, .other = {}},
                  robots.view());
