@@ -16,7 +16,7 @@
 namespace trophic::test {
 
 /// Each change of a robot's first joint moves it by a tenth of that, m, along its root's x-axis, until it has left the arena's
-/// middle by 10 m.
+/// middle by 10 m. From `second_breaks_s` on robot 1 breaks, and robot 0 is blamed, until it has its third body.
 class ToyBodies {
  public:
   static constexpr std::string_view name = "toy_bodies";
@@ -25,7 +25,11 @@ class ToyBodies {
   struct Params {
     using Backend = ToyBodies;
     double breaks_beyond_rad = 100.0;
-    static constexpr auto fields() { return std::tuple{field("breaks_beyond_rad", &Params::breaks_beyond_rad, above(0.0))}; }
+    double second_breaks_s = 1e6;
+    static constexpr auto fields() {
+      return std::tuple{field("breaks_beyond_rad", &Params::breaks_beyond_rad, above(0.0)),
+                        field("second_breaks_s", &Params::second_breaks_s, above(0.0))};
+    }
   };
   struct One {
     double x_m = 0.0;
@@ -33,7 +37,10 @@ class ToyBodies {
     double z_m = 0.0;
     double yaw_rad = 0.0;
     std::vector<double> targets_rad = {};
-    static constexpr auto saved() { return std::tuple{&One::x_m, &One::y_m, &One::z_m, &One::yaw_rad, &One::targets_rad}; }
+    double bodies = 1.0;
+    static constexpr auto saved() {
+      return std::tuple{&One::x_m, &One::y_m, &One::z_m, &One::yaw_rad, &One::targets_rad, &One::bodies};
+    }
   };
   struct State {
     double time_s = 0.0;
@@ -46,7 +53,11 @@ class ToyBodies {
     for (const Pose& start : starts) state_.robots.push_back(at_rest(robot, start));
   }
 
-  void advance_to(double time_s) { state_.time_s = std::max(state_.time_s, time_s); }
+  void advance_to(double time_s) {
+    state_.time_s = std::max(state_.time_s, time_s);
+    const bool breaks = state_.time_s >= params_.second_breaks_s && robots() > 1 && state_.robots[1].bodies < 3.0;
+    if (breaks) throw Diverged{state_.time_s, 0, "its neighbour broke"};
+  }
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
     One& one = state_.robots.at(robot);
     if (targets_rad.size() != one.targets_rad.size()) throw std::invalid_argument{"joint targets of another body"};
@@ -62,7 +73,9 @@ class ToyBodies {
   }
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
     models_.at(robot) = model;
-    state_.robots.at(robot) = at_rest(model, pose);
+    const double bodies = state_.robots.at(robot).bodies;
+    state_.robots[robot] = at_rest(model, pose);
+    state_.robots[robot].bodies = bodies + 1.0;
   }
 
   [[nodiscard]] const RobotModel& model(std::size_t robot) const { return models_.at(robot); }

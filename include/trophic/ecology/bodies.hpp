@@ -2,6 +2,7 @@
 // The robots of an ecology: where they stand, how they move, and the bodies and gaits of newborns.
 #pragma once
 
+#include <algorithm>
 #include <any>
 #include <cstddef>
 #include <cstdint>
@@ -76,12 +77,13 @@ class Bodies {
   }
 
   /// Moves all bodies through the tick that begins at `clock_s`. Returns false, with everything as before, if an observer
-  /// cancelled it. If the table lets a body that diverges end its individual, `end(body)` is called and the tick begins anew.
+  /// cancelled it. If the table lets a body that diverges end its individual, `end(body)` is called and the tick begins anew. If
+  /// a body diverges again and again although it was replaced, those next to it end, which it may touch.
   template <class End>
   [[nodiscard]] bool move(observe::Audience& audience, const observe::FrameTimes& times, double clock_s, const End& end) {
-    for (std::size_t ended = 0; true; ++ended) {
+    for (std::vector<BodyIndex> ended; true;) {
       std::optional<Before> before;
-      if (ends_individuals() && ended < most_ended) before.emplace(Before{backend_.save(), locomotion_.save()});
+      if (ends_individuals() && ended.size() < most_ended) before.emplace(Before{backend_.save(), locomotion_.save()});
       try {
         if (!advance(audience, times, clock_s)) return false;
         break;
@@ -89,7 +91,8 @@ class Bodies {
         if (!before) throw;
         backend_.restore(before->bodies);
         locomotion_.restore(before->rhythms);
-        end(diverged.robot());
+        ended.push_back(cause_of(diverged.robot(), ended));
+        end(ended.back());
       }
     }
     poses_before_ = poses_;
@@ -116,7 +119,8 @@ class Bodies {
  private:
   static constexpr bool differ = Population<Rules>::differ;
   static constexpr bool has_bodies = GenomeParts<Rules>::has_bodies;
-  static constexpr std::size_t most_ended = 1000;  ///< individuals in a tick; then the run ends
+  static constexpr std::size_t most_ended = 1000;     ///< individuals in a tick; then the run ends
+  static constexpr std::ptrdiff_t most_replaced = 5;  ///< times that one body is replaced in a tick before those next to it
 
   using Locomotion = locomotion::Locomotion<typename Rules::Steering>;
   struct Before {
@@ -129,6 +133,17 @@ class Bodies {
       return rules_.embodiment.divergence() == initialization::Divergence::ends_individual;
     }
     return false;
+  }
+
+  /// The body nearest to this one, itself if possible, that is less than `most_replaced` times among `ended`.
+  [[nodiscard]] BodyIndex cause_of(BodyIndex body, std::span<const BodyIndex> ended) const {
+    BodyIndex nearest = body;
+    for (BodyIndex other = 0; other < poses_.size(); ++other) {
+      if (std::ranges::count(ended, other) >= most_replaced) continue;
+      if (other == body) return body;
+      if (nearest == body || distance_m(poses_[body], poses_[other]) < distance_m(poses_[body], poses_[nearest])) nearest = other;
+    }
+    return nearest;
   }
 
   [[nodiscard]] bool advance(observe::Audience& audience, const observe::FrameTimes& times, double clock_s) {
