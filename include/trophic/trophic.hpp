@@ -23,6 +23,7 @@
 #include <trophic/control/gait/detail/cppn.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
 #include <trophic/control/gait/robots_gait.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
@@ -76,6 +77,7 @@
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/ecology/embody.hpp>
+#include <trophic/ecology/engine_nursery.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/genome_parts.hpp>
@@ -113,6 +115,7 @@
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/habitat/phase_at_birth.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
@@ -251,6 +254,7 @@
 #include <trophic/reproduction/viability/always_viable.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
+#include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/check.hpp>

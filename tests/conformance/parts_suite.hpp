@@ -10,6 +10,7 @@
 #include <string>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/habitat/body/build.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/contract.hpp>
 #include <trophic/params/numbers_text.hpp>
@@ -54,6 +55,14 @@ namespace trophic::conformance {
   return habitat;
 }
 
+/// A nursery in which robots walk the sum of their gaits' numbers in a second, and diverge after 50 s.
+struct SummingNursery final : Nursery {
+  [[nodiscard]] std::optional<double> walked_m(const RobotModel&, const Gait& gait, double duration_s) const override {
+    if (duration_s > 50.0) return std::nullopt;
+    return (gait.internal.sum() + gait.coupling.triangularView<Eigen::Upper>().toDenseMatrix().sum()) * duration_s;
+  }
+};
+
 /// What InheritedGait and InheritedBody have in common: equal draws give equal genes, at least one, and finite ones.
 template <class Draw, class Mutate>
 std::vector<double> check_genes(std::uint64_t seed, std::size_t generations, Draw&& draw, Mutate&& mutate) {
@@ -85,7 +94,12 @@ TEST_CASE_TEMPLATE_DEFINE("gait", Policy, trophic_gait_suite) {
     if constexpr (control::InheritedGait<Policy>) {
       genes = conformance::check_genes(
           seed, 30, [&](Rng& rng) { return policy.draw(habitat.robot, habitat, rng); },
-          [&](std::vector<double>& own, Rng& rng) { policy.mutate(own, offspring, rng); });
+          [&](std::vector<double>& own, Rng& rng) {
+            policy.mutate(own, offspring, rng);
+            if constexpr (control::LearntGait<Policy>) {
+              policy.learn(own, habitat.robot, habitat, offspring, conformance::SummingNursery{}, rng);
+            }
+          });
       std::vector<double> foreign(genes.size() + 1, 0.5);
       CHECK_THROWS_AS(static_cast<void>(policy.express(foreign, habitat.robot, habitat)), std::invalid_argument);
     }
@@ -157,6 +171,11 @@ TEST_CASE_TEMPLATE_DEFINE("viability", Policy, trophic_viability_suite) {
       CHECK(made.refusal(design, robot) == refusal);
       if (refusal) CHECK_FALSE(refusal->empty());
       answers.add(refusal.has_value());
+      if constexpr (reproduction::TriesNewborns<Policy>) {
+        const auto tried = made.refusal_after_trial(robot, conformance::any_gait(robot), conformance::SummingNursery{});
+        if (tried) CHECK_FALSE(tried->empty());
+        answers.add(tried.has_value());
+      }
     }
     return answers;
   });

@@ -15,6 +15,7 @@
 #include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
 #include <trophic/control/gait/robots_gait.hpp>
 #include <trophic/control/steering/no_steering.hpp>
@@ -57,6 +58,7 @@
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
+#include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -115,11 +117,13 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
                           reproduction::recruitment::AfterEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
-                          control::gait::InheritedCppn);
+                          control::gait::InheritedCppn, control::gait::Learnt<control::gait::InheritedCpg>,
+                          control::gait::Learnt<control::gait::InheritedCppn>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_body_plan_suite, reproduction::body_plan::OneBody, reproduction::body_plan::NamedBody,
                           reproduction::body_plan::InheritedModules);
 TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::AlwaysViable, reproduction::viability::WithinMass,
-                          reproduction::viability::ModuleLimits);
+                          reproduction::viability::ModuleLimits,
+                          reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
                           reproduction::heredity::NothingInherited, reproduction::heredity::AllButBrain,
                           reproduction::heredity::AllButGait, reproduction::heredity::AllButBody);

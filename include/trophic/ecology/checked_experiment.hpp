@@ -86,6 +86,11 @@ void check_parts(const BackendChoice& backend) {
   if constexpr (Parts::has_body_genes && requires { requires AnswersForSpecies<Gaits>::fits_one_body; }) {
     refuse(gaits + " with " + bodies, "a rule Gait that fits any body, such as inherited_cppn");
   }
+  if constexpr (Parts::has_trials && !Parts::has_gaits) {
+    using Viable = PolicyIn<Rules, RuleSlot::viability>;
+    refuse("rules.viability = " + std::string{policy_name<Viable>()} + " with " + gaits,
+           "in a table with a rule Gait or BodyPlan");
+  }
   if constexpr (Parts::has_body_genes && is_neutral<Rules, RuleSlot::gait>) {
     refuse(gaits + " with " + bodies, "a rule Gait that fits any body, such as inherited_cppn");
   }

@@ -16,6 +16,7 @@
 #include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/choice.hpp>
 #include <trophic/ecology/describe.hpp>
+#include <trophic/ecology/engine_nursery.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/frames.hpp>
 #include <trophic/ecology/population.hpp>
@@ -106,7 +107,8 @@ class Ecology final : public Simulation {
                .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
-        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), params_.shadow, &habitat_},
+        nursery_{choice_, habitat_.arena, params_.physics, params_.ecology, rules_.steering},
+        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), params_.shadow, &habitat_, &nursery_},
         bodies_{params_, choice_, habitat_, rules_, population_} {
     if (!params_.lineup.empty()) population_.enlist(params_.lineup);
     bodies_.embody_founders();
@@ -355,6 +357,7 @@ class Ecology final : public Simulation {
   observe::FrameTimes times_;
   Policies<Rules> rules_;
   FoodWeb web_;
+  EngineNursery<PolicyIn<Rules, RuleSlot::steering>> nursery_;
   Population<Rules> population_;
   Bodies<Rules> bodies_;
   death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;

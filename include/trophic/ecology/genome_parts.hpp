@@ -17,6 +17,7 @@
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/individual.hpp>
@@ -43,10 +44,17 @@ class GenomeParts {
   static constexpr bool has_gaits = !is_neutral<Rules, RuleSlot::gait> || has_bodies;
   static constexpr bool has_body_genes = reproduction::InheritedBody<AnswersForSpecies<PolicyIn<Rules, RuleSlot::body_plan>>>;
   static constexpr bool has_gait_genes = control::InheritedGait<AnswersForSpecies<PolicyIn<Rules, RuleSlot::gait>>>;
+  static constexpr bool learns = control::LearntGait<AnswersForSpecies<PolicyIn<Rules, RuleSlot::gait>>>;
+  static constexpr bool has_trials = reproduction::TriesNewborns<AnswersForSpecies<PolicyIn<Rules, RuleSlot::viability>>>;
 
-  /// `inputs`: of the brain. `habitat`: only for tables with other rules Gait or BodyPlan than the neutral ones.
-  GenomeParts(const Policies<Rules>& rules, std::size_t inputs, std::uint64_t seed, const Habitat* habitat)
-      : rules_{rules}, inputs_{inputs}, seed_{seed}, habitat_{habitat} {}
+  /// `inputs`: of the brain. `habitat`: only for tables with other rules Gait or BodyPlan than the neutral ones; `nursery`: for
+  /// rules that use it. Throws std::invalid_argument without one that they need.
+  GenomeParts(const Policies<Rules>& rules, std::size_t inputs, std::uint64_t seed, const Habitat* habitat,
+              const Nursery* nursery = nullptr)
+      : rules_{rules}, inputs_{inputs}, seed_{seed}, habitat_{habitat}, nursery_{nursery} {
+    if ((learns || has_trials) && nursery == nullptr)
+      throw std::invalid_argument{"rules with trials of newborns: need a nursery"};
+  }
 
   /// Draws the weights of an individual without a parent.
   void draw_weights(Genome& genome, const Individual& born) const {
@@ -100,22 +108,30 @@ class GenomeParts {
     }
   }
 
-  /// Draws the body and the gait of a newborn where its genome lacks them; mutates them if they are inherited.
+  /// Draws the body and the gait of a newborn where its genome lacks them; mutates them if they are inherited. If the rule
+  /// Viability refuses it after a trial, both are drawn or mutated again.
   void draw_or_mutate(Genome& genome, const Individual& born) {
-    std::shared_ptr<const RobotModel> robot;
-    if constexpr (has_body_genes) robot = genome.body.empty() ? draw_body(genome, born) : mutate_body(genome, born);
-    if constexpr (has_gait_genes) {
-      if constexpr (has_bodies && !has_body_genes) robot = body_of(born.species, {}).robot;
-      const auto& rule = for_species(rules_.gait, born.species);
-      const RobotModel& own = robot ? *robot : habitat_->robot;
-      if (genome.gait.empty()) {
-        Rng rng{seed_, Stream::gait_genes, born.id};
-        genome.gait = rule.draw(own, *habitat_, rng);
-      } else {
-        Rng rng{seed_, Stream::gait_mutation, born.id};
-        rule.mutate(genome.gait, born, rng);
+    Rng of_body{seed_, genome.body.empty() ? Stream::body_genes : Stream::body_mutation, born.id};
+    Rng of_gait{seed_, genome.gait.empty() ? Stream::gait_genes : Stream::gait_mutation, born.id};
+    if constexpr (has_trials) {
+      const auto& rule = for_species(rules_.viability, born.species);
+      const std::vector<double> body = genome.body;
+      const std::vector<double> gait = genome.gait;
+      const bool is_drawn = (has_body_genes && body.empty()) || (has_gait_genes && gait.empty());
+      std::string refusal;
+      for (std::size_t attempt = 0; attempt < (is_drawn ? most_draws : rule.attempts()); ++attempt) {
+        vary(genome, born, of_body, of_gait);
+        const Phenotype own = express(born.species, genome.body, genome.gait);
+        const auto reason = rule.refusal_after_trial(own.robot ? *own.robot : habitat_->robot, *own.gait, *nursery_);
+        if (!reason) return;
+        refusal = *reason;
+        refused_ += is_drawn ? 0 : 1;
+        genome.body = body;
+        genome.gait = gait;
       }
-      if (genome.gait.empty()) throw RuleError{"gait", "no genes: must have at least one"};
+      if (is_drawn) throw_refused("newborns", refusal);
+    } else {
+      vary(genome, born, of_body, of_gait);
     }
   }
 
@@ -140,6 +156,31 @@ class GenomeParts {
  private:
   static constexpr std::size_t most_draws = 1000;  ///< of a body without a parent
 
+  [[noreturn]] static void throw_refused(std::string_view what, const std::string& refusal) {
+    throw RuleError{"body_plan", std::to_string(most_draws) + " random " + std::string{what} +
+                                     " in a row refused, the last one for \"" + refusal + "\": some must be viable"};
+  }
+
+  /// Draws or mutates the body and the gait once, with what the newborn learns.
+  void vary(Genome& genome, const Individual& born, Rng& of_body, Rng& of_gait) {
+    std::shared_ptr<const RobotModel> robot;
+    if constexpr (has_body_genes) {
+      robot = genome.body.empty() ? draw_body(genome, born, of_body) : mutate_body(genome, born, of_body);
+    }
+    if constexpr (has_gait_genes) {
+      if constexpr (has_bodies && !has_body_genes) robot = body_of(born.species, {}).robot;
+      const auto& rule = for_species(rules_.gait, born.species);
+      const RobotModel& own = robot ? *robot : habitat_->robot;
+      if (genome.gait.empty()) {
+        genome.gait = rule.draw(own, *habitat_, of_gait);
+      } else {
+        rule.mutate(genome.gait, born, of_gait);
+      }
+      if constexpr (learns) rule.learn(genome.gait, own, *habitat_, born, *nursery_, of_gait);
+      if (genome.gait.empty()) throw RuleError{"gait", "no genes: must have at least one"};
+    }
+  }
+
   /// The body of these genes. Throws std::invalid_argument if it cannot be built or no table lets it live.
   [[nodiscard]] Phenotype body_of(Species species, std::span<const double> genes) const {
     auto design = std::make_shared<body::Design>(for_species(rules_.body_plan, species).grow(genes, species, *habitat_));
@@ -162,19 +203,16 @@ class GenomeParts {
     return {};
   }
 
-  [[nodiscard]] std::shared_ptr<const RobotModel> draw_body(Genome& genome, const Individual& born) const {
-    Rng rng{seed_, Stream::body_genes, born.id};
+  [[nodiscard]] std::shared_ptr<const RobotModel> draw_body(Genome& genome, const Individual& born, Rng& rng) const {
     std::string refusal;
     for (std::size_t attempt = 0; attempt < most_draws; ++attempt) {
       genome.body = for_species(rules_.body_plan, born.species).draw(born.species, *habitat_, rng);
       if (const Phenotype own = viable_body(born.species, genome.body, refusal); own.robot) return own.robot;
     }
-    throw RuleError{"body_plan", std::to_string(most_draws) + " random bodies in a row refused, the last one for \"" + refusal +
-                                     "\": some must be viable"};
+    throw_refused("bodies", refusal);
   }
 
-  [[nodiscard]] std::shared_ptr<const RobotModel> mutate_body(Genome& genome, const Individual& born) {
-    Rng rng{seed_, Stream::body_mutation, born.id};
+  [[nodiscard]] std::shared_ptr<const RobotModel> mutate_body(Genome& genome, const Individual& born, Rng& rng) {
     const std::vector<double> parents = genome.body;
     const std::size_t attempts = for_species(rules_.viability, born.species).attempts();
     std::string refusal;
@@ -191,6 +229,7 @@ class GenomeParts {
   std::size_t inputs_;
   std::uint64_t seed_;
   const Habitat* habitat_;
+  const Nursery* nursery_;
   std::uint64_t refused_ = 0;
 };
 

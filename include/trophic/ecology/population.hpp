@@ -17,6 +17,7 @@
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/state_hooks.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
@@ -64,16 +65,16 @@ class Population {
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// A body for which `founders` has no_species starts spare; the id of every founder is the number of its body.
   /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
-  /// later births. `shadow`: the heredity rule is not applied, and every inherited genome is drawn anew. `habitat` outlives the
-  /// population; a table whose bodies or gaits differ needs it.
+  /// later births. `shadow`: the heredity rule is not applied, and every inherited genome is drawn anew. `habitat` and `nursery`
+  /// outlive the population; a table whose bodies or gaits differ needs the first, one that tries newborns both.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders,
-             bool shadow = false, const Habitat* habitat = nullptr)
+             bool shadow = false, const Habitat* habitat = nullptr, const Nursery* nursery = nullptr)
       : rules_{rules},
         web_{web},
         seed_{seed},
         is_shadow_{shadow},
         tags_{rules.brain.tags()},
-        parts_{rules, Sensors::size, seed, habitat} {
+        parts_{rules, Sensors::size, seed, habitat, nursery} {
     check_tags(tags_);
     for (const Species species : founders)
       if (species != no_species) check_index("community", "species", species, web.size());

@@ -9,9 +9,11 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/control/gait/learnt.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/rules/paper.hpp>
 #include <vector>
 
@@ -19,6 +21,7 @@ using namespace trophic;
 using control::gait::FirstGait;
 using control::gait::InheritedCpg;
 using control::gait::InheritedCppn;
+using control::gait::Learnt;
 using control::gait::detail::Cppn;
 
 namespace {
@@ -40,7 +43,52 @@ RobotModel six_legged() {
   return body::build(design);
 }
 
+/// A nursery in which a robot walks farther the larger the first weight of its gait is, and diverges with one above 1.
+struct FirstWeight final : Nursery {
+  [[nodiscard]] std::optional<double> walked_m(const RobotModel&, const Gait& gait, double duration_s) const override {
+    ++walks;
+    return gait.internal[0] > 1.0 ? std::nullopt : std::optional{duration_s * gait.internal[0]};
+  }
+  mutable std::size_t walks = 0;
+};
+
 }  // namespace
+
+TEST_CASE("learnt gait: 30 trials -> farther than the inherited one without a divergence; one trial -> the inherited one") {
+  const Habitat habitat = spider();
+  const Learnt<InheritedCpg> rule{{.inherited = {.first = FirstGait::random, .sd = 0.2}, .trials = 30}};
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    CAPTURE(seed);
+    Rng rng{seed, Stream::user};
+    std::vector<double> genes = rule.draw(habitat.robot, habitat, rng);
+    const double inherited = rule.express(genes, habitat.robot, habitat).internal[0];
+    const FirstWeight nursery;
+    rule.learn(genes, habitat.robot, habitat, {}, nursery, rng);
+    CHECK(nursery.walks == 30);
+    const double learnt = rule.express(genes, habitat.robot, habitat).internal[0];
+    CHECK((inherited > 1.0 || learnt > inherited));
+    CHECK(learnt <= 1.0);
+
+    std::vector<double> once = genes;
+    Learnt<InheritedCpg>{{.trials = 1}}.learn(once, habitat.robot, habitat, {}, nursery, rng);
+    CHECK(rule.express(once, habitat.robot, habitat).internal[0] == inherited);
+
+    const auto of_offspring = [&](double lamarckian) {
+      std::vector<double> own = genes;
+      const Learnt<InheritedCpg> passes{{.inherited = {.sd = 0.0}, .lamarckian = lamarckian}};
+      passes.mutate(own, {}, rng);
+      return passes.express(own, habitat.robot, habitat).internal[0];
+    };
+    CHECK(of_offspring(0.0) == inherited);
+    CHECK(of_offspring(1.0) == learnt);
+  }
+}
+
+TEST_CASE("learnt gait: genes without a count of the inherited ones -> one sentence") {
+  const Habitat habitat = spider();
+  CHECK_THROWS_WITH_AS(static_cast<void>(Learnt<InheritedCpg>{}.express(std::vector{7.0, 0.5}, habitat.robot, habitat)),
+                       "genes of a learnt gait: must begin with the number of those that are inherited", std::invalid_argument);
+}
 
 TEST_CASE("inherited gaits: no noise -> the robot's own gait, to the bit") {
   const Habitat habitat = spider();

@@ -18,11 +18,18 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
+#include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
+#include <trophic/death/senescence/old_age.hpp>
 #include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
+#include <trophic/initialization/placement/uniform_square.hpp>
 #include <trophic/io/read_recording.hpp>
+#include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
+#include <trophic/reproduction/parent/nearest_conspecific.hpp>
+#include <trophic/reproduction/viability/module_limits.hpp>
+#include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
 #include <unit/checkpoint/resumed.hpp>
@@ -114,6 +121,41 @@ Experiment<Hunt> spiders_hunt_geckos() {
   experiment.rules.body_plan.get<prey>().robot = "gecko";
   return experiment;
 }
+
+/// Random gaits, and those of them alone that survive a trial.
+using RandomGaits = with_embodiment<with_body_plan<with_gait<rules::Paper, InheritedCpg>, reproduction::body_plan::NamedBody>,
+                                    initialization::embodiment::StandsUp>;
+using TriedGaits = with_viability<RandomGaits, reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>>;
+
+/// Bodies that evolve; all die of age every few seconds.
+using Turnover = with_parent_after<
+    with_senescence<with_placement<rules::Paper, initialization::placement::UniformSquare>, death::senescence::OldAge>,
+    Cause::senescence, reproduction::parent::NearestConspecific>;
+using Crowded = with_viability<with_gait<with_embodiment<with_body_plan<Turnover, reproduction::body_plan::InheritedModules>,
+                                                         initialization::embodiment::StandsUp>,
+                                         InheritedCppn>,
+                               reproduction::viability::ModuleLimits>;
+
+/// Counts births, and newborns that touch another robot or a wall.
+struct SetDown {
+  void on_event(const observe::Event& event, const View& view) {
+    if (event.kind != observe::EventKind::birth) return;
+    ++births;
+    const auto boxes_of = [&](BodyIndex body) {
+      return placed_boxes(*view.phenotypes[body].robot, ecology->backend().pose(body), ecology->backend().joint_angles(body));
+    };
+    const auto own = boxes_of(event.body);
+    bool is_free = !touch_wall(own, view.arena.half_side_m);
+    for (BodyIndex other = 0; other < view.robots.size(); ++other) {
+      if (other == event.body || distance_m(view.poses[event.body], view.poses[other]) > 2.0) continue;
+      is_free = is_free && !touch(own, boxes_of(other));
+    }
+    overlaps += is_free ? 0 : 1;
+  }
+  const Ecology<Crowded>* ecology;
+  std::size_t births = 0;
+  std::size_t overlaps = 0;
+};
 
 /// Counts deaths of individuals whose bodies diverged, and who follows them.
 struct Ended {
@@ -209,6 +251,12 @@ TEST_CASE("genome parts: runs that are cut off -> resumed to the same bytes, gen
   SUBCASE("brain that grows") {
     check_resumed<Grows>(200.0);
   }
+  SUBCASE("gaits that newborns learn") {
+    Experiment<with_gait<rules::Paper, control::gait::Learnt<InheritedCpg>>> experiment;
+    experiment.rules.gait.trials = 3;
+    experiment.rules.gait.trial_s = 1.0;
+    check_resumed(200.0, experiment);
+  }
 }
 
 TEST_CASE("genome parts: gaits of individuals on a backend without joints -> one sentence, no run") {
@@ -276,6 +324,15 @@ TEST_CASE("bodies of species: spiders that hunt geckos -> own bodies and gaits, 
   const bool has_offspring = bodies.find(",prey,0,0,0,core[") != std::string::npos ||  // with their parents' plan
                              bodies.find(",predator,1,1,0,core[") != std::string::npos;
   CHECK(has_offspring);
+  const std::string phylogeny = content(folder.path() / "run" / "phylogeny.csv");
+  CHECK(phylogeny.starts_with("id,ancestor_list,"));
+  CHECK(phylogeny.find(",cause_of_death,killer_id,modules_text\n") != std::string::npos);
+  CHECK(std::ranges::count(phylogeny, '\n') == std::ranges::count(bodies, '\n'));
+  CHECK(phylogeny.find(",caught,") != std::string::npos);
+  for (std::size_t end = phylogeny.find('\n') + 1; end < phylogeny.size();) {
+    end = phylogeny.find('\n', end) + 1;
+    CHECK(phylogeny.compare(end - 3, 3, "]]\n") == 0);
+  }
   const io::RecordingReader recording{folder.path() / "run" / "replay.trp"};
   CHECK(recording.head().bodies_differ);
   CHECK(recording.bodies().size() == 2);
@@ -286,6 +343,18 @@ TEST_CASE("bodies of species: spiders that hunt geckos -> own bodies and gaits, 
     for (std::size_t frame = 0; frame <= last; ++frame) set_down += recording.is_set_down(frame, body) ? 1U : 0U;
   }
   CHECK(set_down > 5);
+}
+
+TEST_CASE("bodies that evolve: 1000 births in a crowd -> no newborn touches another robot or a wall") {
+  Experiment<Crowded> experiment{.seed = 4};
+  experiment.ecology.robots = 30;
+  experiment.rules.placement.half_extent_m = 1.5;
+  experiment.rules.senescence.max_age_s = 6.0;
+  Ecology<Crowded> ecology{experiment, ToyBodies::Params{}};
+  SetDown set_down{.ecology = &ecology};
+  ecology.run_until(240.0, set_down);
+  CHECK(set_down.births > 1000);
+  CHECK(set_down.overlaps == 0);
 }
 
 TEST_CASE("bodies of species: founders -> upright, apart from each other, at places inside the arena") {
@@ -300,18 +369,48 @@ TEST_CASE("bodies of species: founders -> upright, apart from each other, at pla
 }
 
 TEST_CASE("bodies of species: a body that diverges -> ends its individual, or the run where the table says so") {
-  using Random = with_gait<rules::Paper, InheritedCpg>;
-  using Set = with_embodiment<with_body_plan<Random, reproduction::body_plan::NamedBody>, initialization::embodiment::StandsUp>;
-  Experiment<Set> experiment{.seed = 2};
+  Experiment<RandomGaits> experiment{.seed = 2};
   experiment.rules.gait.first = control::gait::FirstGait::random;
-  Ecology<Set> ecology{experiment, ToyBodies::Params{.breaks_beyond_rad = 1.5}};
+  Ecology<RandomGaits> ecology{experiment, ToyBodies::Params{.breaks_beyond_rad = 1.5}};
   Ended ended;
   ecology.run_until(100.0, ended);
   CHECK(ended.deaths > 3);
   CHECK(ecology.time_s() == 100.0);
   experiment.rules.embodiment.diverged = initialization::Divergence::ends_run;
-  Ecology<Set> strict{experiment, ToyBodies::Params{.breaks_beyond_rad = 1.5}};
+  Ecology<RandomGaits> strict{experiment, ToyBodies::Params{.breaks_beyond_rad = 1.5}};
   CHECK_THROWS_AS(strict.run_until(100.0), Diverged);
+}
+
+TEST_CASE("bodies of species: a body that diverges although it was replaced -> bodies next to it end") {
+  Experiment<RandomGaits> experiment{.seed = 2};
+  Ecology<RandomGaits> ecology{experiment, ToyBodies::Params{.second_breaks_s = 3.0}};
+  Ended ended;
+  ecology.run_until(8.0, ended);
+  CHECK(ended.deaths > 5);
+  CHECK(ended.deaths <= 5 * experiment.ecology.robots);
+  CHECK(ecology.time_s() == 8.0);
+}
+
+TEST_CASE("trials of newborns: gaits that diverge -> not born; all of them, or robots that do not differ -> one sentence") {
+  Experiment<TriedGaits> experiment{.seed = 2};
+  experiment.rules.gait.first = control::gait::FirstGait::random;
+  experiment.rules.viability.trial_s = 22.0;
+  Ecology<TriedGaits> ecology{experiment, ToyBodies::Params{.breaks_beyond_rad = 1.5}};
+  Ended ended;
+  ecology.run_until(20.0, ended);
+  CHECK(ended.deaths == 0);
+  CHECK(message_of<RuleError>([&] {
+          const Ecology<TriedGaits> none{experiment, ToyBodies::Params{.breaks_beyond_rad = 1e-6}};
+        }) ==
+        "the policy in rules.body_plan returned 1000 random newborns in a row refused, the last one for \"diverges within 22 s: "
+        "must walk so long\": "
+        "some must be viable");
+  using OneGait = with_viability<rules::Paper, TriedGaits::Viability>;
+  CHECK(message_of<std::invalid_argument>([] {
+          const Ecology<OneGait> none{{}, ToyBodies::Params{}};
+        }) ==
+        "rules.viability = survives_trial_module_limits with rules.gait = robots_gait: must be in a table with a rule Gait or "
+        "BodyPlan");
 }
 
 TEST_CASE("bodies of species: backends and rules that cannot show them -> one sentence each") {

@@ -6,6 +6,7 @@
 #include <span>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/support/rng.hpp>
@@ -32,6 +33,15 @@ concept InheritedGait = GaitRule<P> && requires(const P policy, const RobotModel
                                                 std::vector<double>& genes, const Individual& offspring, Rng& rng) {
   { policy.draw(robot, habitat, rng) } -> std::same_as<std::vector<double>>;
   { policy.mutate(genes, offspring, rng) } -> std::same_as<void>;
+};
+
+/// An inherited gait that newborns improve before birth. `learn(genes, robot, habitat, newborn, nursery, rng)`: changes the genes
+/// in place, after they were drawn or mutated.
+template <class P>
+concept LearntGait = InheritedGait<P> &&
+    requires(const P policy, const RobotModel& robot, const Habitat& habitat, std::vector<double>& genes,
+             const Individual& newborn, const Nursery& nursery, Rng& rng) {
+  { policy.learn(genes, robot, habitat, newborn, nursery, rng) } -> std::same_as<void>;
 };
 
 }  // namespace trophic::control

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <trophic/habitat/body/build.hpp>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
 #define TROPHIC_SENTENCE_Viability                                                                                          \
@@ -22,6 +24,14 @@ template <class P>
 concept Viability = requires(const P policy, const body::Design& design, const RobotModel& robot) {
   { policy.refusal(design, robot) } -> std::same_as<std::optional<std::string>>;
   { policy.attempts() } -> std::same_as<std::size_t>;
+};
+
+/// A rule that also tries newborns in a nursery. `refusal_after_trial(robot, gait, nursery)`: returns why this body may not be
+/// born with this gait, or nothing. A pure function. Body and gait of a refused newborn are drawn or mutated again.
+template <class P>
+concept TriesNewborns = Viability<P> &&
+    requires(const P policy, const RobotModel& robot, const Gait& gait, const Nursery& nursery) {
+  { policy.refusal_after_trial(robot, gait, nursery) } -> std::same_as<std::optional<std::string>>;
 };
 
 }  // namespace trophic::reproduction
