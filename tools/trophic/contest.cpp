@@ -132,6 +132,7 @@ class Passing {
   if (WIFSIGNALED(status)) throw std::runtime_error{who + ": ended by signal " + std::to_string(WTERMSIG(status))};
   if (WEXITSTATUS(status) == stopped) throw std::runtime_error{who + ": stopped by a signal"};
   if (WEXITSTATUS(status) != 0) throw std::invalid_argument{who + "; its message is above"};
+  if (!std::filesystem::exists(outcomes.path())) throw std::invalid_argument{who + ", but ended without an error"};
   return contest::read_outcomes(outcomes.path(), plan.matches.size());
 }
 

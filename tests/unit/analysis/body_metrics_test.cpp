@@ -106,7 +106,8 @@ TEST_CASE("measure_bodies: missing tables, bad plans and bad cells -> one senten
   CHECK_THROWS_WITH_AS(
       static_cast<void>(measure_bodies(read_run(test::write_run(folder.path() / "none", test::manifest("a", 1))))),
       doctest::Contains("has neither bodies.csv nor genes.csv"), std::invalid_argument);
-  for (const auto& [row, sentence] : {std::pair{"core[left", "core[left"}, {"core", "modules = \"many\": must be a number"}}) {
+  for (const auto& [row, sentence] :
+       {std::pair{"core[left", "bodies.csv: id 0: body plan \"core[left"}, {"core", "modules = \"many\": must be a number"}}) {
     CAPTURE(row);
     const auto path = write_bodies(folder.path() / std::to_string(std::string_view{row}.size()));
     std::string cells = body_of(0, row, 2, 0.0);

@@ -71,6 +71,8 @@ TEST_CASE("epoch genomes: what a run cannot give -> error that names file and re
   CHECK(error() == (folder.path() / "genomes.csv").string() + ": the last line was cut off; resume the run");
   std::filesystem::remove(folder.path() / "genomes.csv");
   CHECK(error().find("genomes.csv") != std::string::npos);
+  std::ofstream{folder.path() / "phylogeny.csv", std::ios::app} << "3,[2],1,10,inf,predator,inherited,2,1,0.5,1,,,\n";
+  CHECK(error() == (folder.path() / "phylogeny.csv").string() + ": id 3: ancestor_list = [2]: must be [1], as its ancestor_id");
   std::filesystem::remove(folder.path() / "phylogeny.csv");
   CHECK(error().find("phylogeny.csv") != std::string::npos);
 }

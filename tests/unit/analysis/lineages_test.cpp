@@ -75,3 +75,24 @@ TEST_CASE("lineages: what a run cannot give -> error that names file and reason"
   std::ofstream{folder.path() / "phylogeny.csv"} << lineage_header << "7,[0],0,10,inf,prey,inherited,2,7,0.5,1,,,\n";
   CHECK(error() == file("phylogeny.csv") + ": id 7: its parent 0 is not among those born before it");
 }
+
+TEST_CASE("lineages: a row of phylogeny.csv that no run writes -> error that names the individual") {
+  struct Case {
+    const char* row;
+    const char* what;
+  };
+  for (const Case& one :
+       {Case{"7,[0],0,-1,inf,prey,inherited,2,7,0.5,1,,,", "id 7: origin_time = -1: must be >= 0 and <= 30, the run's end"},
+        Case{"7,[0],0,31,inf,prey,inherited,2,7,0.5,1,,,", "id 7: origin_time = 31: must be >= 0 and <= 30, the run's end"},
+        Case{"7,[0],0,10,9,prey,inherited,2,7,0.5,1,,,", "id 7: destruction_time = 9: must be >= its origin_time, 10, and <= 30"},
+        Case{"7,[0],0,10,31,prey,inherited,2,7,0.5,1,,,", "id 7: destruction_time = 31: must be >= its origin_time, 10"},
+        Case{"7,[5],0,10,inf,prey,inherited,2,7,0.5,1,,,", "id 7: ancestor_list = [5]: must be [0], as its ancestor_id"},
+        Case{"5,[none],5,10,inf,prey,inherited,2,7,0.5,1,,,", "id 5: has two rows"}}) {
+    CAPTURE(one.row);
+    const test::TemporaryFolder folder;
+    const RunManifest run = written_lineages(folder.path());
+    std::ofstream{folder.path() / "phylogeny.csv", std::ios::app} << one.row << "\n";
+    const std::string error = message_of<std::invalid_argument>([&] { static_cast<void>(read_lineages(run)); });
+    CHECK(error.find((folder.path() / "phylogeny.csv").string() + ": " + one.what) == 0);
+  }
+}

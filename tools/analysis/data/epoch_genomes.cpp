@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <tools/analysis/data/lineages.hpp>
 #include <tools/analysis/data/read_run.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
@@ -42,6 +43,7 @@ std::vector<std::vector<LivingGenome>> living_genomes(const RunManifest& run, st
   std::vector<std::vector<LivingGenome>> living(epochs_s.size());
   std::unordered_map<std::uint64_t, std::vector<Wanted>> wanted;
   for_each_row<io::TaxonRow>(run, "phylogeny.csv", [&](const io::TaxonRow& row) {
+    check_taxon(row, run);
     for (std::size_t epoch = 0; epoch < epochs_s.size(); ++epoch) {
       const double t = epochs_s[epoch];
       if (row.origin_time > t || row.destruction_time.value_or(t + 1.0) <= t) continue;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <tools/analysis/data/read_run.hpp>
 #include <trophic/io/tables.hpp>
+#include <trophic/params/params.hpp>
 #include <unordered_map>
 #include <utility>
 
@@ -41,10 +42,31 @@ void check_lineages(const RunManifest& run) {
   if (run.policies.value("heredity", std::string{}) == "shared_copy") refuse_shared(run);
 }
 
+void check_taxon(const io::TaxonRow& row, const RunManifest& run) {
+  const auto fail = [&](const std::string& what) {
+    throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) + ": " + what};
+  };
+  const double end_s = run.reached_s.value_or(most_time_s);
+  constexpr double rounding_s = 1e-6;
+  if (!(row.origin_time >= 0.0 && row.origin_time <= end_s + rounding_s)) {
+    fail("origin_time = " + number_text(row.origin_time) + ": must be >= 0 and <= " + number_text(end_s) + ", the run's end");
+  }
+  const double death_s = row.destruction_time.value_or(std::max(end_s, row.origin_time));
+  if (!(death_s >= row.origin_time && death_s <= end_s + rounding_s)) {
+    fail("destruction_time = " + number_text(death_s) + ": must be >= its origin_time, " + number_text(row.origin_time) +
+         ", and <= " + number_text(end_s) + ", the run's end");
+  }
+  const std::string parent = row.ancestor == row.id ? "[none]" : "[" + std::to_string(row.ancestor) + "]";
+  if (row.ancestor_list != parent) fail("ancestor_list = " + row.ancestor_list + ": must be " + parent + ", as its ancestor_id");
+}
+
 Forest read_lineages(const RunManifest& run) {
   check_lineages(run);
   std::vector<io::TaxonRow> rows;
-  for_each_row<io::TaxonRow>(run, lineage_tables[0], [&](const io::TaxonRow& row) { rows.push_back(row); });
+  for_each_row<io::TaxonRow>(run, lineage_tables[0], [&](const io::TaxonRow& row) {
+    check_taxon(row, run);
+    rows.push_back(row);
+  });
   std::ranges::sort(rows, {}, &io::TaxonRow::id);
   std::unordered_map<IndividualId, std::size_t> places;
   Forest forest;
@@ -59,7 +81,10 @@ Forest read_lineages(const RunManifest& run) {
       }
       taxon.parent = parent->second;
     }
-    places.emplace(row.id, forest.size());
+    if (!places.emplace(row.id, forest.size()).second) {
+      throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) +
+                                  ": has two rows"};
+    }
     forest.push_back(std::move(taxon));
   }
   std::unordered_map<std::uint64_t, IndividualId> owners;

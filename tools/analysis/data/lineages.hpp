@@ -9,6 +9,10 @@
 #include <trophic/population/food_web.hpp>
 #include <vector>
 
+namespace trophic::io {
+struct TaxonRow;
+}
+
 namespace trophic::analysis {
 
 /// An individual of a forest of descent.
@@ -29,6 +33,10 @@ using Forest = std::vector<Taxon>;
 /// Throws std::invalid_argument, a sentence that names the file, unless the manifest says that the run has what lineage measures
 /// need: it was written to its end, has phylogeny.csv and genomes.csv, and no genome changes after its individual's birth.
 void check_lineages(const RunManifest& run);
+
+/// Throws std::invalid_argument, a sentence that names file and individual, unless a row of phylogeny.csv can be of this run: it
+/// was born and died in that order within the run, and both columns have the same parent.
+void check_taxon(const io::TaxonRow& row, const RunManifest& run);
 
 /// Reads phylogeny.csv and genomes.csv. Throws as check_lineages, and std::invalid_argument for a table that is cut, was changed
 /// since the run, or lacks a genome or a parent.

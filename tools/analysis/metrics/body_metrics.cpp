@@ -86,6 +86,15 @@ bool read_body_table(const RunData& run, const char* name, std::span<const std::
   return true;
 }
 
+/// Throws std::invalid_argument, with the place, for a plan that cannot be read.
+void check_plan(const std::string& text, const std::string& place) {
+  try {
+    static_cast<void>(body::read_plan(text));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument{place + ": " + error.what()};
+  }
+}
+
 /// Reads bodies.csv into `lives`; returns the text of each plan.
 std::vector<std::string> read_bodies(const RunData& run, BodyLives& lives) {
   std::vector<std::string_view> columns{"id", "modules_text"};
@@ -96,7 +105,10 @@ std::vector<std::string> read_bodies(const RunData& run, BodyLives& lives) {
     const auto found = lives.find(table.get<IndividualId>(0));
     if (found == lives.end()) return;  // born after the time up to which the run is measured
     const auto [place, is_new] = places.try_emplace(table.get<std::string>(1), texts.size());
-    if (is_new) texts.push_back(place->first);
+    if (is_new) {
+      check_plan(place->first, (run.manifest.folder / "bodies.csv").string() + ": id " + std::to_string(found->first));
+      texts.push_back(place->first);
+    }
     found->second.plan = place->second;
     std::array<double, shapes.size()> shape{};
     for (std::size_t i = 0; i < shapes.size(); ++i) shape[i] = table.get<double>(2 + i);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tools/analysis/metrics/activity.hpp>
@@ -236,7 +237,15 @@ RunMetrics lineage_metrics(const Forest& forest, const FoodWeb& web, Signatures&
 
 RunMetrics measure_lineages(const RunManifest& run, const LineageMeasuring& how) {
   const Forest forest = read_lineages(run);
-  Signatures signatures{how.decide(run), how.inputs};
+  const Decide decide = how.decide(run);
+  const auto named = [&](std::span<const double> inputs, std::span<const double> weights) {
+    try {
+      return decide(inputs, weights);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument{(run.folder / "genomes.csv").string() + ": " + error.what()};
+    }
+  };
+  Signatures signatures{named, how.inputs};
   return lineage_metrics(forest, run.web, signatures, how.window_s, run.reached_s.value_or(0.0), run.seed);
 }
 
