@@ -396,6 +396,10 @@ class Converted(Hostile):
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H 4\n", ":2: turns = 4: must be 0 to 3"),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H 0\n\t0 ActiveHinge I 0\n", ":3: right: two modules on one face"),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H\x1b[2J 0\n", ":2: its name must be text without control characters"),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 99999999999999999999\n", ':2: turns = "99999999999999999999": must be one digit'),
+            ("0 CoreComponent Core 0\n\tx ActiveHinge H 0\n", ':2: slot = "x": must be one digit'),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H\udcff 0\n", ":2: its name must be UTF-8"),
+            ("0 CoreComponent Core 0\n", "body: is a core alone: must have a hinge or a brick"),
             (REVOLVE, "core.0.1.2: must be a module with a type"),
             (REVOLVE.replace("orientation : 90", "orientation : 45"), "core.0: orientation = 45: must be a multiple of 90 degrees"),
             (REVOLVE.replace("orientation : 90", "rotation : 90"), "core.0: rotation: is not a key that is read here; orientation turns"),
@@ -409,7 +413,7 @@ class Converted(Hostile):
             ('{"type": "core", "children": {"front": ', "body: [json.exception.parse_error.101] parse error"),
         ):
             with self.subTest(text):
-                (self.folder / "body").write_text(text)
+                (self.folder / "body").write_bytes(text.encode(errors="surrogateescape"))
                 said = self.refused(2, TROPHIC, "convert", "body", "--out", "robot.toml")
                 self.assertIn(sentence, said)
                 self.assertNotRegex(said, "[\x00-\x1f\x7f-\x9f]")

@@ -36,7 +36,9 @@ inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
   if (out.extension() != ".toml") throw std::invalid_argument{"--out " + options.out + ": must end in .toml"};
   check_new_file("--out", out);
   const std::string name = options.name.empty() ? out.stem().string() : options.name;
-  if (!is_plain(name)) throw std::invalid_argument{"--name: must be text without control characters"};
+  if (!is_plain(name) || !convert::is_utf8(name)) {
+    throw std::invalid_argument{"--name: must be UTF-8 text without control characters"};
+  }
   const convert::ForeignBody body = convert::read_foreign_body(read_whole_file(options.body, most_bytes), options.body);
   body::Design design;
   design.name = name;

@@ -43,6 +43,7 @@ constexpr std::size_t most_depth = 31;
 
 [[nodiscard]] std::string plain_name(const std::string& name) {
   if (!is_plain(name)) throw std::invalid_argument{"its name must be text without control characters"};
+  if (!is_utf8(name)) throw std::invalid_argument{"its name must be UTF-8"};
   return name;
 }
 
@@ -226,8 +227,11 @@ struct RobogenLine {
     at = end + 1;
   }
   const auto is_digit = [&](std::size_t i) { return words[i].size() == 1 && words[i][0] >= '0' && words[i][0] <= '9'; };
-  if (words.size() < 4 || !is_digit(0) || !is_digit(3)) {
+  if (words.size() < 4) {
     throw std::invalid_argument{"must be SLOT TYPE NAME TURNS behind a tab for each module above it"};
+  }
+  for (const auto& [place, what] : {std::pair{0U, "slot"}, {3U, "turns"}}) {
+    if (!is_digit(place)) throw std::invalid_argument{what + (" = " + json_text(words[place])) + ": must be one digit"};
   }
   if (words.size() > 4) static_cast<void>(type_of(words[1]));  // a type with parameters is none of ours
   if (words.size() > 4) throw std::invalid_argument{words[4] + ": a " + words[1] + " has no parameters"};
@@ -302,7 +306,18 @@ struct RobogenSlot {
 
 }  // namespace
 
-ForeignBody read_foreign_body(std::string_view text, const std::string& file) {
+bool is_utf8(const std::string& text) {
+  try {
+    static_cast<void>(Json(text).dump());
+    return true;
+  } catch (const Json::type_error&) {
+    return false;
+  }
+}
+
+namespace {
+
+[[nodiscard]] ForeignBody read_any_body(std::string_view text, const std::string& file) {
   const std::string format{detail::foreign_format(text)};
   if (format == detail::robogen_text) return read_robogen(text, format, file);
   const bool is_json = format == detail::revolve2_json;
@@ -318,6 +333,16 @@ ForeignBody read_foreign_body(std::string_view text, const std::string& file) {
   }
   const bool has_body = whole.is_object() && whole.contains("body");
   return read_modules(has_body ? whole.at("body") : whole, has_body, format, file);
+}
+
+}  // namespace
+
+ForeignBody read_foreign_body(std::string_view text, const std::string& file) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  ForeignBody body = read_any_body(text, file);
+  if (body.modules.modules().size() < 2) throw std::invalid_argument{file + ": is a core alone: must have a hinge or a brick"};
+  return body;
 }
 
 std::string robot_file(const ForeignBody& body, const std::string& name) {

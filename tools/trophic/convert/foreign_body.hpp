@@ -17,6 +17,8 @@ struct ForeignBody {
   std::vector<std::string> names;  ///< of the modules in their file; may be empty
 };
 
+[[nodiscard]] bool is_utf8(const std::string& text);
+
 /// Reads a body of RoboGen (text), Revolve (YAML) or revolve2 (a tree of modules as JSON or YAML), as its simulator builds it:
 /// - RoboGen: slots 0 to 3 of the core are left, right, front and back as seen from its front; of a brick 0 is ahead, 1 right, 2
 ///   left. A quarter turn is about the axis that points to the parent. Bricks lie flat, whatever their turn.
