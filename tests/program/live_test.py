@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: MIT
 """live_test.py PREDATOR_PREY WITHOUT_LIVE: a live run by its web socket: it is steered, made again to the byte, and shown to its own page alone."""
 
+import contextlib
 import csv
+import os
 import pathlib
+import socket
 import subprocess
 import sys
+import time
 import unittest
 
 from in_folder import InFolder
@@ -131,6 +135,18 @@ class Live(InFolder):
         self.assertIsNone(status)
         with run.page() as page:
             page.until_kind("state")
+
+    def test_connections_beyond_a_bound_are_closed_and_leave_the_run_its_files(self):
+        run = self.start("--duration", "60")
+        with contextlib.ExitStack() as idle:
+            for _ in range(100):
+                last = idle.enter_context(socket.create_connection(("127.0.0.1", run.port), timeout=20))
+            self.assertEqual(last.recv(1), b"", "closed without a request")
+            self.assertLess(len(os.listdir(f"/proc/{run.process.pid}/fd")), 90)
+        until = time.monotonic() + 20
+        while (status := run.get(f"/?token={run.token}")[0]) != 200 and time.monotonic() < until:
+            time.sleep(0.05)
+        self.assertEqual(status, 200, "once they are closed")
 
     def test_second_page_looks_on_and_steers_once_the_first_one_is_closed(self):
         run = self.start("--duration", "60")

@@ -70,6 +70,7 @@ class Server::Hub {
   }
 
   void accept();
+  void accept_later();
   void enter(std::shared_ptr<Page> page);
   void leave(const Page& page);
   /// To all pages, and to later ones.
@@ -90,6 +91,7 @@ class Server::Hub {
 
  private:
   tcp::acceptor acceptor_;
+  asio::steady_timer pause_{context_};
   std::list<std::shared_ptr<Page>> pages_;  ///< the first one steers
   SharedMessage facts_;
   std::deque<SharedMessage> history_;
@@ -233,8 +235,18 @@ Server::Hub::~Hub() {
 void Server::Hub::accept() {
   acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
     if (!acceptor_.is_open()) return;
-    if (!error) std::make_shared<Connection>(*this, std::move(socket))->start();
+    if (error) return accept_later();
+    // More would use up the files that the run may open: they are closed at once.
+    if (connections_ < 2 * limits_.connections) std::make_shared<Connection>(*this, std::move(socket))->start();
     accept();
+  });
+}
+
+/// After an error that may last, as too many open files does.
+void Server::Hub::accept_later() {
+  pause_.expires_after(std::chrono::milliseconds{100});
+  pause_.async_wait([this](beast::error_code error) {
+    if (!error && acceptor_.is_open()) accept();
   });
 }
 
