@@ -309,7 +309,7 @@ def lineages(rows):
     return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
 
 
-EVOLVED = {"brains": ["brain_genes"], "gaits": ["walked", "gait_genes"],
+EVOLVED = {"brains": ["walked", "brain_genes"], "gaits": ["walked", "gait_genes"],
            "bodies": ["walked", "body_modules", "body_hinges", "body_mass", "body_size", "body_proportion", "body_coverage", "body_branching", "body_limbs",
                       "body_length_of_limbs", "body_symmetry", "body_joints", "body_plans", "body_plans_shannon", "body_change"]}
 
@@ -336,7 +336,7 @@ def evolved(rows, study):
 def evolved_lives(rows):
     """Births and ancestors a run."""
     return table(["study", "rule table", "births", "ancestors of a newborn, mean", "at most", "bodies that diverged"],
-                 [[row["study"], f"`{row['table']}`", *(f"{float(row[key]):.3g}" for key in ("births", "mean_depth", "greatest_depth", "diverged"))] for row in rows])
+                 [[row["study"], f"`{row['table']}`", *(f"{float(row[key]):.{places}f}" for key, places in (("births", 0), ("mean_depth", 1), ("greatest_depth", 0), ("diverged", 1)))] for row in rows])
 
 
 def open_choices(choices):
