@@ -54,7 +54,7 @@ class Bodies(unittest.TestCase):
         self.assertGreater(float(found["body_modules", "predator", "late"]), 1.0)
         self.assertGreater(float(found["walked", "predator", "late"]), 0.0)
         self.assertGreater(float(found["gait_genes", "prey", "late"]), 6.0)
-        self.call(TROPHIC, "plot", "run-measured", "--trophic", TROPHIC)
+        self.call(TROPHIC, "plot", "run-measured")
         captions = json.loads((self.folder / "run-measured/figures/captions.json").read_text())
         self.assertEqual(list(captions), ["measures", "morphospace", "plans"])
         self.assertRegex(captions["plans"], rf"\(\d+ of {len({row['plan'] for row in bodies})} plans\)")
