@@ -90,7 +90,24 @@ std::vector<double> extremes_of(const Bound& bound) {
   return values;
 }
 
-/// Three ticks of eight robots with one number at an extreme; nothing if it is refused.
+template <class T>
+void set_to(T& member, double value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    member = value;
+  } else {
+    const auto most = static_cast<double>(std::numeric_limits<T>::max());
+    const auto least = static_cast<double>(std::numeric_limits<T>::lowest());
+    member = !(value > least)  ? std::numeric_limits<T>::lowest()
+             : !(value < most) ? std::numeric_limits<T>::max()
+                               : static_cast<T>(value);
+  }
+}
+
+/// Three ticks of eight robots; nothing if a number is refused.
+template <class Rules>
+void run_three_ticks(Experiment<Rules>& experiment, const backend::Kinematic::Params& backend);
+
+/// With one number at an extreme.
 template <class Rules>
 void try_number(std::size_t which, std::size_t extreme) {
   Experiment<Rules> experiment;
@@ -98,21 +115,15 @@ void try_number(std::size_t which, std::size_t extreme) {
   backend::Kinematic::Params backend;
   std::size_t number = 0;
   const auto set = [&](const FieldText& text, auto& member) {
-    using T = std::remove_cvref_t<decltype(member)>;
-    if (number++ != which) return;
-    const double value = extremes_of(text.bound)[extreme];
-    if constexpr (std::is_floating_point_v<T>) {
-      member = value;
-    } else {
-      const auto most = static_cast<double>(std::numeric_limits<T>::max());
-      const auto least = static_cast<double>(std::numeric_limits<T>::lowest());
-      member = !(value > least)  ? std::numeric_limits<T>::lowest()
-               : !(value < most) ? std::numeric_limits<T>::max()
-                                 : static_cast<T>(value);
-    }
+    if (number++ == which) set_to(member, extremes_of(text.bound)[extreme]);
   };
   visit_numbers(experiment, set);
   visit_numbers(backend, set);
+  run_three_ticks(experiment, backend);
+}
+
+template <class Rules>
+void run_three_ticks(Experiment<Rules>& experiment, const backend::Kinematic::Params& backend) {
   try {
     validate(experiment, "");
     Ecology<Rules> ecology{experiment, backend};
@@ -204,6 +215,30 @@ TEST_CASE("numbers: every field of the paper's table at its extremes -> refused,
 
 TEST_CASE("numbers: every field of the released table at its extremes -> refused, or run within 1 GiB and 20 s") {
   check_extremes<rules::Released>();
+}
+
+TEST_CASE("numbers: those of a rule with spare bodies at their extremes -> refused, or run within 1 GiB and 20 s") {
+  Experiment<Recruited> experiment;
+  std::vector<Bound> bounds;
+  visit_numbers(experiment.rules.recruitment, [&](const FieldText& text, auto&) { bounds.push_back(text.bound); });
+  REQUIRE(bounds.size() == 4);
+  for (std::size_t which = 0; which < bounds.size(); ++which) {
+    for (const double extreme : extremes_of(bounds[which])) {
+      CAPTURE(which);
+      CAPTURE(extreme);
+      CHECK(fate_of(
+                [&] {
+                  std::size_t number = 0;
+                  Experiment<Recruited> changed;
+                  changed.ecology.robots = 8;
+                  visit_numbers(changed.rules.recruitment, [&](const FieldText&, auto& member) {
+                    if (number++ == which) set_to(member, extreme);
+                  });
+                  run_three_ticks(changed, backend::Kinematic::Params{});
+                },
+                20) == "");
+    }
+  }
 }
 
 TEST_CASE("numbers: every number of every file at extremes -> refused, or read within 1 GiB and a minute") {

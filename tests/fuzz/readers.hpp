@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +14,13 @@
 #include <string>
 #include <string_view>
 #include <support/forged_recording.hpp>
+#include <support/temporary_folder.hpp>
+#include <tools/analysis/data/lineages.hpp>
 #include <tools/analysis/data/read_run.hpp>
+#include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
+#include <tools/live/src/wishes.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/command/config.hpp>
@@ -29,7 +34,10 @@
 #include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/rules/with.hpp>
+#include <trophic/run/changes/change.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/contest/contest_plan.hpp>
 #include <trophic/run/sweep/plan_file.hpp>
@@ -98,16 +106,37 @@ inline void read_manifest(std::string_view bytes) {
 inline void read_checkpoint_file(std::string_view bytes) {
   static_cast<void>(checkpoint::from_bytes(bytes, "checkpoint.bin"));
 }
-/// A checkpoint's section of an ecology: bytes behind the checksum, which must do no harm even if they are forged.
-inline void read_ecology(std::string_view bytes) {
-  FuzzedExperiment experiment;
+/// Four robots of a table.
+template <class Rules>
+[[nodiscard]] Ecology<Rules> fuzzed_ecology(Experiment<Rules> experiment = {}) {
   experiment.ecology.robots = 4;
   experiment.rules.community.predators = 2;
   static const Habitat habitat = load_habitat(experiment.ecology);
-  Ecology<rules::Released> ecology{experiment, backend::Kinematic::Params{}, habitat};
+  return Ecology<Rules>{experiment, backend::Kinematic::Params{}, habitat};
+}
+
+/// With a rule whose bodies may be spare and whose individuals have a state.
+using Recruited = with_recruitment<rules::Released, reproduction::recruitment::AfterEscapes>;
+[[nodiscard]] inline Ecology<Recruited> recruited_ecology() {
+  Experiment<Recruited> experiment;
+  experiment.rules.recruitment.spare_bodies = 1;
+  return fuzzed_ecology(experiment);
+}
+
+inline void read_state(Simulation& ecology, std::string_view bytes) {
   Archive archive{bytes};
   ecology.persist(archive);
   archive.finish();
+}
+/// A checkpoint's section of an ecology: bytes behind the checksum, which must do no harm even if they are forged.
+inline void read_ecology(std::string_view bytes) {
+  auto ecology = fuzzed_ecology<rules::Released>();
+  read_state(ecology, bytes);
+}
+inline void read_recruited(std::string_view bytes) {
+  auto ecology = recruited_ecology();
+  read_state(ecology, bytes);
+  ecology.run_until(ecology.time_s() + 4.0);
 }
 
 /// A recording whose checksums are right: the bytes behind them must do no harm even if they are forged.
@@ -177,6 +206,59 @@ inline void read_column(std::string_view bytes) {
   analysis::measure_column({.file = path.filename().string(), .column = "speed"}, run, result, remarks);
 }
 
+/// A folder for the tables of a run until 600 s, written anew by each case.
+inline analysis::RunManifest run_with_tables(std::string_view first, std::string_view first_bytes, std::string_view second,
+                                             std::string_view second_bytes) {
+  static const TemporaryFolder folder;
+  static_cast<void>(folder.file(first, first_bytes));
+  static_cast<void>(folder.file(second, second_bytes));
+  analysis::RunManifest run;
+  run.folder = folder.path();
+  run.status = "complete";
+  run.until_s = 600.0;
+  run.reached_s = 600.0;
+  run.web = fuzzed_web();
+  run.policies = Json::object();
+  return run;
+}
+
+/// Two tables, of which the second begins after the first empty line.
+template <class Read>
+void read_two_tables(std::string_view bytes, const char* first, const char* second, Read&& read) {
+  const std::size_t end = std::min(bytes.find("\n\n"), bytes.size());
+  read(run_with_tables(first, bytes.substr(0, std::min(end + 1, bytes.size())), second,
+                       bytes.substr(std::min(end + 2, bytes.size()))));
+}
+
+inline void read_lineages(std::string_view bytes) {
+  read_two_tables(bytes, "phylogeny.csv", "genomes.csv",
+                  [](const analysis::RunManifest& run) { static_cast<void>(analysis::read_lineages(run)); });
+}
+inline void read_bodies(std::string_view bytes) {
+  read_two_tables(bytes, "bodies.csv", "genes.csv", [](const analysis::RunManifest& manifest) {
+    analysis::RunData run{};
+    run.manifest = manifest;
+    run.events.emplace();
+    for (IndividualId id = 0; id < 3; ++id) {
+      analysis::EventRow birth{};
+      birth.kind = observe::EventKind::birth;
+      birth.id = id;
+      run.events->push_back(birth);
+    }
+    static_cast<void>(analysis::measure_bodies(run));
+  });
+}
+
+inline void read_changes(std::string_view bytes) {
+  static_cast<void>(changes::read_changes(FileInMemory{bytes}.path()));
+}
+/// A message of a page to a live run.
+inline void read_wish(std::string_view bytes) {
+  static const command::LiveRun run{
+      .folder = {}, .rule_table = "paper", .rule_tables = {"paper", "released"}, .numbers = named_params_of(FuzzedExperiment{})};
+  static_cast<void>(live::read_wish(bytes, run));
+}
+
 /// A manifest next to small tables, whose metrics it measures.
 inline void read_measured(std::string_view bytes) {
   analysis::RunData run{};
@@ -198,25 +280,15 @@ struct Reader {
   std::string_view name;
   void (*read)(std::string_view bytes);
 };
-inline constexpr std::array readers{Reader{"robot", read_robot},
-                                    Reader{"arena", read_arena},
-                                    Reader{"gait", read_gait},
-                                    Reader{"config", read_config},
-                                    Reader{"assignment", read_assignment},
-                                    Reader{"events", read_events},
-                                    Reader{"agents", read_agents},
-                                    Reader{"manifest", read_manifest},
-                                    Reader{"checkpoint", read_checkpoint_file},
-                                    Reader{"ecology", read_ecology},
-                                    Reader{"recording", read_recording},
-                                    Reader{"head", read_head},
-                                    Reader{"sweep", read_sweep},
-                                    Reader{"plan", read_plan},
-                                    Reader{"contest", read_contest},
-                                    Reader{"outcomes", read_outcomes},
-                                    Reader{"body", read_body},
-                                    Reader{"column", read_column},
-                                    Reader{"measured", read_measured}};
+inline constexpr std::array readers{
+    Reader{"robot", read_robot},     Reader{"arena", read_arena},           Reader{"gait", read_gait},
+    Reader{"config", read_config},   Reader{"assignment", read_assignment}, Reader{"events", read_events},
+    Reader{"agents", read_agents},   Reader{"manifest", read_manifest},     Reader{"checkpoint", read_checkpoint_file},
+    Reader{"ecology", read_ecology}, Reader{"recruited", read_recruited},   Reader{"recording", read_recording},
+    Reader{"head", read_head},       Reader{"sweep", read_sweep},           Reader{"plan", read_plan},
+    Reader{"contest", read_contest}, Reader{"outcomes", read_outcomes},     Reader{"body", read_body},
+    Reader{"column", read_column},   Reader{"measured", read_measured},     Reader{"lineages", read_lineages},
+    Reader{"bodies", read_bodies},   Reader{"changes", read_changes},       Reader{"wish", read_wish}};
 
 /// Reads arbitrary bytes. A reader may throw std::invalid_argument or std::runtime_error; any other exception
 /// propagates.

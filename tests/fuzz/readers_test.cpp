@@ -83,10 +83,7 @@ TEST_CASE("readers: any bytes -> read, or an error of one sentence") {
 
 // fuzz_readers --no-skip -tc="write*" writes them again after a change of format.
 TEST_CASE("write the corpus's binary files" * doctest::skip()) {
-  FuzzedExperiment experiment;
-  experiment.ecology.robots = 4;
-  experiment.rules.community.predators = 2;
-  Ecology<rules::Released> ecology{experiment, backend::Kinematic::Params{}};
+  auto ecology = fuzzed_ecology<rules::Released>();
   const auto place = [](std::string_view folder) { return std::filesystem::path{CORPUS} / folder / "released-200-s.bin"; };
   std::filesystem::remove(place("recording"));
   io::Recording recording{place("recording"), io::default_replay_hz};
@@ -98,6 +95,9 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   };
   write("checkpoint", to_bytes(moment));
   write("ecology", moment.section(checkpoint::ecology_section));
+  auto recruited = recruited_ecology();
+  recruited.run_until(200.0);
+  write("recruited", checkpoint::take(recruited, recruited.describe(200.0)).section(checkpoint::ecology_section));
 }
 
 TEST_CASE("readers: each corpus -> at least one file is read to its end") {
