@@ -17,9 +17,8 @@ from .paper import Data, draw_curve, window_s
 from .style import Missing, NULL_COLOUR, caption, colour, legend_above, width_in
 
 MEASURES = {"walked": "walked [cm/s]", "body_modules": "modules", "body_mass": "mass [kg]", "body_proportion": "proportion", "body_coverage": "coverage",
-            "body_branching": "branching", "body_limbs": "limbs", "body_length_of_limbs": "length of limbs", "body_symmetry": "symmetry",
-            "body_joints": "joints", "body_plans_shannon": "Shannon number of plans", "body_change": "change of plans", "brain_genes": "genes of brains",
-            "gait_genes": "genes of gaits"}
+            "body_branching": "branching", "body_limbs": "limbs", "body_length_of_limbs": "limb length", "body_symmetry": "symmetry",
+            "body_joints": "joints", "body_plans_shannon": "plans", "body_change": "change", "brain_genes": "brain genes", "gait_genes": "gait genes"}
 DESCRIPTORS = ["size", "proportion", "coverage", "branching", "limbs", "length_of_limbs", "symmetry", "joints"]
 
 
@@ -57,12 +56,12 @@ def measures(sets):
                     ax.plot(shadow_s - window_s(shadow_s) / 2, scale * np.nanmean(shadows, axis=0), ":", color="black", linewidth=1, label="shadow")
         row[0].set_ylabel(MEASURES[name], fontsize=7)
     for ax, one in zip(axes[0], species):
-        ax.set_title(one, loc="right")
+        ax.set_title(one, pad=18)
         legend_above(ax, columns=3)
     for ax in axes[-1]:
         ax.set_xlabel("time [s]")
     ours = [data for data in sets if not is_null(data)] or sets
-    return caption(fig, f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows')} Windows of {window_s(time_s):g} s; lines: mean over "
+    return caption(fig, f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows (plans: their Shannon number)')} Windows of {window_s(time_s):g} s; lines: mean over "
                         f"runs; grey, dashed: drift, parents at random; dotted: mean of the shadow, in which nothing is inherited. {sets[-1].intervals('bands', False)}")
 
 
