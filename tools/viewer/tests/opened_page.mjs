@@ -100,7 +100,8 @@ export class OpenedPage {
   rowsOfControls() {
     return this.page.$$eval(".controls > *", (ones) => {
       const shown = ones.filter((one) => one.offsetHeight > 0 && one.className !== "space");
-      return new Set(shown.map((one) => Math.round((one.offsetTop + one.offsetHeight / 2) / 12))).size;
+      const middles = shown.map((one) => one.offsetTop + one.offsetHeight / 2).sort((a, b) => a - b);
+      return middles.filter((at, i) => i === 0 || at - middles[i - 1] > 12).length;
     });
   }
 
