@@ -241,11 +241,10 @@ TEST_CASE("kernel backend: more robots in one heap than the kernel steps -> MuJo
   const auto remark = [&](std::size_t robots, double side_m, Mujoco::Stepping stepping) {
     Mujoco world{robot, arena, square(robot, robots, side_m), Physics{}, {.stepping = stepping}};
     CHECK(world.speed_remark().empty());
-    world.advance_to(0.0012);
+    world.advance_to(0.012);
     return world.speed_remark();
   };
-  CHECK(remark(40, 2.0, Mujoco::Stepping::fast)
-            .starts_with("backend.stepping = fast: MuJoCo itself took 100 % of the robots' steps"));
-  CHECK(remark(40, 2.0, Mujoco::Stepping::islands).empty());
+  CHECK(remark(40, 1.8, Mujoco::Stepping::fast).starts_with("backend.stepping = fast: MuJoCo itself took "));
+  CHECK(remark(40, 1.8, Mujoco::Stepping::islands).empty());
   CHECK(remark(4, 4.0, Mujoco::Stepping::fast).empty());
 }
