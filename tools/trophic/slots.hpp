@@ -30,7 +30,7 @@ inline constexpr std::array slot_texts{
              "cognitive_brain cognitive_brain_with_biases cognitive_brain_zero_right cognitive_network feed_forward_brain "
              "growing_brain hebbian hebbian_brain recurrent_brain tanh_network"},
     SlotText{"steering", "How does a body turn towards a direction?", "no_steering targeted_steering"},
-    SlotText{"gait", "By which gait does an individual walk?", "inherited_cpg inherited_cppn named_gait robots_gait"},
+    SlotText{"gait", "By which gait does an individual walk?", "inherited_cpg inherited_cppn learnt named_gait robots_gait"},
     SlotText{"initial_genome", "Which genome does a founder or a random newcomer have?", "normal_weights uniform_weights"},
     SlotText{"genome_source", "Does a vacancy go to an offspring or to a random newcomer (immigration)?",
              "always_inherited random_or_inherited random_or_inherited_in_name"},
@@ -41,7 +41,7 @@ inline constexpr std::array slot_texts{
     SlotText{"heredity", "What does an offspring inherit?", "all_but nothing_inherited own_copy shared_copy"},
     SlotText{"mutation", "How do genomes change between generations?", "no_mutation normal_mutation uniform_mutation"},
     SlotText{"body_plan", "With which body is an individual born?", "inherited_modules named_body one_body"},
-    SlotText{"viability", "Which bodies may be born?", "always_viable module_limits within_mass"},
+    SlotText{"viability", "Which bodies may be born?", "always_viable module_limits survives_trial within_mass"},
     SlotText{"recruitment", "Who is born without a death, and which bodies are spare?", "after_escapes no_recruitment"},
     SlotText{"activation", "From when on is a newborn part of the ecology, to be seen and caught?",
              "active_away_from_hunters ages_once_away_from_hunters always_active founders_start_active"},

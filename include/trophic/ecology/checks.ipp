@@ -8,8 +8,7 @@
 #include <string_view>
 #include <trophic/ecology/checks.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/support/json.hpp>
-#include <trophic/support/plain_text.hpp>
+#include <trophic/support/control_characters.hpp>
 #include <trophic/support/rule_error.hpp>
 
 namespace trophic::detail {
@@ -30,8 +29,8 @@ TROPHIC_INLINE void check_names(const FoodWeb& web) {
   for (Species species = 0; species < web.size(); ++species) {
     const std::string& name = web.name(species);
     if (is_plain(name) && name.find_first_of(",\"") == std::string::npos) continue;
-    throw RuleError{"community", "the name of species " + std::to_string(species) + ", " + json_text(name) +
-                                     ": must have no comma, quote or control character"};
+    throw RuleError{"community", "the name of species " + std::to_string(species) + ", \"" + name +
+                                     "\": must have no comma, quote or control character"};
   }
 }
 

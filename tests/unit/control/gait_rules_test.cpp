@@ -54,7 +54,7 @@ struct FirstWeight final : Nursery {
 
 }  // namespace
 
-TEST_CASE("learnt gait: 30 trials -> farther than the inherited one without a divergence; one trial -> the inherited one") {
+TEST_CASE("learnt gait: 30 trials -> farther than the inherited one without a divergence and one trial -> the inherited one") {
   const Habitat habitat = spider();
   const Learnt<InheritedCpg> rule{{.inherited = {.first = FirstGait::random, .sd = 0.2}, .trials = 30}};
   for (const std::uint64_t seed : {1U, 2U, 3U}) {

@@ -391,7 +391,7 @@ TEST_CASE("bodies of species: a body that diverges although it was replaced -> b
   CHECK(ecology.time_s() == 8.0);
 }
 
-TEST_CASE("trials of newborns: gaits that diverge -> not born; all of them, or robots that do not differ -> one sentence") {
+TEST_CASE("trials of newborns: gaits that diverge -> not born and all of them, or robots that do not differ -> one sentence") {
   Experiment<TriedGaits> experiment{.seed = 2};
   experiment.rules.gait.first = control::gait::FirstGait::random;
   experiment.rules.viability.trial_s = 22.0;

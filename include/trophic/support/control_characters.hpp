@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Control characters in texts that are shown in a terminal: none may move its cursor or set its title.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace trophic {
+
+/// How many bytes of a text, from its first, are one control character: of ASCII, or U+0080 to U+009F in UTF-8; 0 if it begins
+/// with none.
+[[nodiscard]] constexpr std::size_t control_bytes(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
+  return text.size() > 1 && byte(0) == 0xc2 && byte(1) < 0xa0 ? 2 : 0;
+}
+
+/// Whether a text has no control character.
+[[nodiscard]] constexpr bool is_plain(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (control_bytes(text.substr(i)) > 0) return false;
+  }
+  return true;
+}
+
+}  // namespace trophic
