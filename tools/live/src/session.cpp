@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // trophic::live::open: the page, the server, the steering and the observer of runs together.
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
 #include <iostream>
@@ -69,6 +71,7 @@ class Session final : public command::LiveServer, private Listener {
       changed_.clear();
       is_over_ = false;
     }
+    begun_.notify_all();
     sight_.begin(run);
   }
   [[nodiscard]] changes::Conductor& conductor() override { return steering_; }
@@ -108,7 +111,10 @@ class Session final : public command::LiveServer, private Listener {
     command::LiveRun run;
     bool is_over = false;
     {
-      const std::lock_guard lock{mutex_};
+      // A page may ask before the run begins, as its address is printed first.
+      std::unique_lock lock{mutex_};
+      const auto has_begun = [&] { return !run_.rule_table.empty(); };
+      if (!begun_.wait_for(lock, std::chrono::seconds{10}, has_begun)) return "The run has not begun; ask again.";
       run = run_;
       is_over = is_over_;
     }
@@ -140,7 +146,8 @@ class Session final : public command::LiveServer, private Listener {
   }
 
   std::mutex mutex_;
-  command::LiveRun run_;
+  std::condition_variable begun_;
+  command::LiveRun run_;                        ///< its rule table is empty before it begins
   std::map<std::string, std::string> changed_;  ///< numbers of the run that have another value now
   bool is_over_ = false;
   Steering steering_;
