@@ -457,6 +457,15 @@ class Refusals(Sweeps):
             self.write("bad.toml", "engine = \"kinematic\"\n" + text if "engine" not in text else text)
             self.assertIn(says, self.refused(file="bad.toml"), text)
 
+    @unittest.skipUnless("mujoco" in ENGINES, "needs an engine of bodies")
+    def test_cell_that_diverges_is_not_told_to_resume(self):
+        self.write("diverges.toml", 'engine = "mujoco"\nreplicates = 1\n[set]\necology.duration_s = 600.0\n'
+                                    "physics.timestep_s = 0.02\necology.control_hz = 50\n[grid]\nrules.capture.reach_m = [1.0]\n")
+        done = self.sweep(file="diverges.toml")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("1 diverged, as they will again with the same numbers\n", done.stderr)
+        self.assertNotIn("resume", done.stderr)
+
     def test_status_of_another_folder(self):
         (self.folder / "out").mkdir()
         for arguments, says in (([], "--status: needs --out"), (["--out", "out"], "out: is not a sweep's folder: it has no plan.jsonl"), (["--out", "none"], "none: does not exist")):

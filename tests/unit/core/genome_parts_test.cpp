@@ -80,6 +80,14 @@ struct GaitOnly {
   }
 };
 
+/// Loses a weight of the parent.
+struct Forgetful {
+  static constexpr std::string_view name = "forgetful";
+  [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
+    return std::make_shared<Genome>(Genome{.id = 0, .weights = {parent->weights.begin(), parent->weights.end() - 1}});
+  }
+};
+
 using Gaits = with_gait<rules::Paper, InheritedCpg>;
 
 /// Two prey and two predators in a row; the predator in body 2 catches the prey in body 0.
@@ -228,6 +236,12 @@ TEST_CASE("genome parts: heredity that leaves a part empty -> it is drawn anew, 
   const Birth<with_heredity<Gaits, GaitOnly>> gait;
   CHECK(largest_step(gait.child.weights, gait.parent.weights) > 0.5);
   CHECK(largest_step(gait.child.gait, gait.parent.gait) < 0.1);
+}
+
+TEST_CASE("genome parts: heredity that shortens a genome -> RuleError with both lengths") {
+  CHECK(message_of<RuleError>([] {
+          Birth<with_heredity<rules::Paper, Forgetful>>{};
+        }).ends_with("a genome of 14 weights: must have a genome of 15 weights"));
 }
 
 TEST_CASE("genome parts: brain that grows -> sizes differ, misfits are refused, missing weights count as 0 in distances") {
