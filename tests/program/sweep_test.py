@@ -458,7 +458,7 @@ class Refusals(Sweeps):
             self.assertIn(says, self.refused(file="bad.toml"), text)
 
     @unittest.skipUnless("mujoco" in ENGINES, "needs an engine of bodies")
-    def test_cell_that_diverges_is_not_told_to_resume(self):
+    def test_cell_that_diverges_prints_no_advice_to_resume(self):
         self.write("diverges.toml", 'engine = "mujoco"\nreplicates = 1\n[set]\necology.duration_s = 600.0\n'
                                     "physics.timestep_s = 0.02\necology.control_hz = 50\n[grid]\nrules.capture.reach_m = [1.0]\n")
         done = self.sweep(file="diverges.toml")
