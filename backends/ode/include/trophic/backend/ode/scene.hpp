@@ -106,7 +106,7 @@ class Scene {
     law_.touch(world_.get(), contacts_.get(), a.geom.get(), b.geom.get(), friction);
   }
 
-  /// Throws std::bad_alloc if there is no memory for a step: ODE then leaves all bodies where they are.
+  /// Throws std::bad_alloc if ODE has no memory for a step. ODE itself would skip the step.
   void solve() {
     if (!has_solved()) throw std::bad_alloc{};
   }
