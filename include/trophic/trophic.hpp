@@ -8,6 +8,7 @@
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/backend/start_pose.hpp>
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>

@@ -17,6 +17,7 @@
 #include <trophic/backend/mujoco/one_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <trophic/backend/mujoco/save_mjcf.hpp>
+#include <trophic/backend/start_pose.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <utility>
 #include <variant>
@@ -41,7 +42,7 @@ class Mujoco::Simulation {
         targets_rad_{starts.size(), robot.hinges.size()},
         angles_rad_{targets_rad_} {
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      check_start(i, starts[i]);
+      check_start_pose(i, starts[i], arena_);
       states_.set_root(i, starts[i]);
     }
   }
@@ -73,7 +74,7 @@ class Mujoco::Simulation {
 
   /// Replaces the body of a robot.
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
-    check_start(checked(robot), pose);
+    check_start_pose(checked(robot), pose, arena_);
     std::shared_ptr<const Body> body = make_body(model);
     const std::size_t kind = std::visit([&](auto& stepper) { return stepper.set_body(robot, model); }, stepper_);
     bodies_[robot] = std::move(body);
@@ -172,23 +173,6 @@ class Mujoco::Simulation {
     }
     const bool fast = stepping == Stepping::fast;
     return Stepper{std::in_place_type<mujoco::Islands>, robot, arena_, physics_, threads, fast, box_depth_};
-  }
-
-  void check_start(std::size_t robot, const Pose& start) const {
-    const Eigen::Vector3d& at = start.position_m;
-    const double norm = start.orientation.norm();
-    const std::string pose = "start pose " + std::to_string(robot) + " ";
-    const std::string place =
-        pose + "at (" + number_text(at.x()) + ", " + number_text(at.y()) + ", " + number_text(at.z()) + "): ";
-    const auto within = [](double value, double most) { return std::abs(value) <= most; };
-    if (!within(at.x(), arena_.half_side_m) || !within(at.y(), arena_.half_side_m)) {
-      throw std::invalid_argument{place + "must be finite and within +-" + number_text(arena_.half_side_m)};
-    }
-    if (!within(at.z(), arena_.extent_m)) {
-      throw std::invalid_argument{place + "its height must be finite and within +-" + number_text(arena_.extent_m)};
-    }
-    if (norm > 0.5 && norm < 2.0) return;
-    throw std::invalid_argument{pose + "has an orientation of norm " + number_text(norm) + ": must be > 0.5 and < 2"};
   }
 
   void advance(std::size_t steps) {

@@ -15,6 +15,7 @@
 #include <trophic/backend/ode.hpp>
 #include <trophic/backend/ode/groups.hpp>
 #include <trophic/backend/ode/robot.hpp>
+#include <trophic/backend/start_pose.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
@@ -32,7 +33,7 @@ class Ode::Simulation {
     trophic::validate(params, "ode");
     check_model(robot);
     if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
-    for (std::size_t i = 0; i < starts.size(); ++i) check_start(i, starts[i]);
+    for (std::size_t i = 0; i < starts.size(); ++i) check_start_pose(i, starts[i], setup_->arena);
     bodies_ = std::make_unique<ode::Bodies>(robot, starts.size());
     for (const Pose& start : starts) ode::append_at_rest(robot, start, state_.links);
     state_.angles_rad.assign(starts.size() * robot.hinges.size(), 0.0);
@@ -55,7 +56,7 @@ class Ode::Simulation {
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
     static_cast<void>(checked(robot));
     check_model(model);
-    check_start(robot, pose);
+    check_start_pose(robot, pose, setup_->arena);
     const auto replace = [](auto& all, std::size_t first, std::size_t count, const auto& own) {
       const auto place = all.begin() + static_cast<std::ptrdiff_t>(first);
       all.insert(all.erase(place, place + static_cast<std::ptrdiff_t>(count)), own.begin(), own.end());
@@ -135,24 +136,6 @@ class Ode::Simulation {
                                     ": must be <= " + number_text(ode::Robot::largest_range_rad) + " for ODE"};
       }
     }
-  }
-
-  void check_start(std::size_t robot, const Pose& start) const {
-    const Arena& arena = setup_->arena;
-    const Eigen::Vector3d& at = start.position_m;
-    const double norm = start.orientation.norm();
-    const std::string pose = "start pose " + std::to_string(robot) + " ";
-    const std::string place =
-        pose + "at (" + number_text(at.x()) + ", " + number_text(at.y()) + ", " + number_text(at.z()) + "): ";
-    const auto within = [](double value, double most) { return std::abs(value) <= most; };
-    if (!within(at.x(), arena.half_side_m) || !within(at.y(), arena.half_side_m)) {
-      throw std::invalid_argument{place + "must be finite and within +-" + number_text(arena.half_side_m)};
-    }
-    if (!within(at.z(), arena.extent_m)) {
-      throw std::invalid_argument{place + "its height must be finite and within +-" + number_text(arena.extent_m)};
-    }
-    if (norm > 0.5 && norm < 2.0) return;
-    throw std::invalid_argument{pose + "has an orientation of norm " + number_text(norm) + ": must be > 0.5 and < 2"};
   }
 
   [[nodiscard]] std::size_t checked(std::size_t robot) const {
