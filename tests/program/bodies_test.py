@@ -73,8 +73,8 @@ class Bodies(unittest.TestCase):
 
     def test_what_cannot_be_shown_or_measured_is_refused_in_a_sentence(self):
         self.call(BODIES, "--rules", "evolving_bodies", "--backend", "kinematic", "--out", "run", fails_with="must be a backend with joints")
-        self.call(BODIES, "--rules", "evolving_bodies", "--backend", "mujoco", "--set", "rules.viability.limits.most_modules=1000", "--out", "run",
-                  fails_with="rules.viability.limits.most_modules")
+        self.call(BODIES, "--rules", "evolving_bodies", "--backend", "mujoco", "--set", "rules.viability.bodies.limits.most_modules=1000", "--out", "run",
+                  fails_with="rules.viability.bodies.limits.most_modules")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include <trophic/reproduction/parent/nearest_active_victim.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
+#include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/with_part.hpp>
@@ -45,14 +46,16 @@ template <class Base>
 using WithBodies = with_viability<with_body_plan<with_gait<with_embodiment<Base, initialization::embodiment::StandsUp>,
                                                            by_species<control::gait::InheritedCppn>>,
                                                  by_species<reproduction::body_plan::InheritedModules>>,
-                                  reproduction::viability::ModuleLimits>;
+                                  reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>>;
 
-/// Spiders hunt geckos. Limits keep bodies of the size of the walkers: a larger body costs more time.
+/// Spiders hunt geckos. Limits keep bodies of the size of the walkers: a larger body costs more time. Ten seconds in the nursery
+/// refuse most of the bodies that diverge.
 inline constexpr auto spiders_hunt_geckos = [](auto& params) {
   turnover(params);
   params.gait.template get<0>().gait = "gecko_steered";
   params.body_plan.template get<0>().first_robot = "gecko";
-  params.viability.limits.most_modules = 14;
+  params.viability.bodies.limits.most_modules = 14;
+  params.viability.trial_s = 10.0;
 };
 
 template <class Base>
