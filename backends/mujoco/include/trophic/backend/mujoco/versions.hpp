@@ -73,6 +73,20 @@ inline void give_back_dual_matrix([[maybe_unused]] const mjModel& model, [[maybe
 #endif
 }
 
+/// Accuracy and limit of MuJoCo's search for the overlap of two convex geoms.
+struct OverlapSearch {
+  double tolerance = 0.0;
+  int iterations = 0;
+};
+template <class Option>
+[[nodiscard]] OverlapSearch overlap_search(const Option& option) {
+  if constexpr (requires { option.mpr_tolerance; }) {
+    return {option.mpr_tolerance, option.mpr_iterations};
+  } else {
+    return {option.ccd_tolerance, option.ccd_iterations};
+  }
+}
+
 /// Whether the model tests only the pairs that it lists for contacts.
 [[nodiscard]] inline bool tests_only_pairs(const mjModel& model) {
 #if mjVERSION_HEADER >= 300

@@ -156,6 +156,7 @@ class FieldCollider {
     const double step_x_m = (2.0 * size_m[0]) / (columns - 1);
     const double step_y_m = (2.0 * size_m[1]) / (rows - 1);
     const float* const heights = model_.hfield_data + model_.hfield_adr[field];
+    const auto [tolerance, iterations] = mujoco::overlap_search(model_.opt);
     std::size_t count = 0;
     Prism prism;
     for (int row = south; row < north; ++row) {
@@ -166,7 +167,7 @@ class FieldCollider {
                      static_cast<double>(heights[(row + up) * columns + column]) * size_m[2]},
                     -size_m[3]);
           if (++nodes < 3 || prism.is_below(low.z)) continue;
-          const auto overlap = portal::find_overlap(prism, on, model_.opt.mpr_tolerance, model_.opt.mpr_iterations);
+          const auto overlap = portal::find_overlap(prism, on, tolerance, iterations);
           if (!overlap) continue;
           mjContact& contact = found_[count++];
           const auto& [depth, direction, place] = *overlap;
