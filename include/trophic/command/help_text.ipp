@@ -50,10 +50,11 @@ class HelpText : public CLI::Formatter {
     for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
     return text;
   }
+  /// CLI11 puts an empty line before the footer up to 2.3 alone; `make_help` leaves one of two.
   std::string make_footer(const CLI::App* app) const override {
     const std::string footer = app->get_footer();
     const std::size_t end = footer.find('\n');
-    return wrapped(footer.substr(0, end), 0, width_) + (end == std::string::npos ? "" : footer.substr(end)) + "\n";
+    return "\n" + wrapped(footer.substr(0, end), 0, width_) + (end == std::string::npos ? "" : footer.substr(end)) + "\n";
   }
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     return entry(make_option_name(option, is_positional) + (is_positional ? "" : make_option_opts(option)),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdlib>
 #include <future>
 #include <iostream>
 #include <optional>
@@ -35,11 +36,20 @@ std::string& complaint() {
   throw std::invalid_argument{"--watch: no window can be opened" + why + "; without a screen, `trophic film` draws what was run"};
 }
 
+/// GLFW 3.4 tries Wayland first, whose library complains on stderr where there is none.
+void choose_platform() {
+#ifdef GLFW_PLATFORM
+  const bool use_x11 = std::getenv("WAYLAND_DISPLAY") == nullptr && glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE;
+  if (use_x11) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+}
+
 /// GLFW, initialised while there is a window.
 class Library {
  public:
   Library() {
     glfwSetErrorCallback([](int, const char* text) { complaint() = text; });
+    choose_platform();
     if (glfwInit() != GLFW_TRUE) refuse();
   }
   Library(const Library&) = delete;
