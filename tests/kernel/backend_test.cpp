@@ -170,7 +170,9 @@ TEST_CASE("kernel backend: crowd of several bodies -> the motion of one model") 
 
 TEST_CASE("kernel backend: six legs on a trunk, links numbered in any order -> stepped by the kernel") {
   const std::vector<RobotModel> bodies = {six_legs(), breadth_first(six_legs())};
-  CHECK(disagreement("spider", 6, 6.0, 5.0, 10.0, BoxDepth::engine, bodies) < 1e-9);
+  // At 2.3 s two boxes meet where contacts of MuJoCo 3.5 jump: one model moved by 1e-14 m differs from itself by 2 mm.
+  const double duration_s = backend::mujoco::is_mujoco_3 ? 2.0 : 5.0;
+  CHECK(disagreement("spider", 6, 6.0, duration_s, 10.0, BoxDepth::engine, bodies) < 1e-9);
 }
 
 TEST_CASE("kernel backend: bodies that change -> unused kinds and models dropped") {
