@@ -38,7 +38,7 @@ TEST_CASE("an axis' effect is the mean difference over the other axes' values, w
   const std::array names{test::hunger};
   const auto effects = axis_effects(grid_of(plan), values, 0, names);
   REQUIRE(effects.size() == 3);
-  const AxisEffect& a1 = effect_of(effects, "a", "1");
+  const AxisEffect a1 = effect_of(effects, "a", "1");
   CHECK(a1.reference == "0");
   CHECK(a1.settings == 2);
   CHECK(a1.seeds == 6);
@@ -48,7 +48,7 @@ TEST_CASE("an axis' effect is the mean difference over the other axes' values, w
   CHECK(a1.difference.interval->lower == doctest::Approx(14.0 - half));
   CHECK(a1.difference.interval->upper == doctest::Approx(14.0 + half));
   CHECK(*effect_of(effects, "a", "2").difference.value == doctest::Approx(20.0 + 3.0 + 5.0));
-  const AxisEffect& b1 = effect_of(effects, "b", "1");
+  const AxisEffect b1 = effect_of(effects, "b", "1");
   CHECK(b1.settings == 3);
   CHECK(*b1.difference.value == doctest::Approx(3.0));
   CHECK(*b1.mean_reference == doctest::Approx(10.0 + 2.5 * 2.0));

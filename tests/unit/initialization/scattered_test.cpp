@@ -93,8 +93,9 @@ TEST_CASE("scattered: a thousand robots -> positions of an exhaustive search") {
 
 TEST_CASE("scattered: robot as large as the arena -> in its centre, larger -> error") {
   Rng rng{1, Stream::placement};
-  const GroundPose only = Scattered{}.place(1, arena(0.5), 0.5, rng).at(0);
+  const Scattered scattered;
+  const GroundPose only = scattered.place(1, arena(0.5), 0.5, rng).at(0);
   CHECK(only.x_m == 0.0);
   CHECK(only.y_m == 0.0);
-  CHECK_THROWS_AS(Scattered{}.place(1, arena(0.5), 0.500001, rng), std::invalid_argument);
+  CHECK_THROWS_AS(scattered.place(1, arena(0.5), 0.500001, rng), std::invalid_argument);
 }
