@@ -32,6 +32,8 @@ constexpr double free_fall_m = 1e-9;
 /// Both sink into the floor until their springs carry the weight. MuJoCo's are as stiff as the touching link is heavy, ODE's are
 /// equal everywhere: a tenth of a millimetre each.
 constexpr double resting_height_m = 0.0003;
+/// Small differences of the angles turn and shift the root.
+constexpr double swinging_m = 0.001;
 constexpr double weight_share = 0.01;
 /// The tower stands on soft ground and gives way a little.
 constexpr double period_share = 0.005;
@@ -85,6 +87,22 @@ std::array<double, 2> resting_pair_m() {
   backend.embody(1, gecko, {.position_m = {1.0, 0.0, gecko.rest_height_m}});
   backend.advance_to(2.0);
   return {backend.pose(0).position_m.z() - spider.rest_height_m, backend.pose(1).position_m.z() - gecko.rest_height_m};
+}
+
+/// A spider and a gecko, which took a spider's place, move their hinges to one side and the other in the air.
+template <class B>
+B swinging_pair() {
+  const RobotModel spider = load_robot("spider");
+  const RobotModel gecko = load_robot("gecko");
+  const std::vector<Pose> starts{{.position_m = {0.0, 0.0, 2.0}}, {.position_m = {2.0, 0.0, 2.0}}};
+  B backend{spider, load_arena("walled_square"), starts, with_step(0.0002, 0.0), {}};
+  backend.embody(1, gecko, starts[1]);
+  for (const std::size_t robot : {0U, 1U}) {
+    std::vector<double> targets_rad(backend.joint_angles(robot).size());
+    for (std::size_t i = 0; i < targets_rad.size(); ++i) targets_rad[i] = i % 2 == 0 ? 0.5 : -0.4;
+    backend.set_joint_targets(robot, targets_rad);
+  }
+  return backend;
 }
 
 /// Energy gained and distance moved by standing spiders in a minute, after one to come to rest.
@@ -223,6 +241,29 @@ TEST_CASE("engines: spider and gecko in one world at rest -> equal heights in bo
     CHECK(std::abs(mujoco_m.at(robot) - ode_m.at(robot)) < resting_height_m);
     CHECK(std::abs(mujoco_m.at(robot)) < 0.002);  // servos give way by most of a millimetre in both
   }
+}
+
+TEST_CASE("engines: spider and gecko that move their hinges in the air -> equal angles and poses in both") {
+  auto mujoco = swinging_pair<Mujoco>();
+  auto ode = swinging_pair<Ode>();
+  double widest_rad = 0.0;
+  for (const double time_s : {0.02, 0.05, 0.1, 0.3}) {
+    CAPTURE(time_s);
+    mujoco.advance_to(time_s);
+    ode.advance_to(time_s);
+    for (const std::size_t robot : {0U, 1U}) {
+      CAPTURE(robot);
+      const auto angles_rad = mujoco.joint_angles(robot);
+      REQUIRE(angles_rad.size() == (robot == 0 ? 4 : 6));
+      for (std::size_t i = 0; i < angles_rad.size(); ++i) {
+        CHECK(std::abs(angles_rad[i] - ode.joint_angles(robot)[i]) < 2.0 * step_response_rad);
+        widest_rad = std::max(widest_rad, std::abs(angles_rad[i]));
+      }
+      CHECK((mujoco.pose(robot).position_m - ode.pose(robot).position_m).norm() < swinging_m);
+      CHECK(mujoco.pose(robot).orientation.angularDistance(ode.pose(robot).orientation) < 2.0 * step_response_rad);
+    }
+  }
+  CHECK(widest_rad > 0.3);
 }
 
 TEST_CASE("engines: robots at rest -> no energy gain") {
