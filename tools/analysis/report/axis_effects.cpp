@@ -42,9 +42,10 @@ std::vector<CellPair> pairs_along(const SweepGrid& grid, const Axis& axis, const
 /// The mean over cells by seed, of those seeds that have a value in all of them.
 std::map<std::uint64_t, double> means_by_seed(std::span<const std::map<std::uint64_t, double>* const> cells) {
   std::map<std::uint64_t, double> means;
-  for (const auto& [seed, first] : *cells.front()) {
+  for (const auto& entry : *cells.front()) {
+    const std::uint64_t seed = entry.first;
     double sum = 0.0;
-    const bool in_all = std::ranges::all_of(cells, [&, seed = seed](const auto* cell) {
+    const bool in_all = std::ranges::all_of(cells, [&](const auto* cell) {
       const auto found = cell->find(seed);
       if (found == cell->end()) return false;
       sum += found->second;
