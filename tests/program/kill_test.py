@@ -10,6 +10,7 @@ import json
 import os
 import random
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -137,13 +138,21 @@ class Killed(InFolder):
                 self.assert_same("whole", out)
 
     def started_and_kept(self, out, preexec=None):
-        """A run that has kept two checkpoints and still runs."""
-        run = self.start(*self.command(out, 7), preexec=preexec)
-        while not (self.folder / out / "checkpoint.old.bin").exists() and run.poll() is None:
-            time.sleep(0.001)
-        return run
+        """A run that has kept two checkpoints, held before its end; `failed` lets it go on."""
+        for _ in range(20):
+            run = self.start(*self.command(out, 7), preexec=preexec)
+            while not (self.folder / out / "checkpoint.old.bin").exists() and run.poll() is None:
+                time.sleep(0.001)
+            run.send_signal(signal.SIGSTOP)
+            if run.poll() is None and self.manifest(out)["status"] != "complete":
+                return run
+            run.send_signal(signal.SIGCONT)
+            run.communicate(timeout=60)
+            shutil.rmtree(self.folder / out)
+        return self.fail("each run ended before it was held")
 
     def failed(self, run):
+        run.send_signal(signal.SIGCONT)
         _, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 1, errors)
         complaint, where = errors.splitlines()

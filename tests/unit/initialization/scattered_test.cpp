@@ -93,9 +93,9 @@ TEST_CASE("scattered: a thousand robots -> positions of an exhaustive search") {
 
 TEST_CASE("scattered: robot as large as the arena -> in its centre, larger -> error") {
   Rng rng{1, Stream::placement};
-  const Scattered scattered;
-  const GroundPose only = scattered.place(1, arena(0.5), 0.5, rng).at(0);
+  const auto place = [&](double radius_m) { return Scattered{}.place(1, arena(0.5), radius_m, rng); };
+  const GroundPose only = place(0.5).at(0);
   CHECK(only.x_m == 0.0);
   CHECK(only.y_m == 0.0);
-  CHECK_THROWS_AS(scattered.place(1, arena(0.5), 0.500001, rng), std::invalid_argument);
+  CHECK_THROWS_AS(place(0.500001), std::invalid_argument);
 }
