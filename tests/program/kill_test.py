@@ -138,7 +138,7 @@ class Killed(InFolder):
                 self.assert_same("whole", out)
 
     def started_and_kept(self, out, preexec=None):
-        """A run that has kept two checkpoints, held before its end; `failed` lets it go on."""
+        """Returns a run that has kept two checkpoints and is paused before it ends. `failed` continues it."""
         for _ in range(20):
             run = self.start(*self.command(out, 7), preexec=preexec)
             while not (self.folder / out / "checkpoint.old.bin").exists() and run.poll() is None:
@@ -149,7 +149,7 @@ class Killed(InFolder):
             run.send_signal(signal.SIGCONT)
             run.communicate(timeout=60)
             shutil.rmtree(self.folder / out)
-        return self.fail("each run ended before it was held")
+        return self.fail("each run ended before it was paused")
 
     def failed(self, run):
         run.send_signal(signal.SIGCONT)

@@ -25,6 +25,9 @@ def main() -> int:
         subprocess.run([emulator, "-L", "/usr/aarch64-linux-gnu", "-E", f"LD_LIBRARY_PATH={libraries}", program, there], check=True)
         runs = sorted(path.name for path in there.iterdir())
         failed = 0
+        if runs != sorted(path.name for path in here.iterdir()):
+            print("the two programs made other runs")
+            failed += 1
         for run in runs:
             architecture = json.loads((there / run / "manifest.json").read_text())["architecture"]
             if architecture != "aarch64":

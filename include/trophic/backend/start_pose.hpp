@@ -13,8 +13,8 @@
 
 namespace trophic::backend {
 
-/// Throws std::invalid_argument unless the pose is inside the walls, within the arena's extent in height, and its orientation is
-/// nearly of norm 1.
+/// Throws std::invalid_argument unless the pose is inside the walls, within the arena's extent in height, and the norm of its
+/// orientation is > 0.5 and < 2.
 inline void check_start_pose(std::size_t robot, const Pose& start, const Arena& arena) {
   const Eigen::Vector3d& at = start.position_m;
   const double norm = start.orientation.norm();
