@@ -280,6 +280,16 @@ def evolved_rows(study, differences, means):
     return rows
 
 
+def walked_rows(differences):
+    """How far prey walk in the late half of runs, over drift, in cm/s: one measure, so p needs no correction."""
+    with open(differences, newline="") as file:
+        rows = [row for row in csv.DictReader(file) if (row["metric"], row["species"], row["group"], row["compared"]) == ("walked", "prey", "late", "raw")]
+    return [{"metric": row["metric"], "species": row["species"], "group": row["group"], "runs": row["n_b"], "drift_runs": row["n_a"],
+             **{name: number(100.0 * float(row[key])) for name, key in
+                (("mean", "mean_b"), ("drift", "mean_a"), ("over_drift", "difference"), ("lower", "lower"), ("upper", "upper"))},
+             "p": number(float(row["p"]))} for row in rows]
+
+
 def lives_of(runs):
     """Births, mean and greatest number of ancestors of newborn, and deaths of diverged bodies, as means over the runs of a set."""
     counts = []
