@@ -114,9 +114,30 @@ TEST_CASE("changing ecology: read from its state between changes -> continues to
   archive.finish();
   resumed.run_until(100.0);
   CHECK(state_of(resumed) == state_of(whole));
-  ChangingSimulation other{make, {moved}};
-  Archive again{bytes};
-  CHECK_THROWS_AS(other.persist(again), std::invalid_argument);
+}
+
+TEST_CASE("changing ecology: read with a schedule -> refused if it has other changes, made or to come") {
+  ChangingSimulation half{make, {halved, moved}};
+  half.run_until(30.0);
+  const std::string bytes = state_of(half);
+  const auto read_with = [&](std::vector<Change> schedule) {
+    ChangingSimulation resumed{make, std::move(schedule)};
+    Archive archive{bytes};
+    resumed.persist(archive);
+  };
+  CHECK_NOTHROW(read_with({halved, moved}));
+  CHECK_NOTHROW(read_with({{19.5, halved.number, "0.50"}, moved}));
+  for (const std::vector<Change>& other : {std::vector{moved},
+                                           {halved},
+                                           {halved, moved, {50.0, moved.number, "0.9"}},
+                                           {{halved.time_s, halved.number, "0.6"}, moved},
+                                           {{10.0, halved.number, halved.value}, moved},
+                                           {{21.0, halved.number, halved.value}, moved},
+                                           {{halved.time_s, moved.number, "0.5"}, moved},
+                                           {halved, {41.0, moved.number, moved.value}},
+                                           {halved, {moved.time_s, moved.number, "0.8"}}}) {
+    CHECK_THROWS_WITH_AS(read_with(other), doctest::Contains("other changes"), std::invalid_argument);
+  }
 }
 
 TEST_CASE("changing ecology: wrong change -> schedule refused before the run, wish refused, and the run continues") {

@@ -68,6 +68,7 @@ class ChangingSimulation final : public Simulation {
   [[nodiscard]] std::vector<Change> scheduled_until(double time_s);
   [[nodiscard]] std::unique_ptr<Simulation> changed(const std::vector<ChangeRow>& rows, const std::vector<Change>& more) const;
   void make(const std::vector<Change>& changes);
+  [[nodiscard]] bool are_scheduled(const std::vector<ChangeRow>& made, const std::vector<Change>& to_come) const;
 
   MakeChanged make_;
   Conductor* conductor_;

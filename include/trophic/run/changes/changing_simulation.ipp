@@ -161,13 +161,8 @@ TROPHIC_INLINE void ChangingSimulation::persist(Archive& archive) {
   archive(made, schedule);
   if (archive.reads()) {
     current_ = changed(made, {});
-    if (!schedule_.empty()) {
-      std::vector<Change> all;
-      for (const ChangeRow& row : made) all.push_back({row.time_s, row.number, row.value});
-      all.insert(all.end(), schedule.begin(), schedule.end());
-      const auto same = [](const Change& a, const Change& b) { return a.number == b.number; };
-      Archive::require(std::ranges::equal(all, schedule_, same), "other changes than those of --changes");
-    }
+    Archive::require(schedule_.empty() || are_scheduled(made, schedule),
+                     "other changes than those of --changes; without --changes the run continues with its own");
     made_ = std::move(made);
     schedule_ = std::move(schedule);
   }
@@ -196,6 +191,28 @@ TROPHIC_INLINE std::vector<Change> ChangingSimulation::scheduled_until(double ti
   std::vector<Change> due{schedule_.begin(), later};
   schedule_.erase(schedule_.begin(), later);
   return due;
+}
+
+/// Whether these changes, made and to come, are those of the schedule. A row has its number's value after all changes of its
+/// tick.
+TROPHIC_INLINE bool ChangingSimulation::are_scheduled(const std::vector<ChangeRow>& made,
+                                                      const std::vector<Change>& to_come) const {
+  if (made.size() > schedule_.size()) return false;
+  const auto first_to_come = schedule_.begin() + static_cast<std::ptrdiff_t>(made.size());
+  if (!std::ranges::equal(first_to_come, schedule_.end(), to_come.begin(), to_come.end())) return false;
+  const double tick_s = current_->view().tick_s;
+  for (std::size_t index = 0; index < made.size();) {
+    std::size_t end = index;
+    while (end < made.size() && made[end].tick == made[index].tick) ++end;
+    const auto after = changed({}, {schedule_.begin(), schedule_.begin() + static_cast<std::ptrdiff_t>(end)})->describe(0.0);
+    for (; index < end; ++index) {
+      const Change& planned = schedule_[index];
+      const double late_s = made[index].time_s - planned.time_s;
+      if (planned.number != made[index].number || late_s < 0.0 || late_s >= tick_s) return false;
+      if (detail::value_in(after, planned.number) != made[index].value) return false;
+    }
+  }
+  return true;
 }
 
 /// The ecology of the numbers after changes, at its start.
