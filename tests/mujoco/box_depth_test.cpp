@@ -71,7 +71,7 @@ void check_depths(const std::vector<double>& depths, std::size_t contacts, doubl
 const Eigen::Quaterniond flat = Eigen::Quaterniond::Identity();
 const Eigen::Quaterniond on_a_corner =
     Eigen::AngleAxisd{0.37, Eigen::Vector3d::UnitZ()} *
-    Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d{1.0, 1.0, 1.0}, Eigen::Vector3d::UnitZ());
+    Eigen::AngleAxisd{std::acos(std::numbers::inv_sqrt3), Eigen::Vector3d{1.0, -1.0, 0.0}.normalized()};  // its diagonal upwards
 const Eigen::Quaterniond on_an_edge =
     Eigen::AngleAxisd{0.3, Eigen::Vector3d::UnitZ()} * Eigen::AngleAxisd{std::numbers::pi / 4.0, Eigen::Vector3d::UnitX()} * flat;
 

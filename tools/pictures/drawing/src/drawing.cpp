@@ -167,7 +167,9 @@ class Drawing::Scene {
     const Eigen::Vector3d way = to - from;
     const double length = way.norm();
     if (length < 1e-6) return;
-    const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), way).toRotationMatrix();
+    const Eigen::AngleAxisd heading{std::atan2(way.y(), way.x()), Eigen::Vector3d::UnitZ()};
+    const Eigen::AngleAxisd slope{-std::atan2(way.z(), std::hypot(way.x(), way.y())), Eigen::Vector3d::UnitY()};
+    const Eigen::Matrix3d turn = (heading * slope).toRotationMatrix();
     add(mjGEOM_BOX, {0.5 * length, 0.5 * pixels * pixel_m_, flat_m}, 0.5 * (from + to), turn, colour, 1.0F);
   }
 
