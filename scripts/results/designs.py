@@ -285,9 +285,9 @@ def walked_rows(differences):
     with open(differences, newline="") as file:
         rows = [row for row in csv.DictReader(file) if (row["metric"], row["species"], row["group"], row["compared"]) == ("walked", "prey", "late", "raw")]
     return [{"metric": row["metric"], "species": row["species"], "group": row["group"], "runs": row["n_b"], "drift_runs": row["n_a"],
-             **{name: number(100.0 * float(row[key])) for name, key in
+             **{name: row[key] and number(100.0 * float(row[key])) for name, key in
                 (("mean", "mean_b"), ("drift", "mean_a"), ("over_drift", "difference"), ("lower", "lower"), ("upper", "upper"))},
-             "p": number(float(row["p"]))} for row in rows]
+             "p": row["p"] and number(float(row["p"]))} for row in rows]
 
 
 def lives_of(runs):

@@ -333,6 +333,14 @@ def evolved(rows, study):
     return table(["measure, late half", "of", "inheritance", "drift", "over drift", "shadow", "over the shadow", "runs"], lines)
 
 
+def evolved_again(rows):
+    """The measure of the second study of bodies, over drift; p is uncorrected, since there is one measure."""
+    return table(["measure, late half", "of", "inheritance", "drift", "over drift", "p", "runs"],
+                 [["walked, cm/s", row["species"], f"{float(row['mean']):.3g}", f"{float(row['drift']):.3g}",
+                   f"{float(row['over_drift']):+.3g} [{float(row['lower']):+.3g}, {float(row['upper']):+.3g}]", f"{float(row['p']):.2g}",
+                   f"{row['runs']} + {row['drift_runs']}"] for row in rows])
+
+
 def evolved_lives(rows):
     """Births and ancestors a run."""
     return table(["study", "rule table", "births", "ancestors of a newborn, mean", "at most", "bodies that diverged"],
@@ -360,6 +368,7 @@ def tables(data, choices):
             "ablations released": lambda: swaps(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance")), "lineages": lambda: lineages(data("race_arms_race_lineages")),
             "historical": lambda: historical(data("race_arms_race"))}
+    made["evolved again"] = lambda: evolved_again(data("evolution_again"))
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
     for name in EVOLVED:
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
