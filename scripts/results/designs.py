@@ -258,35 +258,40 @@ def lineage_rows(cell, summary):
     return rows
 
 
+def compared_raw(differences):
+    """The rows of raw differences that have both means."""
+    with open(differences, newline="") as file:
+        return [row for row in csv.DictReader(file) if row["compared"] == "raw" and row["mean_a"] and row["mean_b"]]
+
+
+def over_drift(row, scale):
+    """Numbers of runs, means and difference of a comparison with drift; the numbers in the unit that `scale` makes."""
+    scaled = {name: row[key] and number(scale * float(row[key])) for name, key in
+              (("mean", "mean_b"), ("drift", "mean_a"), ("over_drift", "difference"), ("lower", "lower"), ("upper", "upper"))}
+    return {"runs": row["n_b"], "drift_runs": row["n_a"], **scaled}
+
+
 def evolved_rows(study, differences, means):
     """Measures of bodies, gaits and brains in the late half of runs, with their differences from drift and from the shadow."""
     with open(means, newline="") as file:
         shadows = {(row["metric"], row["species"], row["group"]): row for row in csv.DictReader(file) if row["null"] == "shadow"}
-    with open(differences, newline="") as file:
-        compared = [row for row in csv.DictReader(file) if row["compared"] == "raw" and row["mean_a"] and row["mean_b"]]
     rows = []
-    for row in compared:
+    for row in compared_raw(differences):
         key = (row["metric"], row["species"], row["group"])
         scale = 100.0 if row["unit"] == "m/s" else 1.0
-        of_drift = {"runs": row["n_b"], "drift_runs": row["n_a"], "mean": row["mean_b"], "drift": row["mean_a"],
-                    "over_drift": row["difference"], "lower": row["lower"], "upper": row["upper"]}
         shadow = shadows.get(key, {})
-        of_shadow = {name: shadow.get(column, "") for name, column in
+        of_shadow = {name: shadow.get(column) and number(scale * float(shadow[column])) for name, column in
                      (("shadow", "null_mean"), ("over_shadow", "difference"), ("shadow_lower", "difference_lower"), ("shadow_upper", "difference_upper"))}
-        numbers = {name: value if name.endswith("runs") or not value else number(scale * float(value)) for name, value in {**of_drift, **of_shadow}.items()}
         rows.append({"study": study, "metric": row["metric"], "species": row["species"], "group": row["group"],
-                     "unit": "cm/s" if scale == 100.0 else row["unit"], **numbers,
+                     "unit": "cm/s" if scale == 100.0 else row["unit"], **over_drift(row, scale), **of_shadow,
                      "p_holm": row["p_holm"] and number(float(row["p_holm"])), "shadow_p_holm": shadow.get("p_holm") and number(float(shadow["p_holm"]))})
     return rows
 
 
 def walked_rows(differences):
     """How far prey walk in the late half of runs, over drift, in cm/s: one measure, so p needs no correction."""
-    with open(differences, newline="") as file:
-        rows = [row for row in csv.DictReader(file) if (row["metric"], row["species"], row["group"], row["compared"]) == ("walked", "prey", "late", "raw")]
-    return [{"metric": row["metric"], "species": row["species"], "group": row["group"], "runs": row["n_b"], "drift_runs": row["n_a"],
-             **{name: row[key] and number(100.0 * float(row[key])) for name, key in
-                (("mean", "mean_b"), ("drift", "mean_a"), ("over_drift", "difference"), ("lower", "lower"), ("upper", "upper"))},
+    rows = [row for row in compared_raw(differences) if (row["metric"], row["species"], row["group"]) == ("walked", "prey", "late")]
+    return [{"metric": row["metric"], "species": row["species"], "group": row["group"], **over_drift(row, 100.0),
              "p": row["p"] and number(float(row["p"]))} for row in rows]
 
 

@@ -48,6 +48,12 @@ def ranged(row, keys, sign=False):
     return middle if lower == "" else f"{middle} [{lower}, {upper}]"
 
 
+def signed(row, keys):
+    """A difference with its interval, to three figures; alone if it has no interval."""
+    middle, lower, upper = (row[key] and f"{float(row[key]):+.3g}" for key in keys)
+    return middle + (f" [{lower}, {upper}]" if lower else "")
+
+
 def title(row):
     """The name of a metric in words."""
     metric, species, group = row["metric"], row["species"], row["group"]
@@ -304,7 +310,7 @@ def lineages(rows):
                 row = next(row for row in rows if (row["cell"], row["measure"], row["species"], row["group"], row["null"]) == (cell, measure, species, group, null))
                 star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
                 line.append(f"{float(row['mean']):.3g}" if row["mean"] else "")
-                line.append(f"{float(row['difference']):+.3g} [{float(row['lower']):+.3g}, {float(row['upper']):+.3g}]{star}" if row["lower"] else "")
+                line.append(signed(row, ("difference", "lower", "upper")) + star if row["lower"] else "")
             lines.append(line)
     return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
 
@@ -318,8 +324,7 @@ def evolved(rows, study):
     """Measures of the late half of the runs, over drift and over the shadow; * after Holm's correction for all measures."""
     def over(row, keys, p):
         star = "*" if row[p] and float(row[p]) <= 0.05 else ""
-        middle, lower, upper = (row[key] and f"{float(row[key]):+.3g}" for key in keys)
-        return middle + (f" [{lower}, {upper}]" if lower else "") + star
+        return signed(row, keys) + star
 
     lines = []
     for metric in EVOLVED[study]:
@@ -337,7 +342,7 @@ def evolved_again(rows):
     """The measure of the second study of bodies, over drift; p is uncorrected, since there is one measure."""
     return table(["measure, late half", "of", "inheritance", "drift", "over drift", "p", "runs"],
                  [["walked, cm/s", row["species"], f"{float(row['mean']):.3g}", f"{float(row['drift']):.3g}",
-                   f"{float(row['over_drift']):+.3g} [{float(row['lower']):+.3g}, {float(row['upper']):+.3g}]", f"{float(row['p']):.2g}",
+                   signed(row, ("over_drift", "lower", "upper")), f"{float(row['p']):.2g}",
                    f"{row['runs']} + {row['drift_runs']}"] for row in rows])
 
 
