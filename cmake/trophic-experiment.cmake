@@ -1,9 +1,9 @@
-# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode] [ANALYZE] [WITHOUT_MPI] [WITHOUT_WATCH] [WITHOUT_LIVE]): a program of trophic/command, with ANALYZE
-# also of the command analyze (component analysis), linked with the engines that are named, or with every one that was found, and with MPI, a window and a live page, where they were found; with the compiled libraries where there are, else from headers. Manifests and --version name
+# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode] [ANALYZE] [WITHOUT_MPI] [WITHOUT_LIVE]): a program of trophic/command, with ANALYZE
+# also of the command analyze (component analysis), linked with the engines that are named, or with every one that was found, and with MPI and a live page, where they were found; with the compiled libraries where there are, else from headers. Manifests and --version name
 # the revision of the project's sources and the flags of the build.
 
 function(trophic_add_experiment name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "ANALYZE;WITHOUT_MPI;WITHOUT_WATCH;WITHOUT_LIVE" "" "BACKENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ANALYZE;WITHOUT_MPI;WITHOUT_LIVE" "" "BACKENDS")
   set(kind "")
   if(TARGET trophic::command_compiled)
     set(kind _compiled)
@@ -22,9 +22,6 @@ function(trophic_add_experiment name)
   endforeach()
   if(TARGET trophic::mpi${kind} AND NOT arg_WITHOUT_MPI)
     target_link_libraries(${name} PRIVATE trophic::mpi${kind})
-  endif()
-  if(TARGET trophic::watch AND kind AND NOT arg_WITHOUT_WATCH)
-    target_link_libraries(${name} PRIVATE trophic::watch)
   endif()
   if(TARGET trophic::live AND kind AND NOT arg_WITHOUT_LIVE)
     target_link_libraries(${name} PRIVATE trophic::live)

@@ -12,7 +12,6 @@
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/selection.hpp>
 #include <trophic/command/table_experiment.hpp>
-#include <trophic/command/watching.hpp>
 #include <trophic/io/own_metric.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/rules/table.hpp>
@@ -53,9 +52,6 @@ template <class Backends, class... Rules>
 #endif
 #ifdef TROPHIC_WITH_ANALYSIS
     linked.make_analyze = &command::analyze;
-#endif
-#ifdef TROPHIC_WITH_WATCH
-    linked.open_window = &command::open_window;
 #endif
 #ifdef TROPHIC_WITH_LIVE
     linked.open_live = &live::open;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """saved_world_test.py PREDATOR_PREY: MuJoCo's own program opens a world that --save-mjcf wrote and shows both species."""
 
+import os
 import pathlib
 import shutil
 import subprocess
@@ -11,7 +12,6 @@ import unittest
 import xml.etree.ElementTree
 
 import system_python
-import virtual_screen
 
 system_python.need("numpy", "PIL")
 
@@ -21,6 +21,7 @@ from PIL import Image  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 BLUE, ORANGE = (0, 114, 178), (213, 94, 0)
+NEEDED = ("mujoco-simulate", "Xvfb", "ffmpeg")
 
 
 class SavedWorld(InFolder):
@@ -47,23 +48,31 @@ class SavedWorld(InFolder):
         done = subprocess.run([PROGRAM, "--save-mjcf", "none/world.xml"], capture_output=True, text=True, cwd=self.folder, timeout=120)
         self.assertEqual((done.returncode, done.stderr), (1, "trophic-predator-prey: cannot create none/world.xml: No such file or directory\n"))
 
-    @unittest.skipIf(shutil.which("mujoco-simulate") is None or virtual_screen.missing(), "apt-get install libmujoco-samples xvfb xdotool ffmpeg")
+    def start(self, *command, **how):
+        program = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **how)
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        return program
+
+    @unittest.skipUnless(all(map(shutil.which, NEEDED)), "apt-get install libmujoco-samples xvfb ffmpeg")
     def test_simulate_shows_both_species(self):
+        reads, writes = os.pipe()
+        self.start("Xvfb", "-displayfd", str(writes), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-noreset", pass_fds=[writes])
+        os.close(writes)
+        with os.fdopen(reads) as pipe:
+            display = f":{pipe.readline().strip()}"
+        picture = ["ffmpeg", "-v", "error", "-y", "-f", "x11grab", "-video_size", "1280x720", "-i", display, "-frames:v", "1", "screen.png"]
         for arena in ("walled_square", "height_field"):
-            with self.subTest(arena), virtual_screen.VirtualScreen() as screen:
+            with self.subTest(arena):
                 pathlib.Path(self.folder / "world.xml").unlink(missing_ok=True)
                 self.assertEqual(self.save("--set", f"ecology.arena={arena}").returncode, 0)
-                command = ["mujoco-simulate", str(self.folder / "world.xml")]
-                program = subprocess.Popen(command, env=screen.environment, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-                self.addCleanup(program.wait)
-                self.addCleanup(program.kill)
-                screen.window("Simulate : ", program)
-                deadline = 40
+                program = self.start("mujoco-simulate", self.folder / "world.xml", env={**os.environ, "DISPLAY": display}, cwd=self.folder)
+                deadline = time.monotonic() + 160
                 seen = {}
-                while deadline > 0 and (not seen or min(seen.values()) < 10):
+                while time.monotonic() < deadline and (not seen or min(seen.values()) < 10):
                     time.sleep(1)
-                    deadline -= 1
-                    screen.screenshot(self.folder / "screen.png")
+                    self.assertIsNone(program.poll(), "mujoco-simulate ended")
+                    subprocess.run(picture, check=True, timeout=60, capture_output=True, cwd=self.folder)
                     world = numpy.array(Image.open(self.folder / "screen.png").convert("RGB"))[:480, 275:580].astype(int)
                     seen = {colour: int((numpy.abs(world - colour).sum(axis=-1) < 110).sum()) for colour in (BLUE, ORANGE)}
                 self.assertGreaterEqual(min(seen.values()), 10, seen)

@@ -7,7 +7,6 @@
 #include <trophic/command/live.hpp>
 #include <trophic/command/option.hpp>
 #include <trophic/command/selection.hpp>
-#include <trophic/command/watching.hpp>
 #include <trophic/io/own_metric.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/support/linkage.hpp>
@@ -28,7 +27,6 @@ using MakeAnalyze = Command (*)(const std::string& program, const io::OwnMetrics
 /// Optional parts that a program is linked with, besides its backends; null for those that it lacks.
 struct LinkedParts {
   FindTeam find_team = nullptr;
-  OpenWindow open_window = nullptr;
   OpenLive open_live = nullptr;
   MakeAnalyze make_analyze = nullptr;
   io::OwnTables own_tables = {};

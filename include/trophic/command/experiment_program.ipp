@@ -88,8 +88,7 @@ namespace detail {
        {"--save-mjcf", &options.save_mjcf,
         "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"}});
   add("Look",
-      {{"--watch", &options.watch, "show the run in a window; its files are the same. H in the window lists keys and mouse"},
-       {"--live", &options.live,
+      {{"--live", &options.live,
         "show the run in a browser of this machine and let the page pause it, change numbers of rules and start again; it prints "
         "the page's address"},
        {"--live-port", &options.live_port, "port of that address, for ssh -L (any free one)"}});
@@ -134,9 +133,6 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   }
   if (options.at_s && options.from.empty()) throw std::invalid_argument{"--at: needs --from"};
   if (!options.from.empty() && !options.save_mjcf.empty()) throw std::invalid_argument{"--from: not with --save-mjcf"};
-  if (options.watch && (options.replicates || (!options.save_mjcf.empty() && options.out.empty()))) {
-    throw std::invalid_argument{"--watch: needs a run, and one only; not with --replicates or with --save-mjcf without --out"};
-  }
   if (!options.save_mjcf.empty()) check_new_file("--save-mjcf", options.save_mjcf);
   if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {
@@ -145,8 +141,8 @@ TROPHIC_INLINE void check(const ExperimentOptions& options) {
   if (options.agents_every < 1 || options.agents_every > 1'000'000) {
     throw std::invalid_argument{"--agents-every " + std::to_string(options.agents_every) + ": must be >= 1 and <= 1000000"};
   }
-  if (options.live && (options.watch || options.replicates || !options.from.empty() || !options.save_mjcf.empty())) {
-    throw std::invalid_argument{"--live: needs a run, and one only; not with --watch, --replicates, --from or --save-mjcf"};
+  if (options.live && (options.replicates || !options.from.empty() || !options.save_mjcf.empty())) {
+    throw std::invalid_argument{"--live: needs a run, and one only; not with --replicates, --from or --save-mjcf"};
   }
   if (options.live_port && !options.live) throw std::invalid_argument{"--live-port: needs --live"};
   if (options.live_port && (*options.live_port < 1024 || *options.live_port > 65535)) {
@@ -207,7 +203,7 @@ TROPHIC_INLINE void check_unchanged(const OriginRun& origin) {
   }
   const bool is_printed = options.print_config || !options.print_table.empty();
   if (options.live && !is_printed) return run_live(selection, options, config, offer, linked.open_live);
-  return run_experiment(selection, options, config, origin, linked.open_window);
+  return run_experiment(selection, options, config, origin);
 }
 
 [[nodiscard]] TROPHIC_INLINE int run_options(ExperimentOptions& options, const Offer& offer, sweep::Team* team,

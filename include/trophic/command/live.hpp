@@ -7,10 +7,14 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <trophic/command/watching.hpp>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/run/changes/change.hpp>
 #include <trophic/run/changes/changing_simulation.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <vector>
 
 namespace trophic::command {
@@ -32,12 +36,21 @@ struct Restart {
   std::vector<changes::ChangeRow> made;  ///< changes of the run before
 };
 
-/// A server of pages on this machine. It is the window of its runs.
-class LiveServer : public Window {
+/// A server of pages on this machine.
+class LiveServer {
  public:
+  LiveServer() = default;
+  LiveServer(const LiveServer&) = delete;
+  LiveServer& operator=(const LiveServer&) = delete;
+  virtual ~LiveServer() = default;
+
   /// Shows another run from now on.
   virtual void begin(const LiveRun& run) = 0;
   [[nodiscard]] virtual changes::Conductor& conductor() = 0;
+  /// As checkpoint::run_with_checkpoints, with the server as an observer.
+  virtual void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
+                                    const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
+                                    io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
   /// After a run: waits until a page asks for another one; `nullopt` once all pages are closed, or if a signal came.
   [[nodiscard]] virtual std::optional<Restart> next() = 0;
 };

@@ -9,7 +9,6 @@
 #include <trophic/command/config.hpp>
 #include <trophic/command/experiment_options.hpp>
 #include <trophic/command/selection.hpp>
-#include <trophic/command/watching.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
@@ -30,7 +29,7 @@ namespace trophic::command {
 
 /// Does the work of the options with a selection and returns the exit code.
 [[nodiscard]] int run_experiment(const Selection& selection, const ExperimentOptions& options, const Config& config,
-                                 const std::optional<OriginRun>& origin, OpenWindow open_window);
+                                 const std::optional<OriginRun>& origin);
 
 /// A planned run: its description and its amount of work.
 struct PlannedFacts {

@@ -16,6 +16,7 @@
 #include <thread>
 #include <trophic/command/config.hpp>
 #include <trophic/command/experiment_of.hpp>
+#include <trophic/command/live.hpp>
 #include <trophic/command/output.hpp>
 #include <trophic/command/run_command.hpp>
 #include <trophic/command/run_experiment.hpp>
@@ -165,9 +166,9 @@ namespace detail {
   return run_state;
 }
 
-/// Runs an ecology into the folder that the options name and returns the exit code. `window`: null without --watch.
+/// Runs an ecology into the folder that the options name and returns the exit code. `live`: null without --live.
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
-                                         checkpoint::RunState run_state, const std::optional<OriginRun>& origin, Window* window) {
+                                         checkpoint::RunState run_state, const std::optional<OriginRun>& origin, LiveServer* live) {
   observe::StopOnSignal stop;
   const observe::RunDescription run = ecology.describe(until_s);
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
@@ -181,8 +182,8 @@ namespace detail {
       checkpoint::begin_at(run_state, origin->moment, ecology, folder.manifest(), checkpoint::parts_of(folder, progress, stop));
     }
     const checkpoint::Schedule schedule = schedule_of(options);
-    if (window != nullptr) {
-      window->run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
+    if (live != nullptr) {
+      live->run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
     } else {
       checkpoint::run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
     }
@@ -197,9 +198,9 @@ namespace detail {
   return report_run(folder, progress, ecology, run);
 }
 
-/// One run, shown by a window, which may be null.
+/// One run, shown by a server, which may be null.
 [[nodiscard]] inline int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const MakeSimulation& make,
-                                  const std::optional<OriginRun>& origin, Window* window) {
+                                  const std::optional<OriginRun>& origin, LiveServer* live) {
   const std::unique_ptr<Simulation> ecology = make(experiment.seed());
   if (!options.save_mjcf.empty()) {
     const std::unique_ptr<Simulation> plain = experiment.simulations(false)(experiment.seed());
@@ -211,18 +212,7 @@ namespace detail {
   if (!run_state) return stopped;
   if (!run_state->remark.empty()) std::cout << options.out << " " << run_state->remark << std::endl;
   if (run_state->complete) return 0;
-  const auto simulate = [&] { return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, window); };
-  return window != nullptr ? window->show(simulate) : simulate();
-}
-
-/// The window of --watch; null without it.
-[[nodiscard]] inline std::unique_ptr<Window> window_of(const ExperimentOptions& options, OpenWindow open_window) {
-  if (!options.watch) return nullptr;
-  if (open_window == nullptr) {
-    throw std::invalid_argument{
-        "--watch: this program was built without a window; apt-get install libglfw3-dev libmujoco-dev and build again"};
-  }
-  return open_window(options.program);
+  return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, live);
 }
 
 /// Whether a replicate, or one of its shadow, has nothing to resume from.
@@ -327,7 +317,7 @@ TROPHIC_INLINE bool replay(const Selection& selection, const OriginRun& origin, 
 }
 
 TROPHIC_INLINE int run_experiment(const Selection& selection, const ExperimentOptions& options, const Config& config,
-                                  const std::optional<OriginRun>& origin, OpenWindow open_window) {
+                                  const std::optional<OriginRun>& origin) {
   const auto experiment = detail::experiment_of(selection, options, config);
   if (options.print_config)
     return detail::print_config(selection.table->name, selection.backend->name, experiment->named_params());
@@ -337,9 +327,8 @@ TROPHIC_INLINE int run_experiment(const Selection& selection, const ExperimentOp
     return print_text(options.print_table == "latex" ? rules::latex_table(rules) : rules::markdown_table(rules));
   }
   if (options.replicates) return detail::run_replicates(selection, options, config, *experiment, origin);
-  const auto window = detail::window_of(options, open_window);
   return detail::run_once(options, *experiment, detail::simulations(selection, options, config, *experiment, false), origin,
-                          window.get());
+                          nullptr);
 }
 
 TROPHIC_INLINE PlannedFacts facts(const Selection& selection, const Config& config, bool shadow) {

@@ -141,7 +141,6 @@ inline void check(const ExperimentOptions& options, const sweep::Team* team) {
   refuse(!options.from.empty(), "--from", "each run begins at its beginning");
   refuse(options.threads.has_value(), "--threads", "each run has one thread; see --jobs");
   refuse(!options.save_mjcf.empty(), "--save-mjcf", "run one cell for it");
-  refuse(options.watch, "--watch", "run one cell for it");
   refuse(options.print_config || !options.print_table.empty(), "--print-config and --print-table", "run one cell for it");
   if (options.out.empty() && !options.dry_run) {
     throw std::invalid_argument{"--sweep: needs --out, the folder that all its programs share"};

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -75,7 +74,6 @@ class Session final : public command::LiveServer, private Listener {
     sight_.begin(run);
   }
   [[nodiscard]] changes::Conductor& conductor() override { return steering_; }
-  [[nodiscard]] int show(const std::function<int()>& simulate) override { return simulate(); }
   void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
                             const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
                             io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) override {

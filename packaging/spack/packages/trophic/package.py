@@ -42,7 +42,6 @@ class Trophic(CMakePackage):
         return [
             self.define("TROPHIC_BUILD_TESTS", False),
             self.define("TROPHIC_WARNINGS_AS_ERRORS", False),
-            self.define("TROPHIC_WATCH", "OFF"),
             self.define("TROPHIC_BACKEND_MUJOCO", "ON" if "+mujoco" in self.spec else "OFF"),
             self.define("TROPHIC_BACKEND_ODE", "OFF"),
             self.define("TROPHIC_MPI", "ON" if "+mpi" in self.spec else "OFF"),

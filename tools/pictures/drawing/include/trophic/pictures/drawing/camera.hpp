@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera of a picture, and projections between picture and floor.
+// The camera of a picture, and where it sees a point.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,14 +59,6 @@ struct Sight {
   const double depth = way.dot(sight.forward) * half_height();
   if (!(depth > 0.0)) return std::nullopt;
   return PicturePoint{way.dot(sight.right) / depth, way.dot(sight.up) / depth};
-}
-
-/// Returns the point of the floor (z = 0) that is seen at a place; `nullopt` above the horizon.
-[[nodiscard]] inline std::optional<Eigen::Vector2d> floor_at(const Camera& camera, const PicturePoint& point) {
-  const Sight sight{camera};
-  const Eigen::Vector3d ray = sight.forward + half_height() * (point.x * sight.right + point.y * sight.up);
-  if (!(ray.z() < -1e-6) || !(sight.eye_m.z() > 0.0)) return std::nullopt;
-  return (sight.eye_m - sight.eye_m.z() / ray.z() * ray).head<2>();
 }
 
 /// Sees the whole arena from the south, as near as all of its corners are in the picture. `aspect`: width over height of the
