@@ -5,7 +5,6 @@ import { catchesOf, CatchScene, firstToShow, leadSeconds } from "./director";
 import { make } from "./element";
 import { makeFrame } from "./frame";
 import { Help } from "./help";
-import { keysOf, listenToKeys } from "./keys";
 import { legendOf } from "./legend";
 import { readLink, writeLink } from "./link";
 import type { Live } from "./live";
@@ -52,7 +51,7 @@ export class App {
   private readonly frames: HTMLElement[] = [];
   readonly timebar = new TimeBar((time, event) => (event ? this.show(event) : this.seek(time)));
   readonly side: Side;
-  readonly help: Help;
+  readonly help = new Help();
   private readonly controls: Controls;
   private readonly stopping = new AbortController();
   /** Of a live run: whether it is shown as it is now, and whether it has grown since the page was drawn. */
@@ -87,16 +86,13 @@ export class App {
       this.shown,
       live !== null,
     );
-    const keys = keysOf(this);
-    this.help = new Help(keys);
     this.build();
     runs.forEach((run, number) => this.addWorld(run, number));
     this.views.style.setProperty("--columns", String(Math.ceil(Math.sqrt(runs.length))));
     this.time = this.firstTime;
     new ResizeObserver(() => this.resize()).observe(this.views);
-    const { signal } = this.stopping;
+    const { signal } = this;
     window.addEventListener("hashchange", () => this.follow(), { signal });
-    listenToKeys(keys, this.help, signal);
     onThemeChange(() => this.paint(), signal);
     this.setCurrent(0);
     if (live) {
@@ -205,6 +201,10 @@ export class App {
     return this.worlds[this.current]?.view ?? "orbit";
   }
 
+  /** Aborted when the page is left to another app. */
+  get signal(): AbortSignal {
+    return this.stopping.signal;
+  }
   /** Leaves the page to another app. */
   stop(): void {
     this.stopping.abort();

@@ -20,16 +20,19 @@ const pointer: [string, string][] = [
 export class Help {
   readonly element = make("dialog", "help");
   readonly legend = make("ul", "legend");
+  private readonly list = make("dl");
 
-  constructor(keys: Key[]) {
-    const list = make("dl");
-    for (const [name, meaning] of [...keys.map((key): [string, string] => [key.name, key.meaning]), ...pointer]) {
-      list.append(make("dt", "", name), make("dd", "", meaning));
-    }
-    this.element.append(make("h2", "", "Marks"), this.legend, make("h2", "", "Keys and pointer"), list, makeButton("Close", "(Esc)", () => this.element.close()));
+  constructor() {
+    this.element.append(make("h2", "", "Marks"), this.legend, make("h2", "", "Keys and pointer"), this.list, makeButton("Close", "(Esc)", () => this.element.close()));
     this.element.addEventListener("click", (e) => {
       if (e.target === this.element) this.element.close();
     });
+  }
+
+  show(keys: Key[]): void {
+    for (const [name, meaning] of [...keys.map((key): [string, string] => [key.name, key.meaning]), ...pointer]) {
+      this.list.append(make("dt", "", name), make("dd", "", meaning));
+    }
   }
 
   toggle(): void {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Keys, in the order in which the help lists them.
 import type { App } from "./app";
-import type { Help, Key } from "./help";
+import type { Key } from "./help";
 
-export function keysOf(app: App): Key[] {
+function keysOf(app: App): Key[] {
   return [
     { keys: [" "], name: "space", meaning: "play or pause", work: () => app.play(!app.playing) },
     { keys: ["ArrowLeft"], name: "←", meaning: "one tick back", work: () => app.step(-1) },
@@ -32,8 +32,11 @@ export function keysOf(app: App): Key[] {
   ];
 }
 
-/** Calls the work of a pressed key, unless a text is typed. */
-export function listenToKeys(keys: Key[], help: Help, signal: AbortSignal): void {
+/** Lists the keys in the help of an app, and calls the work of a pressed one, unless a text is typed. */
+export function listenToKeys(app: App): void {
+  const { help, signal } = app;
+  const keys = keysOf(app);
+  help.show(keys);
   window.addEventListener("keydown", (e) => {
     const isText = e.target instanceof HTMLSelectElement || (e.target instanceof HTMLInputElement && ["search", "number", "range"].includes(e.target.type) && e.key !== "Escape");
     if (isText || e.ctrlKey || e.metaKey || e.altKey || (help.element.open && e.key !== "?")) return;

@@ -3,7 +3,8 @@
 import uPlotStyle from "uplot/dist/uPlot.min.css";
 import { App } from "./app";
 import { make } from "./element";
-import { connect } from "./live";
+import { listenToKeys } from "./keys";
+import { connect, type Live } from "./live";
 import { Run, type RunIndex } from "./run";
 import style from "./style.css";
 
@@ -27,8 +28,7 @@ async function open(): Promise<void> {
     await pause();
     runs.push(await Run.open(one, number));
   }
-  const app = new App(runs);
-  window.trophic = app;
+  const app = show(runs);
   for (const run of runs) {
     await run.readTracks(async (part) => {
       if (run === app.run) app.side.plots.speed.progress(part);
@@ -36,6 +36,13 @@ async function open(): Promise<void> {
     });
     if (run === app.run) app.showPlots();
   }
+}
+
+function show(runs: Run[], live: Live | null = null): App {
+  const app = new App(runs, live);
+  listenToKeys(app);
+  window.trophic = app;
+  return app;
 }
 
 /** Shows a live run. */
@@ -46,8 +53,7 @@ function follow(): void {
     begun: (live) => {
       app?.stop();
       document.title = `${live.facts.label}, live`;
-      app = new App([live.run], live);
-      window.trophic = app;
+      app = show([live.run], live);
     },
     grown: () => app?.grown(),
     state: () => app?.showState(),
