@@ -17,6 +17,8 @@ from collections.abc import Iterator
 
 import pandas
 
+from . import programs
+
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Columns of texts, whose empty cells are empty texts.
 _TEXT = ("same_as", "null", "compared", "event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "swap", "tag_outcome",
@@ -79,8 +81,9 @@ class Run:
 
     def show(self, out: str | os.PathLike | None = None):
         """Makes a page of the run (`trophic show`), which a notebook displays; `out` is a new file for it."""
-        from .start import show
-        return show(self, out)
+        if not (self.path / "replay.trp").exists():
+            raise RunError(f"{self.path}: has no recording, replay.trp")
+        return programs.show(self.path, out)
 
     def add_table(self, name: str, frame: pandas.DataFrame) -> pathlib.Path:
         """Writes an own table, NAME.csv, into the run's folder, for `trophic analyze --column NAME.csv:COLUMN`. Raises RunError if it exists."""

@@ -4,36 +4,11 @@ from __future__ import annotations
 
 import os
 import pathlib
-import shutil
-import subprocess
 
-from .runs import Analysis, Run, RunError, Runs, read_analysis, read_run, read_runs
+from .programs import Page, ProgramError, call, find_program
+from .runs import Analysis, Run, Runs, read_analysis, read_run, read_runs
 
 __all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show"]
-
-
-class ProgramError(RuntimeError):
-    """A program that is not there or that failed; the message is the program's own sentence."""
-
-
-def find_program(name: str) -> str:
-    """The path of one of trophic's programs: in $TROPHIC_BIN, next to an installed copy of this module, or on the PATH."""
-    places = [os.environ.get("TROPHIC_BIN"), str(pathlib.Path(__file__).resolve().parents[4] / "bin")]
-    for place in filter(None, places):
-        if (found := shutil.which(name, path=place)) is not None:
-            return found
-    if (found := shutil.which(name)) is not None:
-        return found
-    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
-
-
-def _call(program: str, arguments: list, what: str) -> None:
-    try:
-        done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    except OSError as error:
-        raise ProgramError(f"{program}: {error.strerror}") from None
-    if done.returncode != 0:
-        raise ProgramError(done.stderr.strip() or f"{what}: exit code {done.returncode}")
 
 
 def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, backend: str | None = None, rules: str | None = None,
@@ -60,7 +35,7 @@ def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, back
         arguments.append("--shadow")
     if pathlib.Path(out).exists():
         raise ProgramError(f"out={out}: exists already; nothing is overwritten")
-    _call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")
+    call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")
     return read_run(out) if replicates is None else read_runs(out)
 
 
@@ -68,32 +43,10 @@ def analyze(runs: Run | Runs | str | os.PathLike, *, out: str | os.PathLike, opt
     """`trophic analyze` of a run or replicates into the new folder `out`, read. `options`: further arguments, ["--metric", "deaths"]."""
     if pathlib.Path(out).exists():
         raise ProgramError(f"out={out}: exists already; nothing is overwritten")
-    _call(find_program("trophic"), ["analyze", getattr(runs, "path", runs), *(options or []), "--out", out], "trophic analyze")
+    call(find_program("trophic"), ["analyze", getattr(runs, "path", runs), *(options or []), "--out", out], "trophic analyze")
     return read_analysis(out)
-
-
-class Page:
-    """A page of `trophic show`: drawn in a notebook, opened in a browser by open()."""
-
-    def __init__(self, path: pathlib.Path):
-        self.path = path
-
-    def _repr_html_(self) -> str:
-        import html
-        text = html.escape(self.path.read_text(), quote=True)
-        return f'<iframe srcdoc="{text}" style="width: 100%; height: 640px; border: 1px solid #ccc"></iframe>'
-
-    def open(self) -> None:
-        import webbrowser
-        webbrowser.open(self.path.resolve().as_uri())
 
 
 def show(run: Run, out: str | os.PathLike | None = None) -> Page:
     """A page of a recorded run, in `out` or in a temporary file."""
-    if out is None:
-        import tempfile
-        out = pathlib.Path(tempfile.mkdtemp(prefix="trophic-")) / "run.html"
-    if not (run.path / "replay.trp").exists():
-        raise RunError(f"{run.path}: has no recording, replay.trp")
-    _call(find_program("trophic"), ["show", run.path, "-o", out], "trophic show")
-    return Page(pathlib.Path(out))
+    return run.show(out)

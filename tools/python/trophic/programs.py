@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""Trophic's programs as commands: where they are, what they say when they fail, and the page that `trophic show` makes."""
+from __future__ import annotations
+
+import os
+import pathlib
+import shutil
+import subprocess
+
+
+class ProgramError(RuntimeError):
+    """A program that is not there or that failed; the message is the program's own sentence."""
+
+
+def find_program(name: str) -> str:
+    """The path of one of trophic's programs: in $TROPHIC_BIN, next to an installed copy of this module, or on the PATH."""
+    places = [os.environ.get("TROPHIC_BIN"), str(pathlib.Path(__file__).resolve().parents[4] / "bin")]
+    for place in filter(None, places):
+        if (found := shutil.which(name, path=place)) is not None:
+            return found
+    if (found := shutil.which(name)) is not None:
+        return found
+    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
+
+
+def call(program: str, arguments: list, what: str) -> None:
+    """Calls a program. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
+    try:
+        done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    except OSError as error:
+        raise ProgramError(f"{program}: {error.strerror}") from None
+    if done.returncode != 0:
+        raise ProgramError(done.stderr.strip() or f"{what}: exit code {done.returncode}")
+
+
+class Page:
+    """A page of `trophic show`: drawn in a notebook, opened in a browser by open()."""
+
+    def __init__(self, path: pathlib.Path):
+        self.path = path
+
+    def _repr_html_(self) -> str:
+        import html
+        text = html.escape(self.path.read_text(), quote=True)
+        return f'<iframe srcdoc="{text}" style="width: 100%; height: 640px; border: 1px solid #ccc"></iframe>'
+
+    def open(self) -> None:
+        import webbrowser
+        webbrowser.open(self.path.resolve().as_uri())
+
+
+def show(folder: pathlib.Path, out: str | os.PathLike | None = None) -> Page:
+    """A page of the recorded run in a folder, in `out` or in a temporary file."""
+    if out is None:
+        import tempfile
+        out = pathlib.Path(tempfile.mkdtemp(prefix="trophic-")) / "run.html"
+    call(find_program("trophic"), ["show", folder, "-o", out], "trophic show")
+    return Page(pathlib.Path(out))
