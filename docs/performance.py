@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Draws docs/performance.png and fills the tables of speed in docs/performance.md and backends/mujoco/README.md from what bench_mujoco
-printed. All of it anew, measurement included: cmake --build build/ci --target performance
+"""Draws docs/performance.png and fills the first two tables of docs/performance.md from the output of bench_mujoco.
+Measures and does both: cmake --build build/ci --target performance
 
-    python3 docs/performance.py docs/performance.txt docs/performance.png docs/performance.md backends/mujoco/README.md
+    python3 docs/performance.py docs/performance.txt docs/performance.png docs/performance.md
 """
 import re
 import sys
@@ -12,7 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-# Okabe and Ito's colours, told apart by colour-blind readers; line styles and markers differ too.
+# Okabe and Ito's colours, which colour-blind readers distinguish; line styles and markers differ too.
 WAYS = (
     ("fast, 2 threads", "#0072B2", "o", "-"),
     ("fast, 1 thread", "#56B4E9", "s", "--"),
@@ -45,7 +45,7 @@ def number(speed):
 
 def rows_of(path):
     """Header of a table in the documents -> its rows, made from what bench_mujoco printed."""
-    times, speeds, brief = [], [], []
+    times, speeds = [], []
     inside = False
     with open(path) as file:
         for line in file:
@@ -55,7 +55,6 @@ def rows_of(path):
             if inside:
                 robots, whole, one, two, memory = (None if cell == "-" else float(cell) for cell in line.split())
                 start = f"| {robots:,.0f} | {number(whole)} | {number(one)} | {number(two)} |".replace("|  |", "| |")
-                brief.append(start)
                 speeds.append(f"{start} {memory:,.0f} |")
             else:
                 robots, whole, *ways = line.replace("= 1/", "").split()
@@ -66,7 +65,6 @@ def rows_of(path):
     return {
         "| robots | one model | islands, 1 thread |": times,
         "| robots | one model | fast, 1 thread |": speeds,
-        "| robots | one MuJoCo model |": brief,
     }
 
 
@@ -89,11 +87,10 @@ def fill(document, tables):
         file.write("\n".join(lines) + "\n")
 
 
-def main(source, target, *documents):
+def main(source, target, document):
     table = read(source)
     tables = rows_of(source)
-    for document in documents:
-        fill(document, tables)
+    fill(document, tables)
     figure, axes = plt.subplots(figsize=(7.0, 4.2), dpi=150)
     for (label, colour, marker, style), column in zip(WAYS, (2, 1, 0)):
         points = [(robots, speeds[column]) for robots, speeds in sorted(table.items()) if speeds[column]]
@@ -118,6 +115,6 @@ def main(source, target, *documents):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
     main(*sys.argv[1:])
