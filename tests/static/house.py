@@ -77,6 +77,17 @@ def policies_have_tests():
     return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
 
 
+def policies_in_suites():
+    """Each policy is named in tests/conformance/rules_test.cpp, but for rules made of parts and the slot Embodiment, which needs an engine."""
+    named = set(re.findall(r"\w+", (ROOT / "tests/conformance/rules_test.cpp").read_text()))
+    kinds = ("perception", "control", "reproduction", "death", "initialization")
+    headers = [path for path in sources(*(f"include/trophic/{kind}" for kind in kinds), suffixes=(".hpp",)) if path.parent.name != "embodiment"]
+    checked = [(path, path.read_text()) for path in headers if path.stem != "contract" and "detail" not in path.parts]
+    policies = [(path, name) for path, text in checked if ": Parts<" not in text for name in re.findall(r"^static_assert\(\w+<(?:\w+::)*(\w+)", text, re.M)]
+    offences = [f"{path.relative_to(ROOT)}: {name} is in no suite of tests/conformance/rules_test.cpp" for path, name in policies if name not in named]
+    return offences or ([] if policies else ["no policies were found"])
+
+
 def two_policies_per_slot():
     """Each folder of a slot, which slots.hpp includes, holds two policies at least: headers that check its contract."""
     offences = []
