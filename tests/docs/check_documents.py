@@ -7,7 +7,10 @@ links     each link and anchor resolves
 commands  each command's program, flags, keys, presets and targets are accepted (--programs: folder of the built programs)
 excerpts  each block marked as taken from a file is in that file
 figures   each section with a table of figures names the command that made them
-slots     docs/how-to/which-slot.md links every policy's header and marks those of the two tables
+slots     docs/how-to/which-slot.md has a heading for each slot, links every policy's header and marks those of the two tables
+reading   docs/read-in-an-hour.md has twelve files of at most 1,500 lines together, with two or three sentences each, whose names they have
+lengths   README, the changelog's unreleased section and the cells of tables are short
+speed     a document that repeats a figure of speed repeats that of docs/performance.md
 sentences no sentence of any document, in its prose or in a cell of a table, has more than 30 words
 readme    README has its two commands, continuous integration calls the second, and each word of the glossary is linked
           where it is first used
@@ -29,6 +32,9 @@ from documents import Document, all_documents, slug
 
 README_COMMANDS = ["scripts/quickstart", "scripts/run-tests"]
 LONGEST_SENTENCE = 30
+LONGEST_CELL = 600  # characters
+LONGEST_README, LONGEST_UNRELEASED = 250, 40  # lines
+READ_FILES, READ_LINES = 12, 1500
 HISTORY = {"CHANGELOG.md"}  # mentions names that are gone
 SUFFIXES = ("hpp", "ipp", "cpp", "h", "py", "md", "toml", "csv", "json", "png", "cmake", "txt", "html", "trp", "bin", "bib", "svg", "log", "sh")
 SOURCES = (".hpp", ".ipp", ".cpp", ".py", ".toml", ".cmake", ".json", ".ts", ".in", ".bib", ".cff", ".txt", ".sh", ".js", ".yml", ".yaml")
@@ -202,6 +208,9 @@ def slots(tree: Tree, document: Document) -> list[str]:
     policies = [path for path in headers if re.search(r"^  static constexpr std::string_view name\b|^using \w+ = .*\nstatic_assert", path.read_text(), re.M)]
     missing = [path.relative_to(tree.root) for path in policies if path.resolve() not in linked]
     offences = [f"1: no link to the policy {path}" for path in sorted(missing)] + ([] if policies else ["1: no policies were found"])
+    listed = re.findall(r"^  SLOT\((\w+),", (tree.root / "include/trophic/rules/slots.hpp").read_text(), re.M)
+    headings = [heading.text for heading in document.headings if heading.level == 3]
+    offences += [f"1: no heading of the slot {slot}" for slot in listed if slot not in headings] + ([] if listed else ["1: no slots were found"])
     used = {}
     for letter, table in (("P", "paper"), ("R", "released")):
         text = re.sub(r"//.*", "", (tree.root / f"include/trophic/rules/{table}.hpp").read_text())
@@ -211,6 +220,66 @@ def slots(tree: Tree, document: Document) -> list[str]:
         expected = "".join(letter for letter, names in used.items() if name in names)
         if mark != expected and pathlib.PurePath(target).name not in in_no_table | {"contract", "list", "by_cause", "procedure", "cognitive_network"}:
             offences.append(f"1: {name} is marked '{mark}', but the tables that use it are '{expected}'")
+    return offences
+
+
+def reading(tree: Tree, document: Document) -> list[str]:
+    if document.path != tree.root / "docs/read-in-an-hour.md":
+        return []
+    offences, files, lines = [], 0, 0
+    for start, end in zip(document.headings, [*document.headings[1:], None]):
+        if not (heading := re.fullmatch(r"(\d+)\. \[(.*)\]\((.*)\)", start.text)):
+            continue
+        number, name, target = heading.groups()
+        files += 1
+        path = document.path.parent / target
+        text = path.read_text() if path.is_file() else ""
+        lines += text.count("\n")
+        if int(number) != files or not text or not target.endswith(name):
+            offences.append(f"{start.line}: '{start.text}' must be file {files} and exist")
+        inside = range(start.line, end.line if end else 10**9)
+        words = {word for line, span in document.spans if line in inside for word in re.findall(r"\w+", span)}
+        offences += [f"{start.line}: {name} has no '{word}'" for word in sorted(words) if not re.search(rf"\b{word}\b", text)]
+        said = sum(len(sentences(text)) for line, text in document.paragraphs if line in inside)
+        if not 2 <= said <= 4:
+            offences.append(f"{start.line}: {said} sentences about {name}: must be 2 to 4")
+    if files != READ_FILES or lines > READ_LINES:
+        offences.append(f"1: {files} files of {lines} lines: must be {READ_FILES} of at most {READ_LINES}")
+    return offences
+
+
+def lengths(tree: Tree, document: Document) -> list[str]:
+    offences = [
+        f"{table.line}: a cell of {len(cell)} characters: must have <= {LONGEST_CELL}"
+        for table in document.tables
+        for row in table.rows
+        for cell in row
+        if len(cell) > LONGEST_CELL
+    ]
+    text = document.path.read_text()
+    if document.path == tree.root / "README.md" and text.count("\n") > LONGEST_README:
+        offences.append(f"1: {text.count(chr(10))} lines: must be <= {LONGEST_README}")
+    if document.path == tree.root / "CHANGELOG.md":
+        unreleased = re.search(r"^## \[Unreleased\]\n(.*?)(?=^## |\Z)", text, re.M | re.S)
+        if not unreleased or unreleased[1].strip().count("\n") >= LONGEST_UNRELEASED:
+            offences.append(f"1: the unreleased section must exist and have <= {LONGEST_UNRELEASED} lines")
+    return offences
+
+
+def speed(tree: Tree, document: Document) -> list[str]:
+    """Decimals: 29 repeats 29.3 of the row of 30 robots in docs/performance.md."""
+    measured = re.search(r"^\| 30 \|.*\(([\d.]+)\) \| [\d.]+ \([\d.]+\) \|$", (tree.root / "docs/performance.md").read_text(), re.M)
+    if not measured:
+        return ["1: docs/performance.md has no row of 30 robots with speed-ups"]
+    expected = f"{float(measured[1]):.0f} times faster"
+    offences = [] if document.path.name in HISTORY else [
+        f"{line}: '{found}': the figure of docs/performance.md is '{expected}'"
+        for line, text in document.paragraphs
+        for found in re.findall(r"[\d.]+ times faster", text)
+        if found != expected
+    ]
+    if document.path == tree.root / "README.md" and expected not in document.path.read_text():
+        offences.append(f"1: does not repeat '{expected}'")
     return offences
 
 
@@ -248,7 +317,19 @@ def unexplained(tree: Tree, document: Document) -> list[str]:
     return offences
 
 
-CHECKS = {"names": names, "links": links, "commands": commands.check, "excerpts": excerpts, "figures": figures, "slots": slots, "sentences": long_sentences, "readme": readme}
+CHECKS = {
+    "names": names,
+    "links": links,
+    "commands": commands.check,
+    "excerpts": excerpts,
+    "figures": figures,
+    "slots": slots,
+    "reading": reading,
+    "lengths": lengths,
+    "speed": speed,
+    "sentences": long_sentences,
+    "readme": readme,
+}
 
 
 def main() -> int:
