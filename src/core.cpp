@@ -3,7 +3,6 @@
 #include <trophic/backend/kinematic.ipp>
 #include <trophic/control/locomotion/cpg.ipp>
 #include <trophic/control/locomotion/steerable.ipp>
-#include <trophic/ecology/checks.ipp>
 #include <trophic/habitat/body/build.ipp>
 #include <trophic/habitat/body/descriptors.ipp>
 #include <trophic/habitat/body/distance.ipp>
@@ -12,14 +11,10 @@
 #include <trophic/habitat/body/plan.ipp>
 #include <trophic/habitat/body/variation.ipp>
 #include <trophic/habitat/gait.ipp>
-#include <trophic/habitat/ground_pose.ipp>
 #include <trophic/habitat/habitat.ipp>
-#include <trophic/habitat/sides.ipp>
 #include <trophic/habitat/validate_robot.ipp>
 #include <trophic/params/named_params.ipp>
 #include <trophic/params/params.ipp>
 #include <trophic/params/policy.ipp>
-#include <trophic/population/search_tree.ipp>
-#include <trophic/population/spatial_grid.ipp>
 #include <trophic/support/rng.ipp>
 #include <trophic/support/rule_error.ipp>

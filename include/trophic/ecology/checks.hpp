@@ -3,6 +3,7 @@
 // parents.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -11,53 +12,114 @@
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/minimum_predators/contract.hpp>
 #include <trophic/death/starvation/contract.hpp>
+#include <trophic/params/archive.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
-#include <trophic/support/linkage.hpp>
+#include <trophic/support/control_characters.hpp>
+#include <trophic/support/rule_error.hpp>
 #include <trophic/support/units.hpp>
 
 namespace trophic::detail {
 
 /// Throws RuleError unless the hunter's species eats the victim's.
-void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex victim, Species eaten);
+inline void check_prey(const FoodWeb& web, BodyIndex hunter, Species eater, BodyIndex victim, Species eaten) {
+  if (web.eats(eater, eaten)) return;
+  throw RuleError{"capture", "hunter " + std::to_string(hunter) + " and victim " + std::to_string(victim) + ": species " +
+                                 web.name(eater) + " does not eat " + web.name(eaten)};
+}
 
 /// Throws RuleError if the rules fix a body's new species and the parent is of another one, or if the parent's genome violates
 /// `demand` (Population::misfit).
-void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent,
-                  const std::optional<std::string>& demand);
+inline void check_parent(const FoodWeb& web, const reproduction::Vacancy& vacancy, const Ancestor& parent,
+                         const std::optional<std::string>& demand) {
+  check_index("parent", "a parent of species", parent.species, web.size());
+  if (demand) throw RuleError{"parent", "individual " + std::to_string(parent.id) + " as a parent: must have " + *demand};
+  if (!vacancy.successor || parent.species == *vacancy.successor) return;
+  throw RuleError{"parent", "individual " + std::to_string(parent.id) + ", a " + web.name(parent.species) +
+                                ", as the parent of a " + web.name(*vacancy.successor) + ": must be of its offspring's species"};
+}
 
 /// Throws RuleError unless a body that a slot's rule named exists and has an individual.
-void check_lives(std::string_view slot, std::string_view what, BodyIndex body, std::span<const Individual> robots);
+inline void check_lives(std::string_view slot, std::string_view what, BodyIndex body, std::span<const Individual> robots) {
+  check_index(slot, what, body, robots.size());
+  if (robots[body].lives()) return;
+  throw RuleError{slot, std::string{what} + " " + std::to_string(body) + ": must be a body with an individual"};
+}
 
 /// The same of all bodies that a rule of death returned.
-void check_captures(std::span<const death::Capture> captures, std::span<const Individual> robots);
-void check_starving(const death::Starving& starving, std::span<const Individual> robots);
-void check_sacrifices(std::span<const death::Sacrifice> sacrifices, std::span<const Individual> robots);
+inline void check_captures(std::span<const death::Capture> captures, std::span<const Individual> robots) {
+  for (const death::Capture& capture : captures) {
+    check_lives("capture", "hunter", capture.hunter, robots);
+    check_lives("capture", "victim", capture.victim, robots);
+  }
+}
+inline void check_starving(const death::Starving& starving, std::span<const Individual> robots) {
+  for (const BodyIndex hunter : starving.exempt) check_lives("starvation", "exempt hunter", hunter, robots);
+  for (const BodyIndex victim : starving.victims) check_lives("starvation", "victim", victim, robots);
+}
+inline void check_sacrifices(std::span<const death::Sacrifice> sacrifices, std::span<const Individual> robots) {
+  for (const death::Sacrifice& sacrifice : sacrifices) check_lives("minimum_predators", "victim", sacrifice.victim, robots);
+}
 
 /// Throws std::invalid_argument unless a checkpoint has a finite position for each robot.
-void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots);
+inline void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots) {
+  Archive::require(poses.size() == robots, "another number of robots");
+  for (const GroundPose& pose : poses) {
+    const bool is_somewhere = std::abs(pose.x_m) < 1e9 && std::abs(pose.y_m) < 1e9 && std::isfinite(pose.heading_rad);
+    Archive::require(is_somewhere, "a robot without a finite position");
+  }
+}
 
 /// Returns the number of bodies that start without an individual. Throws RuleError unless it is below the number of robots.
-[[nodiscard]] std::size_t checked_spare_bodies(std::size_t spare, std::size_t robots);
+[[nodiscard]] inline std::size_t checked_spare_bodies(std::size_t spare, std::size_t robots) {
+  if (spare < robots) return spare;
+  throw RuleError{"recruitment",
+                  "spare_bodies = " + std::to_string(spare) + ": must be < " + std::to_string(robots) + ", the number of robots"};
+}
 
 /// Throws RuleError unless the body of a birth without a death is spare and the parent, if any, is of the newborn's species and
 /// has a genome that violates no `demand` (Population::misfit).
-void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
-                   const std::optional<std::string>& demand);
+inline void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
+                          const std::optional<std::string>& demand) {
+  check_index("recruitment", "body", recruit.body, robots.size());
+  check_index("recruitment", "species", recruit.species, web.size());
+  if (robots[recruit.body].lives()) {
+    throw RuleError{"recruitment", "a birth in body " + std::to_string(recruit.body) + ": must be a body without an individual"};
+  }
+  if (!recruit.parent) return;
+  const Ancestor& parent = *recruit.parent;
+  const std::string who = "individual " + std::to_string(parent.id) + " as a parent: must ";
+  if (parent.species != recruit.species) throw RuleError{"recruitment", who + "be of the newborn's species"};
+  if (demand) throw RuleError{"recruitment", who + "have " + *demand};
+}
 
 /// Throws RuleError for a species' name that would break a row of a table: with a comma, a quote or a control character.
-void check_names(const FoodWeb& web);
+inline void check_names(const FoodWeb& web) {
+  for (Species species = 0; species < web.size(); ++species) {
+    const std::string& name = web.name(species);
+    if (is_plain(name) && name.find_first_of(",\"") == std::string::npos) continue;
+    throw RuleError{"community", "the name of species " + std::to_string(species) + ", \"" + name +
+                                     "\": must have no comma, quote or control character"};
+  }
+}
 
 /// Throws RuleError unless a slot's rule returned one value for each robot.
-void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots);
+inline void check_one_each(std::string_view slot, std::string_view what, std::size_t returned, std::size_t robots) {
+  if (returned == robots) return;
+  throw RuleError{slot, std::to_string(returned) + " " + std::string{what} + ": must be " + std::to_string(robots) +
+                            ", the number of robots"};
+}
 
 /// Throws RuleError unless there is a finite place for each robot.
-void check_places(std::span<const GroundPose> places, std::size_t robots);
+inline void check_places(std::span<const GroundPose> places, std::size_t robots) {
+  check_one_each("placement", "places", places.size(), robots);
+  for (std::size_t body = 0; body < places.size(); ++body) {
+    const GroundPose& place = places[body];
+    if (std::isfinite(place.x_m) && std::isfinite(place.y_m) && std::isfinite(place.heading_rad)) continue;
+    throw RuleError{"placement", "the place of body " + std::to_string(body) + ": must be finite"};
+  }
+}
 
 }  // namespace trophic::detail
-
-#if TROPHIC_HEADER_ONLY
-#include <trophic/ecology/checks.ipp>
-#endif

@@ -9,8 +9,8 @@
 #include <trophic/population/individual.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/spatial_grid.hpp>
-#include <trophic/support/linkage.hpp>
 #include <trophic/support/units.hpp>
+#include <type_traits>
 #include <vector>
 
 namespace trophic {
@@ -25,20 +25,52 @@ inline constexpr std::size_t tree_from_robots = 64;
 class SearchTree {
  public:
   SearchTree() = default;
-  SearchTree(std::span<const GroundPose> poses, std::span<const Individual> robots);
+  SearchTree(std::span<const GroundPose> poses, std::span<const Individual> robots) : grid_{poses} {
+    for (std::ptrdiff_t side = grid_.side(); side > 0; side = side == 1 ? 0 : (side + 1) / 2) {
+      levels_.push_back({side, std::vector<Marks>(static_cast<std::size_t>(side * side), 0)});
+    }
+    standing_.reserve(poses.size());
+    for (std::ptrdiff_t row = 0; row < grid_.side(); ++row) {
+      for (std::ptrdiff_t column = 0; column < grid_.side(); ++column) {
+        for (const BodyIndex body : grid_.bodies_in(column, row)) {
+          standing_.push_back({poses[body], mark_of(robots[body]), body});
+          levels_[0].at(column, row) |= standing_.back().marks;
+        }
+      }
+    }
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+      const std::ptrdiff_t side = levels_[level - 1].side;
+      for (std::ptrdiff_t row = 0; row < side; ++row) {
+        for (std::ptrdiff_t column = 0; column < side; ++column) {
+          levels_[level].at(column / 2, row / 2) |= levels_[level - 1].at(column, row);
+        }
+      }
+    }
+  }
 
   /// Updates a body whose occupant, tag or activity changed. Must be called before the next search.
-  void mark(BodyIndex body, const GroundPose& pose, const Individual& robot);
+  void mark(BodyIndex body, const GroundPose& pose, const Individual& robot) {
+    std::ptrdiff_t column = grid_.column(pose);
+    std::ptrdiff_t row = grid_.row(pose);
+    for (Standing& one : std::span{standing_}.subspan(grid_.first_in(column, row), grid_.bodies_in(column, row).size())) {
+      if (one.body == body) one.marks |= mark_of(robot);
+    }
+    for (Level& level : levels_) {
+      level.at(column, row) |= mark_of(robot);
+      column /= 2;
+      row /= 2;
+    }
+  }
 
   /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, excluding itself; on equal distance
   /// the lower index.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, const GroundPose& pose, Accepts&& accepts,
                                                  const Search& search = {}) const {
-    Found found{.most_m = search.within_m, .body = {}};
-    const Home home{.self = self, .pose = pose, .column = grid_.column(pose), .row = grid_.row(pose)};
-    if (!levels_.empty()) look(levels_.size() - 1, 0, 0, home, accepts, search.among, found);
-    return found.body;
+    Nearest<std::remove_reference_t<Accepts>> nearest{*this,           self,    pose,         grid_.column(pose),
+                                                      grid_.row(pose), accepts, search.among, search.within_m};
+    if (!levels_.empty()) nearest.look(levels_.size() - 1, 0, 0);
+    return nearest.body;
   }
 
   /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
@@ -63,47 +95,50 @@ class SearchTree {
     Marks marks;  ///< since construction: marks are never removed
     BodyIndex body;
   };
-  /// The searching body and its position.
-  struct Home {
+  /// The body found so far that is closest to `self`.
+  template <class Accepts>
+  struct Nearest {
+    const SearchTree& tree;
     BodyIndex self;
     const GroundPose& pose;
-    std::ptrdiff_t column;
-    std::ptrdiff_t row;
-  };
-  struct Found {
+    std::ptrdiff_t own_column;
+    std::ptrdiff_t own_row;
+    Accepts& accepts;
+    Marks among;
     double most_m;
-    std::optional<BodyIndex> body;
-  };
+    std::optional<BodyIndex> body = {};
 
-  template <class Accepts>
-  void look(std::size_t level, std::ptrdiff_t column, std::ptrdiff_t row, const Home& home, Accepts& accepts, Marks among,
-            Found& found) const {
-    const Level& here = levels_[level];
-    if (column >= here.side || row >= here.side || (here.at(column, row) & among) == 0) return;
-    if (!grid_.may_reach(home.pose, found.most_m, column, row, std::ptrdiff_t{1} << level)) return;
-    if (level == 0) {
-      for (const Standing& other :
-           std::span{standing_}.subspan(grid_.first_in(column, row), grid_.bodies_in(column, row).size())) {
-        if (other.body == home.self || (other.marks & among) == 0) continue;
-        const double d = distance_m(home.pose, other.pose);
-        const bool is_closer = d < found.most_m || (d == found.most_m && (!found.body || other.body < *found.body));
-        if (is_closer && accepts(other.body)) found = {d, other.body};
-      }
-      return;
+    void look(std::size_t level, std::ptrdiff_t column, std::ptrdiff_t row) {
+      const Level& here = tree.levels_[level];
+      if (column >= here.side || row >= here.side || (here.at(column, row) & among) == 0) return;
+      if (!tree.grid_.may_reach(pose, most_m, column, row, std::ptrdiff_t{1} << level)) return;
+      if (level == 0) return look_in_cell(column, row);
+      // The square nearest to the searching body first, so that the others are often too far.
+      const auto nearest = [&](std::ptrdiff_t place, std::ptrdiff_t first) {
+        return std::clamp(place >> (level - 1), first, first + 1);
+      };
+      const std::ptrdiff_t near_column = nearest(own_column, 2 * column);
+      const std::ptrdiff_t near_row = nearest(own_row, 2 * row);
+      const std::ptrdiff_t far_column = 4 * column + 1 - near_column;
+      const std::ptrdiff_t far_row = 4 * row + 1 - near_row;
+      look(level - 1, near_column, near_row);
+      look(level - 1, far_column, near_row);
+      look(level - 1, near_column, far_row);
+      look(level - 1, far_column, far_row);
     }
-    // The square nearest to the searching body first, so that the others are often too far.
-    const auto nearest = [&](std::ptrdiff_t place, std::ptrdiff_t first) {
-      return std::clamp(place >> (level - 1), first, first + 1);
-    };
-    const std::ptrdiff_t near_column = nearest(home.column, 2 * column);
-    const std::ptrdiff_t near_row = nearest(home.row, 2 * row);
-    const std::ptrdiff_t far_column = 4 * column + 1 - near_column;
-    const std::ptrdiff_t far_row = 4 * row + 1 - near_row;
-    look(level - 1, near_column, near_row, home, accepts, among, found);
-    look(level - 1, far_column, near_row, home, accepts, among, found);
-    look(level - 1, near_column, far_row, home, accepts, among, found);
-    look(level - 1, far_column, far_row, home, accepts, among, found);
-  }
+
+    void look_in_cell(std::ptrdiff_t column, std::ptrdiff_t row) {
+      const std::size_t bodies = tree.grid_.bodies_in(column, row).size();
+      for (const Standing& other : std::span{tree.standing_}.subspan(tree.grid_.first_in(column, row), bodies)) {
+        if (other.body == self || (other.marks & among) == 0) continue;
+        const double d = distance_m(pose, other.pose);
+        const bool is_closer = d < most_m || (d == most_m && (!body || other.body < *body));
+        if (!is_closer || !accepts(other.body)) continue;
+        most_m = d;
+        body = other.body;
+      }
+    }
+  };
 
   SpatialGrid grid_;
   std::vector<Standing> standing_;  ///< cell by cell
@@ -111,7 +146,3 @@ class SearchTree {
 };
 
 }  // namespace trophic
-
-#if TROPHIC_HEADER_ONLY
-#include <trophic/population/search_tree.ipp>
-#endif
