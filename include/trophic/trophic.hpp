@@ -100,8 +100,6 @@
 #include <trophic/habitat/body/module.hpp>
 #include <trophic/habitat/body/plan.hpp>
 #include <trophic/habitat/body/variation.hpp>
-#include <trophic/habitat/cpg_integration.hpp>
-#include <trophic/habitat/decision_order.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/ground_pose.hpp>
@@ -117,14 +115,12 @@
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/habitat/nursery.hpp>
-#include <trophic/habitat/phase_at_birth.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/sides.hpp>
 #include <trophic/habitat/touch.hpp>
 #include <trophic/habitat/validate_robot.hpp>
-#include <trophic/habitat/without_target.hpp>
 #include <trophic/initialization/community/contract.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/community/predator_prey.hpp>

@@ -2,16 +2,45 @@
 // The numbers of an experiment that do not belong to a rule: bodies, time scales, models, decisions.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
-#include <trophic/habitat/cpg_integration.hpp>
-#include <trophic/habitat/decision_order.hpp>
-#include <trophic/habitat/phase_at_birth.hpp>
-#include <trophic/habitat/without_target.hpp>
+#include <string_view>
 #include <trophic/params/params.hpp>
 #include <tuple>
 
 namespace trophic {
+
+/// The integration of a CPG. `exact`: the matrix exponential exp(W h). W is antisymmetric, so it is a rotation and amplitudes
+/// do not drift (for weights that turn an oscillator by at most some radians a step; those of gaits are far below). `rk4`:
+/// classical Runge-Kutta, which for a linear system is exp's Taylor series up to h^4 (as in the released code).
+enum class CpgIntegration { exact, rk4 };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(CpgIntegration) {
+  return {"exact", "rk4"};
+}
+
+/// The phase of a body's pattern generator when a new individual takes over the body. `kept`: it continues, as in the released
+/// code. `reset`: it restarts. The paper is silent.
+enum class PhaseAtBirth { kept, reset };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(PhaseAtBirth) {
+  return {"kept", "reset"};
+}
+
+/// `together`: all robots perceive the same moment, before the first tag of the tick changes, so that the order of bodies does
+/// not matter. `in_turn`: robots decide in the order of bodies, and each sees the tags that earlier ones have chosen at this
+/// tick, as in the released code. The paper is silent. Common sensors are evaluated at the tick's start in both.
+enum class DecisionOrder { together, in_turn };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(DecisionOrder) {
+  return {"together", "in_turn"};
+}
+
+/// `decides`: the brain decides as usual; the paper queries it every 2 s (Sec. "Outputs"). `keeps_decision`: the brain is not
+/// run, and target angle and tag stay, as in the released code; so a hidden robot can never choose to show itself. Each sensor
+/// defines its value without an adversary.
+enum class WithoutTarget { decides, keeps_decision };
+[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(WithoutTarget) {
+  return {"decides", "keeps_decision"};
+}
 
 /// Bodies, time scales, models and the order of decisions (Sec. "Robot Body and Environment", "Cognitive Brain", "Birth",
 /// "Outputs").

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 #include <span>
-#include <trophic/habitat/cpg_integration.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/linkage.hpp>
