@@ -266,8 +266,6 @@
 #include <trophic/rules/with.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <trophic/rules/with_part.hpp>
-#include <trophic/rules/with_rules_of.hpp>
-#include <trophic/rules/with_sensor.hpp>
 #include <trophic/run.hpp>
 #include <trophic/run/changes/change.hpp>
 #include <trophic/run/changes/changing_simulation.hpp>

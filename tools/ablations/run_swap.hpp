@@ -11,7 +11,7 @@
 #include <tools/ablations/swaps.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/toml.hpp>
-#include <trophic/rules/with_sensor.hpp>
+#include <trophic/rules/with.hpp>
 #include <trophic/run/replicates/run_with_shadow.hpp>
 #include <utility>
 #include <vector>

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tools/ablations/with_rules_of.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/rules/with_rules_of.hpp>
 #include <trophic/run/replicates/plan.hpp>
 #include <utility>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables derived from another one: with one rule swapped, other numbers, another ecology, or another name.
+// Tables derived from another one: with one rule or sensor swapped, other numbers, another ecology, or another name.
 #pragma once
 
 #include <algorithm>
@@ -144,5 +144,23 @@ struct named final : detail::OfTable<Rules> {
   static constexpr std::string_view name{own_name.text};
   static TableParams<named> params() { return detail::same_params<named>(detail::stated_params<Rules>()); }
 };
+
+namespace rules {
+
+namespace detail {
+
+template <class Sensors, class Old, class New>
+struct swap_sensor {
+  static_assert(Sensors::template contains<Old>, "with_sensor: the table's Sensors have no such sensor to swap");
+  using type = typename Sensors::template Replaced<Old, New>;
+};
+
+}  // namespace detail
+
+/// A table with the sensor New in place of Old, and the numbers of its sensors at their own defaults.
+template <class Table, class Old, class New>
+using with_sensor = with_sensors<Table, typename detail::swap_sensor<typename Table::Sensors, Old, New>::type>;
+
+}  // namespace rules
 
 }  // namespace trophic

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <concepts>
 #include <string>
+#include <tools/ablations/with_rules_of.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <trophic/rules/with_rules_of.hpp>
-#include <trophic/rules/with_sensor.hpp>
 
 using namespace trophic;
 using rules::Paper;
