@@ -42,13 +42,14 @@ Headings headings_at_0_80_s(std::size_t idle_control_steps) {
   const initialization::placement::UniformSquare placement{rules::Released::params().placement};
   const auto places = placement.place(ecology.robots, habitat.arena, habitat.robot.bounding_radius_m, rng);
   backend::Mujoco backend{habitat.robot, habitat.arena, standing_poses(places, habitat.robot), rules::Released::physics(), {}};
-  locomotion::Locomotion<control::steering::TargetedSteering> locomotion{habitat.robot,
-                                                                         habitat.gait,
-                                                                         {},
-                                                                         ecology.robots,
-                                                                         ecology.control_hz,
-                                                                         ecology.cpg_integration,
-                                                                         static_cast<std::int64_t>(idle_control_steps)};
+  locomotion::Locomotion<control::steering::TargetedSteering> locomotion{
+      habitat.robot,
+      habitat.gait,
+      {},
+      ecology.robots,
+      {.hz = ecology.control_hz,
+       .integration = ecology.cpg_integration,
+       .idle_steps = static_cast<std::int64_t>(idle_control_steps)}};
   locomotion.advance(backend, 48, std::vector<double>(ecology.robots, 0.0));
 
   std::vector<double> headings_rad;

@@ -34,8 +34,8 @@ std::array<Walk, 3> walk_60_s(const char* robot_name, const Physics& physics) {
   std::vector<Pose> starts(3);
   for (std::size_t i = 0; i < 3; ++i) starts[i].position_m = {0.0, 6.0 * (static_cast<double>(i) - 1.0), robot.rest_height_m};
   backend::Mujoco backend{robot, load_arena("walled_square"), starts, physics, {}};
-  locomotion::Locomotion<control::steering::TargetedSteering> locomotion{robot, load_gait("spider_published"), {}, 3,
-                                                                         60.0,  CpgIntegration::exact};
+  locomotion::Locomotion<control::steering::TargetedSteering> locomotion{
+      robot, load_gait("spider_published"), {}, 3, {.hz = 60.0}};
 
   constexpr std::size_t samples = 600;  // every 0.1 s
   constexpr std::size_t window = 100;   // 10 s

@@ -73,7 +73,7 @@ template <JointDriven B, control::Steering SteeringRule>
   const Pose start{.position_m = {0.0, 0.0, robot.rest_height_m},
                    .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}};
   B backend{robot, endless_floor(), std::span{&start, 1}, physics, backend_params};
-  locomotion::Locomotion<SteeringRule> locomotion{robot, gait, steering, 1, trial.control_hz, trial.cpg_integration};
+  locomotion::Locomotion<SteeringRule> locomotion{robot, gait, steering, 1, {trial.control_hz, trial.cpg_integration}};
   Track track{.control_hz = trial.control_hz, .poses = {ground_pose(backend.pose(0), robot.forward_rad)}};
   for (std::int64_t step = 0; step < trial.steps(); ++step) {
     if (step < trial.idle_steps) {

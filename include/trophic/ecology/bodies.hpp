@@ -12,18 +12,22 @@
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
+#include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/checks.hpp>
-#include <trophic/ecology/embody.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/ecology/frames.hpp>
+#include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/ecology/start.hpp>
 #include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/robot_model.hpp>
+#include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/contract.hpp>
 #include <trophic/observe/audience.hpp>
+#include <trophic/observe/frame.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/units.hpp>
 #include <vector>
 
 namespace trophic {
@@ -45,32 +49,36 @@ class Bodies {
                     habitat.gait,
                     rules.steering,
                     params.ecology.robots,
-                    params.ecology.control_hz,
-                    params.ecology.cpg_integration,
-                    static_cast<std::int64_t>(params.ecology.idle_control_steps)} {
-    if constexpr (differ) locomotion_.separate();
+                    {.hz = params.ecology.control_hz,
+                     .integration = params.ecology.cpg_integration,
+                     .idle_steps = static_cast<std::int64_t>(params.ecology.idle_control_steps)}},
+        times_{.steps = control_steps_per_tick(params.ecology),
+               .tick_s = params.ecology.tick_s,
+               .clock_scale = params.ecology.clock_scale} {
+    if (differ) locomotion_.separate();
     population_.stand_at(poses_);
   }
 
   [[nodiscard]] std::span<const GroundPose> poses() const { return poses_; }
   [[nodiscard]] const AnyBackend& backend() const { return backend_; }
-  [[nodiscard]] KeptFrame frame() const { return KeptFrame::of(backend_, 0); }
+
+  /// Passes observers the frame at the start of the run if they want it.
+  void show_start(observe::Audience& audience, double clock_s) const {
+    if (audience.wants_frame(times_, 0)) show(audience, poses_after(0), clock_s);
+  }
 
   /// Restarts the gait of a body.
   void restart(BodyIndex body) { locomotion_.reset(body); }
 
-  /// Gives a body the phenotype of its individual. Founders are embodied in order, each among those before it.
-  void embody([[maybe_unused]] BodyIndex body, [[maybe_unused]] std::size_t standing) {
-    if constexpr (has_bodies) {
-      const RobotModel& robot = robot_in(body, population_.phenotypes(), habitat_);
-      const auto others =
-          boxes_near(poses_[body], robot.bounding_radius_m, body, standing, backend_, population_.phenotypes(), habitat_);
-      const Pose pose = rules_.embodiment.set_down(poses_[body], robot, habitat_.arena, others);
-      backend_.embody(body, robot, pose);
+  /// Gives a body the phenotype of its individual. Founders are embodied in order, each among the `standing` ones before it.
+  void embody(BodyIndex body, std::size_t standing) {
+    if (has_bodies) {
+      const Pose pose = rules_.embodiment.set_down(poses_[body], robot_in(body), habitat_.arena, boxes_near(body, standing));
+      backend_.embody(body, robot_in(body), pose);
       poses_[body] = on_ground(body);
       population_.stand_at(poses_);
     }
-    if constexpr (differ) walk_by(body);
+    if (differ) walk_by(body);
   }
   void embody_founders() {
     for (BodyIndex body = 0; differ && body < poses_.size(); ++body) embody(body, body);
@@ -80,17 +88,17 @@ class Bodies {
   /// cancelled it. If the table lets a body that diverges end its individual, `end(body)` is called and the tick begins anew. If
   /// a body diverges again and again although it was replaced, those next to it end, which it may touch.
   template <class End>
-  [[nodiscard]] bool move(observe::Audience& audience, const observe::FrameTimes& times, double clock_s, const End& end) {
+  [[nodiscard]] bool move(observe::Audience& audience, double clock_s, const End& end) {
+    const bool ends_individuals =
+        has_bodies && initialization::ask::divergence(rules_.embodiment) == initialization::Divergence::ends_individual;
     for (std::vector<BodyIndex> ended; true;) {
-      std::optional<Before> before;
-      if (ends_individuals() && ended.size() < most_ended) before.emplace(Before{backend_.save(), locomotion_.save()});
+      const auto before = ends_individuals && ended.size() < most_ended ? std::optional{motion()} : std::nullopt;
       try {
-        if (!advance(audience, times, clock_s)) return false;
+        if (!advance(audience, clock_s)) return false;
         break;
       } catch (const Diverged& diverged) {
         if (!before) throw;
-        backend_.restore(before->bodies);
-        locomotion_.restore(before->rhythms);
+        restore(*before);
         ended.push_back(cause_of(diverged.robot(), ended));
         end(ended.back());
       }
@@ -117,22 +125,54 @@ class Bodies {
   }
 
  private:
-  static constexpr bool differ = Population<Rules>::differ;
-  static constexpr bool has_bodies = GenomeParts<Rules>::has_bodies;
+  static constexpr bool differ = Phenotypes<Rules>::differ;
+  static constexpr bool has_bodies = BodyGenes<Rules>::differ;
   static constexpr std::size_t most_ended = 1000;     ///< individuals in a tick; then the run ends
   static constexpr std::ptrdiff_t most_replaced = 5;  ///< times that one body is replaced in a tick before those next to it
 
   using Locomotion = locomotion::Locomotion<typename Rules::Steering>;
-  struct Before {
+
+  /// The state of all motion.
+  struct Motion {
     std::any bodies;
     typename Locomotion::State rhythms;
   };
+  [[nodiscard]] Motion motion() const { return {backend_.save(), locomotion_.save()}; }
+  void restore(const Motion& motion) {
+    backend_.restore(motion.bodies);
+    locomotion_.restore(motion.rhythms);
+  }
 
-  [[nodiscard]] bool ends_individuals() const {
-    if constexpr (has_bodies && requires { rules_.embodiment.divergence(); }) {
-      return rules_.embodiment.divergence() == initialization::Divergence::ends_individual;
+  /// The poses after some control steps of a tick.
+  struct Poses {
+    std::int64_t step = 0;
+    std::vector<Pose> roots = {};
+    std::vector<double> joint_angles_rad = {};
+    std::vector<std::size_t> first_angle = {};  ///< of each robot
+  };
+  [[nodiscard]] Poses poses_after(std::int64_t step) const {
+    Poses now{.step = step};
+    for (BodyIndex body = 0; body < backend_.robots(); ++body) {
+      now.roots.push_back(backend_.pose(body));
+      now.first_angle.push_back(now.joint_angles_rad.size());
+      const std::span<const double> own = backend_.joint_angles(body);
+      now.joint_angles_rad.insert(now.joint_angles_rad.end(), own.begin(), own.end());
     }
-    return false;
+    return now;
+  }
+
+  /// Passes observers a frame of the tick that begins at `clock_s`.
+  void show(observe::Audience& audience, const Poses& poses, double clock_s) const {
+    const double part = static_cast<double>(poses.step) / static_cast<double>(times_.steps);
+    audience.frame(observe::Frame{.time_s = clock_s + part * times_.tick_s,
+                                  .times = times_,
+                                  .roots = poses.roots,
+                                  .joint_angles_rad = poses.joint_angles_rad,
+                                  .robot = habitat_.robot,
+                                  .arena = habitat_.arena,
+                                  .phenotypes = population_.phenotypes(),
+                                  .first_angle = poses.first_angle},
+                   poses.step);
   }
 
   /// The body nearest to this one, itself if possible, that is less than `most_replaced` times among `ended`.
@@ -146,30 +186,61 @@ class Bodies {
     return nearest;
   }
 
-  [[nodiscard]] bool advance(observe::Audience& audience, const observe::FrameTimes& times, double clock_s) {
-    target_angles_rad_.clear();
-    for (const Individual& individual : population_.individuals()) target_angles_rad_.push_back(individual.target_angle_rad);
-    return advance_or_return(audience, locomotion_, backend_, target_angles_rad_, habitat_, population_.phenotypes(), times,
-                             clock_s);
+  /// Moves the bodies through a whole tick, then passes observers the frames that they want: a backend's steps do not depend on
+  /// where it pauses. If an observer cancels the tick, the bodies return to where they were, and the result is false.
+  [[nodiscard]] bool advance(observe::Audience& audience, double clock_s) {
+    std::vector<double> target_angles_rad;
+    for (const Individual& individual : population_.individuals()) target_angles_rad.push_back(individual.target_angle_rad);
+    const auto before = backend_.has_joints() && audience.may_cancel() ? std::optional{motion()} : std::nullopt;
+    const auto is_cancelled = [&] { return before && audience.cancels_tick(); };
+    std::vector<Poses> frames;
+    for (std::int64_t step = 0; step < times_.steps;) {
+      const std::int64_t next = audience.next_frame(times_, step);
+      if (!locomotion_.advance(backend_, next - step, target_angles_rad, is_cancelled)) {
+        restore(*before);
+        return false;
+      }
+      step = next;
+      if (audience.wants_frame(times_, step)) frames.push_back(poses_after(step));
+    }
+    for (const Poses& frame : frames) show(audience, frame, clock_s);
+    return true;
+  }
+
+  [[nodiscard]] const RobotModel& robot_in(BodyIndex body) const {
+    const auto phenotypes = population_.phenotypes();
+    return phenotypes.empty() || !phenotypes[body].robot ? habitat_.robot : *phenotypes[body].robot;
   }
 
   [[nodiscard]] GroundPose on_ground(BodyIndex body) const {
     const Pose root = backend_.pose(body);
-    const double forward_rad = robot_in(body, population_.phenotypes(), habitat_).forward_rad;
-    return {.x_m = root.position_m.x(), .y_m = root.position_m.y(), .heading_rad = rules_.heading.heading_rad(root, forward_rad)};
+    const double heading_rad = rules_.heading.heading_rad(root, robot_in(body).forward_rad);
+    return {.x_m = root.position_m.x(), .y_m = root.position_m.y(), .heading_rad = heading_rad};
   }
 
-  void walk_by(BodyIndex body) {
-    locomotion_.walk_by(body, robot_in(body, population_.phenotypes(), habitat_), *population_.phenotypes()[body].gait);
+  /// The boxes of the robots that a body could touch where it is or may be set down. Only the first `standing` bodies stand.
+  [[nodiscard]] std::vector<PlacedBox> boxes_near(BodyIndex body, std::size_t standing) const {
+    std::vector<PlacedBox> near;
+    for (BodyIndex other = 0; other < standing; ++other) {
+      if (other == body) continue;
+      const RobotModel& robot = robot_in(other);
+      const Pose root = backend_.pose(other);
+      const GroundPose there{.x_m = root.position_m.x(), .y_m = root.position_m.y()};
+      const double most_m = 3.0 * robot_in(body).bounding_radius_m + robot.bounding_radius_m;
+      if (distance_m(poses_[body], there) > most_m) continue;
+      const auto boxes = placed_boxes(robot, root, backend_.joint_angles(other));
+      near.insert(near.end(), boxes.begin(), boxes.end());
+    }
+    return near;
   }
+
+  void walk_by(BodyIndex body) { locomotion_.walk_by(body, robot_in(body), *population_.phenotypes()[body].gait); }
 
   /// Gives the backend the body, in any pose, and the gait.
   void take_shape(BodyIndex body) {
-    const RobotModel& robot = robot_in(body, population_.phenotypes(), habitat_);
-    if constexpr (has_bodies) {
-      backend_.embody(body, robot,
-                      {.position_m = {0.0, 0.0, robot.rest_height_m}, .orientation = Eigen::Quaterniond::Identity()});
-    }
+    const RobotModel& robot = robot_in(body);
+    const Pose any{.position_m = {0.0, 0.0, robot.rest_height_m}, .orientation = Eigen::Quaterniond::Identity()};
+    if (has_bodies) backend_.embody(body, robot, any);
     walk_by(body);
   }
 
@@ -179,7 +250,7 @@ class Bodies {
   std::vector<GroundPose> poses_;
   AnyBackend backend_;
   Locomotion locomotion_;
-  std::vector<double> target_angles_rad_;
+  observe::FrameTimes times_;
   std::vector<GroundPose> poses_before_;
 };
 

@@ -8,11 +8,13 @@
 #include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
+#include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/ecology/genome_parts.hpp>
+#include <trophic/ecology/gait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
+#include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/rules/table.hpp>
 #include <utility>
 #include <vector>
@@ -61,39 +63,28 @@ template <class Rules>
 /// go together.
 template <class Rules>
 void check_parts(const BackendChoice& backend) {
-  using Parts = GenomeParts<Rules>;
   using Gaits = PolicyIn<Rules, RuleSlot::gait>;
-  using Bodies = PolicyIn<Rules, RuleSlot::body_plan>;
-  const auto refuse = [](std::string_view what, const std::string& must) {
-    throw std::invalid_argument{std::string{what} + ": must be " + must};
+  constexpr bool bodies_differ = BodyGenes<Rules>::differ;
+  constexpr bool fits_one_body = is_neutral<Rules, RuleSlot::gait> || requires {
+    requires AnswersForSpecies<Gaits>::fits_one_body;
   };
+  constexpr bool has_trials = reproduction::TriesNewborns<AnswersForSpecies<PolicyIn<Rules, RuleSlot::viability>>>;
   const std::string gaits = "rules.gait = " + std::string{policy_name<Gaits>()};
-  const std::string bodies = "rules.body_plan = " + std::string{policy_name<Bodies>()};
-  if constexpr (Parts::has_gaits) {
-    const std::string& differing = Parts::has_bodies ? bodies : gaits;
-    if (!backend.has_joints()) {
-      refuse(differing + " on backend " + backend.name(), "a backend with joints, which show bodies and gaits of individuals");
-    }
-  }
-  if constexpr (Parts::has_bodies) {
-    if (!backend.can_embody()) {
-      refuse(bodies + " on backend " + backend.name(), "a backend that exchanges bodies (Embodying in backend/contract.hpp)");
-    }
-    if constexpr (is_neutral<Rules, RuleSlot::embodiment>) {
-      refuse(bodies + " with rules.embodiment = keeps_body", "a rule Embodiment that sets bodies down");
-    }
-  }
-  if constexpr (Parts::has_body_genes && requires { requires AnswersForSpecies<Gaits>::fits_one_body; }) {
-    refuse(gaits + " with " + bodies, "a rule Gait that fits any body, such as inherited_cppn");
-  }
-  if constexpr (Parts::has_trials && !Parts::has_gaits) {
-    using Viable = PolicyIn<Rules, RuleSlot::viability>;
-    refuse("rules.viability = " + std::string{policy_name<Viable>()} + " with " + gaits,
-           "in a table with a rule Gait or BodyPlan");
-  }
-  if constexpr (Parts::has_body_genes && is_neutral<Rules, RuleSlot::gait>) {
-    refuse(gaits + " with " + bodies, "a rule Gait that fits any body, such as inherited_cppn");
-  }
+  const std::string bodies = "rules.body_plan = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::body_plan>>()};
+  const std::string viability = "rules.viability = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::viability>>()};
+  const std::string on_backend = " on backend " + backend.name();
+  const auto refuse_if = [](bool refused, const std::string& what, const std::string& must) {
+    if (refused) throw std::invalid_argument{what + ": must be " + must};
+  };
+  refuse_if(GaitGenes<Rules>::differ && !backend.has_joints(), (bodies_differ ? bodies : gaits) + on_backend,
+            "a backend with joints, which show bodies and gaits of individuals");
+  refuse_if(bodies_differ && !backend.can_embody(), bodies + on_backend,
+            "a backend that exchanges bodies (Embodying in backend/contract.hpp)");
+  refuse_if(bodies_differ && is_neutral<Rules, RuleSlot::embodiment>, bodies + " with rules.embodiment = keeps_body",
+            "a rule Embodiment that sets bodies down");
+  refuse_if(BodyGenes<Rules>::are_inherited && fits_one_body, gaits + " with " + bodies,
+            "a rule Gait that fits any body, such as inherited_cppn");
+  refuse_if(has_trials && !GaitGenes<Rules>::differ, viability + " with " + gaits, "in a table with a rule Gait or BodyPlan");
 }
 
 }  // namespace detail
@@ -108,6 +99,7 @@ template <class Rules>
   if (backend.has_joints()) {
     locomotion::check_steerable(habitat.robot, make_policy<typename Rules::Steering>(params.rules.steering, "steering"));
   }
+  check_control_steps(params.ecology, params.physics, backend.has_joints());
   return {std::move(params), std::move(backend), std::move(habitat)};
 }
 

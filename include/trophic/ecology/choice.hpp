@@ -7,6 +7,7 @@
 #include <optional>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/population.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
 #include <trophic/population/sighting.hpp>
@@ -27,30 +28,41 @@ struct Choice {
   typename Population<Rules>::Outputs outputs{};  ///< only if an observer wants decision records
 };
 
-/// Applies the Visibility rule.
+/// One moment of an ecology, as robots perceive it and decide.
 template <class Rules>
-[[nodiscard]] bool sees(const Policies<Rules>& rules, const Population<Rules>& population, std::uint64_t seed, BodyIndex self,
-                        BodyIndex other, const View& now) {
-  Rng rng{seed, Stream::visibility, population[self].id, static_cast<std::uint64_t>(now.tick), population[other].id};
-  return perception::ask::perceives(rules.visibility, population.states().visibility[self], self, other, now, rng);
-}
+class Moment {
+ public:
+  /// All arguments outlive it.
+  Moment(const Policies<Rules>& rules, Population<Rules>& population, std::uint64_t seed, const View& now)
+      : rules_{rules}, population_{population}, seed_{seed}, now_{now} {}
 
-/// The choice of one robot. `common`: the sensors that are the same for all robots.
-template <class Rules>
-[[nodiscard]] Choice<Rules> choice_of(const Policies<Rules>& rules, Population<Rules>& population, std::uint64_t seed,
-                                      BodyIndex body, const View& now, const typename Choice<Rules>::Inputs& common,
-                                      bool keeps_decision_without_target, bool is_observed) {
-  const auto sighting = perception::adversary(
-      body, now, [&](BodyIndex self, BodyIndex other) { return sees(rules, population, seed, self, other, now); },
-      perception::ask::horizon(rules.visibility, population[body]));
-  Choice<Rules> choice{.sighting = sighting, .decision = std::nullopt};
-  if (!sighting && keeps_decision_without_target) return choice;
-  choice.inputs = rules.sensors.sense(population.states().sensors[body], body, sighting, now, common, [&](std::size_t sensor) {
-    return Rng{seed, Stream::sensors, population[body].id, static_cast<std::uint64_t>(now.tick), sensor};
-  });
-  if (is_observed) choice.outputs = population.outputs(body, choice.inputs);
-  choice.decision = population.decide(body, choice.inputs);
-  return choice;
-}
+  /// Applies the Visibility rule.
+  [[nodiscard]] bool sees(BodyIndex self, BodyIndex other) const {
+    Rng rng{seed_, Stream::visibility, population_[self].id, tick(), population_[other].id};
+    return perception::ask::perceives(rules_.visibility, population_.states().visibility[self], self, other, now_, rng);
+  }
+
+  /// The choice of one robot. `common`: the sensors that are the same for all robots.
+  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const typename Choice<Rules>::Inputs& common, WithoutTarget without_target,
+                                     bool is_observed) const {
+    const auto horizon = perception::ask::horizon(rules_.visibility, population_[body]);
+    const auto sees_other = [&](BodyIndex self, BodyIndex other) { return sees(self, other); };
+    Choice<Rules> choice{.sighting = perception::adversary(body, now_, sees_other, horizon), .decision = std::nullopt};
+    if (!choice.sighting && without_target == WithoutTarget::keeps_decision) return choice;
+    const auto rng_of = [&](std::size_t sensor) { return Rng{seed_, Stream::sensors, population_[body].id, tick(), sensor}; };
+    choice.inputs = rules_.sensors.sense(population_.states().sensors[body], body, choice.sighting, now_, common, rng_of);
+    if (is_observed) choice.outputs = population_.outputs(body, choice.inputs);
+    choice.decision = population_.decide(body, choice.inputs);
+    return choice;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t tick() const { return static_cast<std::uint64_t>(now_.tick); }
+
+  const Policies<Rules>& rules_;
+  Population<Rules>& population_;
+  std::uint64_t seed_;
+  const View& now_;
+};
 
 }  // namespace trophic

@@ -5,8 +5,10 @@
 #include <string>
 #include <string_view>
 #include <trophic/backend/backend_choice.hpp>
+#include <trophic/ecology/body_genes.hpp>
+#include <trophic/ecology/brain_genes.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/ecology/genome_parts.hpp>
+#include <trophic/ecology/gait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/named_params.hpp>
@@ -52,11 +54,10 @@ template <class Rules>
   } else {
     for_each_rule<Rules>(add);
   }
-  using Parts = GenomeParts<Rules>;
-  run.brains_grow = Parts::is_growing;
-  run.bodies_differ = Parts::has_bodies;
-  run.inherits_bodies = Parts::has_body_genes;
-  run.has_more_genes = Parts::is_growing || Parts::has_body_genes || Parts::has_gait_genes;
+  run.brains_grow = BrainGenes<Rules>::grow;
+  run.bodies_differ = BodyGenes<Rules>::differ;
+  run.inherits_bodies = BodyGenes<Rules>::are_inherited;
+  run.has_more_genes = run.brains_grow || run.inherits_bodies || GaitGenes<Rules>::are_inherited;
   run.fingerprint = observe::fingerprint(run, numbers_text(habitat));
   return run;
 }

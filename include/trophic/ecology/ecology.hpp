@@ -18,7 +18,7 @@
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/engine_nursery.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/ecology/frames.hpp>
+#include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/ecology/refused.hpp>
 #include <trophic/ecology/simulation.hpp>
@@ -96,19 +96,14 @@ class Ecology final : public Simulation {
   [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
 
  private:
-  static constexpr bool differ = Population<Rules>::differ;  ///< whether individuals have bodies or gaits of their own
-
   explicit Ecology(CheckedExperiment<Rules> from)
       : params_{std::move(from.params)},
         choice_{std::move(from.backend)},
         habitat_{std::move(from.habitat)},
-        times_{.steps = control_steps_per_tick(params_.ecology, params_.physics, choice_.has_joints()),
-               .tick_s = params_.ecology.tick_s,
-               .clock_scale = params_.ecology.clock_scale},
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
         nursery_{choice_, habitat_.arena, params_.physics, params_.ecology, rules_.steering},
-        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), params_.shadow, &habitat_, &nursery_},
+        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), {params_.shadow, &habitat_, &nursery_}},
         bodies_{params_, choice_, habitat_, rules_, population_} {
     if (!params_.lineup.empty()) population_.enlist(params_.lineup);
     bodies_.embody_founders();
@@ -119,8 +114,7 @@ class Ecology final : public Simulation {
       audience.start(describe(until_s), view());
       if (!started_) {
         started_ = true;
-        if (audience.wants_frame(times_, 0))
-          show_frame(audience, bodies_.frame(), habitat_, population_.phenotypes(), times_, time_s());
+        bodies_.show_start(audience, time_s());
         for (BodyIndex body = 0; body < population_.individuals().size(); ++body)
           if (population_[body].lives()) emit(audience, observe::EventKind::birth, body);
         starvation_clock_ = death::ask::start(rules_.starvation, view());
@@ -147,7 +141,7 @@ class Ecology final : public Simulation {
   /// Moves the bodies through a tick. Returns false, with everything as before, if an observer cancelled it.
   [[nodiscard]] bool move(observe::Audience& audience) {
     const auto end = [&](BodyIndex body) { end_diverged(audience, body); };
-    if (!bodies_.move(audience, times_, time_s(), end)) return false;
+    if (!bodies_.move(audience, time_s(), end)) return false;
     ++tick_;
     population_.walk(bodies_.poses_before(), view());
     return true;
@@ -219,9 +213,8 @@ class Ecology final : public Simulation {
 
   void starve(observe::Audience& audience) {
     const View now = view();
-    const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) {
-      return sees(rules_, population_, params_.seed, self, other, now);
-    };
+    const Moment<Rules> moment{rules_, population_, params_.seed, now};
+    const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) { return moment.sees(self, other); };
     const auto hungry = states().starvation.all();
     const death::Starving starving = death::ask::starving(rules_.starvation, hungry, starvation_clock_, now, perceives);
     const IndividualId first_newborn = population_.next_id();
@@ -249,18 +242,16 @@ class Ecology final : public Simulation {
     }
   }
 
-  /// Births in spare bodies. A table without a Recruitment rule has none.
-  void recruit([[maybe_unused]] observe::Audience& audience) {
-    if constexpr (!is_neutral<Rules, RuleSlot::recruitment>) {
-      Rng rng{params_.seed, Stream::recruitment, 0, static_cast<std::uint64_t>(tick_)};
-      const auto recruiting = states().recruitment.all();
-      for (const auto& recruit : reproduction::ask::recruits(rules_.recruitment, recruiting, view(), rng)) {
-        const auto demand = recruit.parent ? population_.misfit(recruit.parent->genome.get()) : std::nullopt;
-        detail::check_recruit(web_, recruit, population_.individuals(), demand);
-        const auto descent = recruit.parent ? reproduction::Descent::of_parent : reproduction::Descent::random;
-        population_.replace(recruit.body, recruit.species, {.descent = descent, .parent = recruit.parent}, view());
-        begin_life(audience, recruit.body);
-      }
+  /// Births in spare bodies.
+  void recruit(observe::Audience& audience) {
+    Rng rng{params_.seed, Stream::recruitment, 0, static_cast<std::uint64_t>(tick_)};
+    const auto recruiting = states().recruitment.all();
+    for (const auto& recruit : reproduction::ask::recruits(rules_.recruitment, recruiting, view(), rng)) {
+      const auto demand = recruit.parent ? population_.misfit(recruit.parent->genome.get()) : std::nullopt;
+      detail::check_recruit(web_, recruit, population_.individuals(), demand);
+      const auto descent = recruit.parent ? reproduction::Descent::of_parent : reproduction::Descent::random;
+      population_.replace(recruit.body, recruit.species, {.descent = descent, .parent = recruit.parent}, view());
+      begin_life(audience, recruit.body);
     }
   }
 
@@ -280,7 +271,7 @@ class Ecology final : public Simulation {
   }
 
   void begin_life(observe::Audience& audience, BodyIndex body) {
-    if constexpr (differ) {
+    if (Phenotypes<Rules>::differ) {
       bodies_.embody(body, population_.individuals().size());
     } else if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) {
       bodies_.restart(body);
@@ -307,15 +298,14 @@ class Ecology final : public Simulation {
   /// made before the first tag changes.
   void decide(observe::Audience& audience) {
     const View now = view();
+    const Moment<Rules> moment{rules_, population_, params_.seed, now};
     const auto common = rules_.sensors.sense_common(now);
-    const bool keeps_decision = params_.ecology.without_target == WithoutTarget::keeps_decision;
     choices_.clear();
     const bool is_observed = audience.wants_decisions();
     const bool in_turn = params_.ecology.decision_order == DecisionOrder::in_turn;
     for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
-      choices_.push_back(population_[body].lives()
-                             ? choice_of(rules_, population_, params_.seed, body, now, common, keeps_decision, is_observed)
-                             : Choice<Rules>{});
+      choices_.push_back(population_[body].lives() ? moment.choice(body, common, params_.ecology.without_target, is_observed)
+                                                   : Choice<Rules>{});
       if (in_turn) act(audience, body, choices_[body]);
     }
     if (in_turn) return;
@@ -354,7 +344,6 @@ class Ecology final : public Simulation {
   Params params_;
   BackendChoice choice_;
   Habitat habitat_;
-  observe::FrameTimes times_;
   Policies<Rules> rules_;
   FoodWeb web_;
   EngineNursery<PolicyIn<Rules, RuleSlot::steering>> nursery_;

@@ -44,9 +44,14 @@ template <class Rules>
   return experiment;
 }
 
-/// Control steps in one tick. Throws std::invalid_argument unless they are a whole number >= 1 and, for a backend with joints,
-/// no physics step is longer than a control step.
-[[nodiscard]] inline std::int64_t control_steps_per_tick(const EcologyParams& ecology, const Physics& physics, bool has_joints) {
+/// Control steps in one tick.
+[[nodiscard]] inline std::int64_t control_steps_per_tick(const EcologyParams& ecology) {
+  return std::llround(ecology.tick_s * ecology.clock_scale * ecology.control_hz);
+}
+
+/// Throws std::invalid_argument unless the control steps in a tick are a whole number >= 1 and, for a backend with joints, no
+/// physics step is longer than a control step.
+inline void check_control_steps(const EcologyParams& ecology, const Physics& physics, bool has_joints) {
   const double steps = ecology.tick_s * ecology.clock_scale * ecology.control_hz;
   const double whole = std::round(steps);
   if (whole < 1.0 || std::abs(steps - whole) > 1e-6) {
@@ -65,7 +70,6 @@ template <class Rules>
     throw std::invalid_argument{"physics.timestep_s = " + number_text(physics.timestep_s) +
                                 ": must be <= " + number_text(1.0 / ecology.control_hz) + ", the control period"};
   }
-  return static_cast<std::int64_t>(whole);
 }
 
 }  // namespace trophic

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 #include <trophic/ecology/simulation.hpp>
-#include <trophic/population/food_web.hpp>
+#include <trophic/population/individual.hpp>
 #include <vector>
 
 namespace trophic {
@@ -14,9 +14,7 @@ namespace trophic {
 /// An individual of a contest.
 struct Contestant {
   Species species = 0;
-  std::vector<double> weights;  ///< of its genome
-  std::vector<double> gait = {};
-  std::vector<double> body = {};
+  Genome genome;  ///< its id has no meaning
 };
 
 /// One individual for each body.

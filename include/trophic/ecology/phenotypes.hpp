@@ -3,11 +3,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
-#include <trophic/ecology/genome_parts.hpp>
+#include <stdexcept>
+#include <string>
+#include <trophic/ecology/body_genes.hpp>
+#include <trophic/ecology/gait_genes.hpp>
+#include <trophic/habitat/habitat.hpp>
+#include <trophic/habitat/nursery.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
+#include <trophic/reproduction/viability/contract.hpp>
+#include <trophic/rules/table.hpp>
+#include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <tuple>
 #include <utility>
@@ -20,55 +29,121 @@ namespace trophic {
 struct BornWith {
   IndividualId individual = 0;
   Species species = no_species;
-  std::vector<double> body;
-  std::vector<double> gait;
+  std::vector<double> body_genes;
+  std::vector<double> gait_genes;
   static constexpr auto saved() {
-    return std::tuple{&BornWith::individual, &BornWith::species, &BornWith::body, &BornWith::gait};
+    return std::tuple{&BornWith::individual, &BornWith::species, &BornWith::body_genes, &BornWith::gait_genes};
   }
 };
 
-/// The body and the gait in each robot under a table whose individuals differ; empty otherwise.
+/// The body and the gait in each robot under a table whose individuals differ in them. Otherwise it is empty, and all functions
+/// do nothing.
 template <class Rules>
 class Phenotypes {
  public:
-  [[nodiscard]] std::span<const Phenotype> all() const { return expressed_; }
+  static constexpr bool differ = GaitGenes<Rules>::differ;
 
-  /// Expresses the genes of the individual that is born in a body; the body after the last one is a new one.
-  void express(BodyIndex body, const Individual& born, const GenomeParts<Rules>& parts) {
-    if (body == expressed_.size()) add({}, {});
-    genes_[body] = {.individual = born.id, .species = born.species, .body = born.genome->body, .gait = born.genome->gait};
-    expressed_[body] = expressed(genes_[body], parts);
+  /// All arguments outlive the phenotypes. Throws std::invalid_argument for rules that try newborns without a nursery.
+  Phenotypes(const Policies<Rules>& rules, std::uint64_t seed, const Habitat* habitat, const Nursery* nursery)
+      : rules_{rules},
+        seed_{seed},
+        habitat_{habitat},
+        nursery_{nursery},
+        bodies_{rules, habitat},
+        gaits_{rules, habitat, nursery} {
+    if ((GaitGenes<Rules>::are_learnt || has_trials) && nursery == nullptr)
+      throw std::invalid_argument{"rules with trials of newborns: need a nursery"};
+  }
+
+  [[nodiscard]] std::span<const Phenotype> all() const { return expressed_; }
+  /// The number of mutations of bodies that were refused.
+  [[nodiscard]] std::uint64_t refused() const { return refused_; }
+
+  /// Draws the genes of body and gait that the genome of a newborn lacks, mutates the others, and expresses them in its body; the
+  /// body after the last one is a new one. If the rule Viability refuses the newborn after a trial, they are drawn or mutated
+  /// again.
+  void develop(BodyIndex body, const Individual& born, Genome& genome) {
+    if (!differ) return;
+    const bool draws_body = genome.body_genes.empty();
+    const bool draws_gait = genome.gait_genes.empty();
+    const bool is_drawn = (BodyGenes<Rules>::are_inherited && draws_body) || (GaitGenes<Rules>::are_inherited && draws_gait);
+    Rng body_rng{seed_, draws_body ? Stream::body_genes : Stream::body_mutation, born.id};
+    Rng gait_rng{seed_, draws_gait ? Stream::gait_genes : Stream::gait_mutation, born.id};
+    const Genome inherited = genome;
+    const auto& viability = for_species(rules_.viability, born.species);
+    std::string refusal;
+    for (std::size_t attempt = 0; attempt < (is_drawn ? BodyGenes<Rules>::most_draws : viability.attempts()); ++attempt) {
+      Phenotype own = bodies_.draw_or_mutate(genome.body_genes, born, body_rng, refused_);
+      gaits_.draw_or_mutate(genome.gait_genes, model_of(own), born, gait_rng);
+      own.gait = gaits_.express(born.species, genome.gait_genes, model_of(own));
+      const auto reason = reproduction::ask::refusal_after_trial(viability, model_of(own), *own.gait, nursery_);
+      if (!reason) return keep(body, born, genome, std::move(own));
+      refusal = *reason;
+      refused_ += is_drawn ? 0 : 1;
+      genome = inherited;
+    }
+    if (is_drawn) BodyGenes<Rules>::throw_refused("newborns", refusal);
+    express(body, born, genome);
+  }
+
+  /// Expresses the genes of an individual in its body as they are.
+  void express(BodyIndex body, const Individual& born, const Genome& genome) {
+    if (differ) keep(body, born, genome, expressed(born.species, genome.body_genes, genome.gait_genes));
   }
 
   /// Adds a body that starts without an individual: it is as the first one.
   void add_spare() {
+    if (!differ) return;
     if (genes_.empty()) throw RuleError{"recruitment", "a spare body 0: the first body must have an individual"};
-    add(genes_.front(), expressed_.front());
+    genes_.push_back(genes_.front());
+    expressed_.push_back(expressed_.front());
   }
 
-  /// Writes the genes, or reads them and expresses them again.
-  void persist(Archive& archive, std::size_t species, const GenomeParts<Rules>& parts) {
+  /// Writes the genes, or reads them and expresses them again. Throws std::invalid_argument for genes of other rules or of a
+  /// species beyond this number.
+  void persist(Archive& archive, std::size_t species) {
+    if (!differ) return;
     const std::size_t bodies = genes_.size();
-    archive(genes_);
+    archive(refused_, genes_);
     if (!archive.reads()) return;
     Archive::require(genes_.size() == bodies, "another number of bodies than of robots");
     for (BodyIndex body = 0; body < bodies; ++body) {
-      Archive::require(genes_[body].species < species, "a body of no species");
-      expressed_[body] = expressed(genes_[body], parts);
+      const BornWith& genes = genes_[body];
+      Archive::require(genes.species < species, "a body of no species");
+      expressed_[body] = expressed(genes.species, genes.body_genes, genes.gait_genes);
+      expressed_[body].individual = genes.individual;
     }
   }
 
  private:
-  void add(BornWith genes, Phenotype own) {
-    genes_.push_back(std::move(genes));
-    expressed_.push_back(std::move(own));
-  }
-  [[nodiscard]] static Phenotype expressed(const BornWith& genes, const GenomeParts<Rules>& parts) {
-    Phenotype own = parts.express(genes.species, genes.body, genes.gait);
-    own.individual = genes.individual;
+  static constexpr bool has_trials = reproduction::TriesNewborns<AnswersForSpecies<PolicyIn<Rules, RuleSlot::viability>>>;
+
+  [[nodiscard]] const RobotModel& model_of(const Phenotype& own) const { return own.robot ? *own.robot : habitat_->robot; }
+
+  [[nodiscard]] Phenotype expressed(Species species, std::span<const double> body_genes,
+                                    std::span<const double> gait_genes) const {
+    Phenotype own = bodies_.express(species, body_genes);
+    own.gait = gaits_.express(species, gait_genes, model_of(own));
     return own;
   }
 
+  void keep(BodyIndex body, const Individual& born, const Genome& genome, Phenotype own) {
+    if (body == genes_.size()) {
+      genes_.emplace_back();
+      expressed_.emplace_back();
+    }
+    own.individual = born.id;
+    genes_[body] = {born.id, born.species, genome.body_genes, genome.gait_genes};
+    expressed_[body] = std::move(own);
+  }
+
+  const Policies<Rules>& rules_;
+  std::uint64_t seed_;
+  const Habitat* habitat_;
+  const Nursery* nursery_;
+  BodyGenes<Rules> bodies_;
+  GaitGenes<Rules> gaits_;
+  std::uint64_t refused_ = 0;  ///< mutations
   std::vector<BornWith> genes_;
   std::vector<Phenotype> expressed_;
 };

@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <string>
 #include <trophic/control/brain/contract.hpp>
-#include <trophic/ecology/genome_parts.hpp>
+#include <trophic/ecology/brain_genes.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/state_hooks.hpp>
+#include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/nursery.hpp>
-#include <trophic/perception/sensors/list.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
 #include <trophic/population/search_tree.hpp>
@@ -30,25 +30,24 @@
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <trophic/support/units.hpp>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace trophic {
 
-namespace detail {
-
-/// The sensors of a table; empty instead of a type that is not a list, which `CheckRules` reports.
-template <class Rules, class Sensors = typename slot_sensors<Rules>::type>
-using sensors_of = std::conditional_t<perception::SensorList<Sensors>, Sensors, perception::sensors::List<>>;
-
-}  // namespace detail
-
 /// The origin of the next individual in a vacant body.
 struct Parentage {
   reproduction::Descent descent = reproduction::Descent::random;
   std::optional<Ancestor> parent;  ///< none if the genome is random by rule or there is no individual to inherit from
+};
+
+/// The circumstances of births besides the rules: `habitat` is for tables whose bodies or gaits differ, `nursery` for those that
+/// try newborns; both outlive the population.
+struct BirthSetting {
+  bool shadow = false;  ///< the heredity rule is not applied, and every inherited genome is drawn anew
+  const Habitat* habitat = nullptr;
+  const Nursery* nursery = nullptr;
 };
 
 /// One individual per body, starting with the founders, and the states of all rules: the only writer of both. Applies the birth
@@ -57,24 +56,24 @@ struct Parentage {
 template <class Rules>
 class Population {
  public:
-  using Sensors = detail::sensors_of<Rules>;
-  static_assert(control::detail::SameInputs<
-                    Sensors::size, control::detail::inputs_taken<typename detail::slot_brain<Rules>::type, Sensors::size>>,
+  using Sensors = PolicyIn<Rules, RuleSlot::sensors>;
+  using Brain = PolicyIn<Rules, RuleSlot::brain>;
+  static_assert(control::detail::SameInputs<Sensors::size, control::detail::inputs_taken<Brain, Sensors::size>>,
                 "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
 
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// A body for which `founders` has no_species starts spare; the id of every founder is the number of its body.
   /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
-  /// later births. `shadow`: the heredity rule is not applied, and every inherited genome is drawn anew. `habitat` and `nursery`
-  /// outlive the population; a table whose bodies or gaits differ needs the first, one that tries newborns both.
+  /// later births.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders,
-             bool shadow = false, const Habitat* habitat = nullptr, const Nursery* nursery = nullptr)
+             const BirthSetting& setting = {})
       : rules_{rules},
         web_{web},
         seed_{seed},
-        is_shadow_{shadow},
+        is_shadow_{setting.shadow},
         tags_{rules.brain.tags()},
-        parts_{rules, Sensors::size, seed, habitat, nursery} {
+        brains_{rules, seed},
+        phenotypes_{rules, seed, setting.habitat, setting.nursery} {
     check_tags(tags_);
     for (const Species species : founders)
       if (species != no_species) check_index("community", "species", species, web.size());
@@ -84,16 +83,15 @@ class Population {
       if (species == no_species) {
         for_each_state(rules_, states_, [&]<class P>(const P&, BodyStates<P>& states) { states.push_back({}); });
         individuals_.push_back(spare_body(born.tag, 0.0));
-        if constexpr (differ) phenotypes_.add_spare();
+        phenotypes_.add_spare();
         continue;
       }
       for_each_state(rules_, states_, [&]<class P>(const P& policy, BodyStates<P>& states) {
         states.push_back(for_species(policy, born.species).born(born, nullptr, StateOf<P>{}));
       });
-      born.genome = drawn_genome(born);
-      if constexpr (differ) phenotypes_.express(individuals_.size(), born, parts_);
+      born.genome = drawn_genome(born, individuals_.size());
       ++members_[species];
-      if constexpr (has_states) bodies_[born.id] = individuals_.size();
+      bodies_[born.id] = individuals_.size();
       individuals_.push_back(std::move(born));
     }
   }
@@ -117,10 +115,7 @@ class Population {
     Archive::require(there == keepers, "rules with other states");
     archive(next_id_, next_genome_id_, individuals_);
     for_each_state(rules_, states_, [&](const auto&, auto& states) { archive(states); });
-    if constexpr (differ) {
-      archive(parts_);
-      phenotypes_.persist(archive, web_.size(), parts_);
-    }
+    phenotypes_.persist(archive, web_.size());
     if (!archive.reads()) return;
     Archive::require(individuals_.size() == bodies, "another number of robots");
     for (const Individual& individual : individuals_) check_saved(individual);
@@ -129,7 +124,7 @@ class Population {
     for (BodyIndex body = 0; body < bodies; ++body) {
       if (!individuals_[body].lives()) continue;
       ++members_[individuals_[body].species];
-      if constexpr (has_states) bodies_[individuals_[body].id] = body;
+      bodies_[individuals_[body].id] = body;
     }
     for_each_state(rules_, states_, [&](const auto&, const auto& states) {
       Archive::require(states.all().size() == bodies, "another number of states than of robots");
@@ -148,21 +143,17 @@ class Population {
   /// brain does not take.
   void enlist(std::span<const Contestant> lineup) {
     for (BodyIndex body = 0; body < individuals_.size(); ++body) {
-      const Genome given{.id = individuals_[body].genome->id, .weights = lineup[body].weights};
-      if (const auto demand = parts_.misfit(&given)) {
+      const Genome& given = lineup[body].genome;
+      Genome& genome = *individuals_[body].genome;
+      if (const auto demand = brains_.misfit(&given)) {
         throw std::invalid_argument{"a contest of genomes of " + std::to_string(given.weights.size()) + " weights: must have " +
                                     *demand + ", as the table's brain takes it"};
       }
-      Genome& genome = *individuals_[body].genome;
-      genome.weights = given.weights;
-      if constexpr (differ) {
-        if (genome.gait.empty() != lineup[body].gait.empty() || genome.body.empty() != lineup[body].body.empty()) {
-          throw std::invalid_argument{"a contest of genomes without genes of gait or body: must have those that the table's do"};
-        }
-        genome.gait = lineup[body].gait;
-        genome.body = lineup[body].body;
-        phenotypes_.express(body, individuals_[body], parts_);
+      if (genome.gait_genes.empty() != given.gait_genes.empty() || genome.body_genes.empty() != given.body_genes.empty()) {
+        throw std::invalid_argument{"a contest of genomes without genes of gait or body: must have those that the table's do"};
       }
+      genome = {genome.id, given.weights, given.gait_genes, given.body_genes};
+      phenotypes_.express(body, individuals_[body], genome);
       individuals_[body].active = true;
       mark(body);
     }
@@ -192,12 +183,7 @@ class Population {
     Individual& self = individuals_[body];
     self.adversary = sighting ? std::optional{sighting->adversary} : std::nullopt;
     self.adversary_distance_m = sighting ? sighting->distance_m : std::numeric_limits<double>::quiet_NaN();
-    for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
-      const auto& rule = for_species(policy, self.species);
-      if constexpr (requires { rule.on_sighting(states[body], body, sighting, view); }) {
-        rule.on_sighting(states[body], body, sighting, view);
-      }
-    });
+    notify_sighting(rules_, states_, body, sighting, view);
   }
 
   /// The brain's decision for these inputs. Throws RuleError for a tag that the brain does not list.
@@ -235,14 +221,12 @@ class Population {
   }
 
   /// The demand of the table's brain that a genome violates, "a genome of 15 weights"; none if it fits.
-  [[nodiscard]] std::optional<std::string> misfit(const Genome* genome) const { return parts_.misfit(genome); }
+  [[nodiscard]] std::optional<std::string> misfit(const Genome* genome) const { return brains_.misfit(genome); }
 
-  /// Whether individuals have bodies or gaits of their own.
-  static constexpr bool differ = GenomeParts<Rules>::has_bodies || GenomeParts<Rules>::has_gaits;
   /// The body and the gait in each body, also a spare one; empty if all have the habitat's.
   [[nodiscard]] std::span<const Phenotype> phenotypes() const { return phenotypes_.all(); }
   /// The number of mutations of bodies that were refused.
-  [[nodiscard]] std::uint64_t refused_bodies() const { return parts_.refused(); }
+  [[nodiscard]] std::uint64_t refused_bodies() const { return phenotypes_.refused(); }
 
   /// Takes the individual out of a body, which is spare from then on.
   void vacate(BodyIndex body) {
@@ -257,20 +241,19 @@ class Population {
     std::vector<double> before;  // a heredity may share the parent's genome and change it
     if (parentage.parent) before = parentage.parent->genome->weights;
     auto genome = parentage.parent && !is_shadow_ ? rules_.heredity.inherit(parentage.parent->genome) : nullptr;
-    if (const auto demand = genome && !genome->weights.empty() ? parts_.misfit(genome.get()) : std::nullopt) {
+    if (const auto demand = genome && !genome->weights.empty() ? brains_.misfit(genome.get()) : std::nullopt) {
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     }
     create_states(born, body, genome ? body_of(parentage.parent->id) : std::nullopt);
     if (parentage.parent) {
       descend(born, body, *parentage.parent, std::move(genome), before);
     } else {
-      born.genome = drawn_genome(born);
+      born.genome = drawn_genome(born, body);
       if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
     }
     remove(body);
     ++members_[species];
-    if constexpr (has_states) bodies_[born.id] = body;
-    if constexpr (differ) phenotypes_.express(body, born, parts_);
+    bodies_[born.id] = body;
     individuals_[body] = std::move(born);
     mark(body);
     if (!parentage.parent) return;
@@ -292,13 +275,12 @@ class Population {
       if (individual.id == no_individual && !individual.genome && !individual.active && !individual.adversary && has_tag) return;
       throw std::invalid_argument{"a spare body of other rules"};
     }
-    const bool sound = individual.id < next_id_ && individual.species < web_.size() && individual.genome &&
-                       !parts_.misfit(individual.genome.get()) && has_tag &&
-                       individual.adversary.value_or(0) < individuals_.size();
+    const bool sound = individual.id < next_id_ && individual.species < web_.size() && !brains_.misfit(individual.genome.get()) &&
+                       has_tag && individual.adversary.value_or(0) < individuals_.size();
     if (!sound) throw std::invalid_argument{"an individual of other rules"};
   }
 
-  /// The body of an individual; none for the dead, and if no rule has a state.
+  /// The body of an individual; none for the dead.
   [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {
     const auto found = bodies_.find(id);
     return found == bodies_.end() ? std::nullopt : std::optional{found->second};
@@ -316,7 +298,7 @@ class Population {
   void remove(BodyIndex body) {
     if (!individuals_[body].lives()) return;
     --members_[individuals_[body].species];
-    if constexpr (has_states) bodies_.erase(individuals_[body].id);
+    bodies_.erase(individuals_[body].id);
   }
 
   /// A newborn without its genome. `previous` is the body's last occupant, none for a founder.
@@ -334,10 +316,10 @@ class Population {
     return born;
   }
 
-  [[nodiscard]] std::shared_ptr<Genome> drawn_genome(const Individual& born) {
-    auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++, .weights = {}});
-    parts_.draw_weights(*genome, born);
-    if constexpr (differ) parts_.draw_or_mutate(*genome, born);
+  [[nodiscard]] std::shared_ptr<Genome> drawn_genome(const Individual& born, BodyIndex body) {
+    auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++});
+    brains_.draw(*genome, born);
+    phenotypes_.develop(body, born, *genome);
     return genome;
   }
 
@@ -348,34 +330,32 @@ class Population {
     born.origin = Origin::inherited;
     born.parent = parent.id;
     if (!genome) {
-      born.genome = drawn_genome(born);
+      born.genome = drawn_genome(born, body);
     } else {
       if (genome != parent.genome) genome->id = next_genome_id_++;
       if (genome->weights.empty()) {
-        parts_.draw_weights(*genome, born);
+        brains_.draw(*genome, born);
       } else {
-        parts_.mutate_weights(*genome, states_.mutation[body], born);
+        brains_.mutate(*genome, states_.mutation[body], born);
       }
-      if constexpr (differ) parts_.draw_or_mutate(*genome, born);
+      phenotypes_.develop(body, born, *genome);
       born.genome = std::move(genome);
     }
-    born.mutation_distance = parts_.distance(before, born.genome->weights);
+    born.mutation_distance = brains_.distance(before, born.genome->weights);
   }
-
-  static constexpr bool has_states = detail::has_states<Rules>();
 
   const Policies<Rules>& rules_;
   const FoodWeb& web_;
   std::uint64_t seed_;
   bool is_shadow_;
   std::vector<int> tags_;
-  GenomeParts<Rules> parts_;
+  BrainGenes<Rules> brains_;
   Phenotypes<Rules> phenotypes_;
   IndividualId next_id_ = 0;
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;
   std::vector<std::size_t> members_;                         ///< of each species
-  std::unordered_map<IndividualId, BodyIndex> bodies_ = {};  ///< the body of each individual, if rules have states
+  std::unordered_map<IndividualId, BodyIndex> bodies_ = {};  ///< the body of each individual
   std::span<const GroundPose> poses_ = {};                   ///< of the bodies
   SearchTree tree_;
   RuleStates<Rules> states_;

@@ -49,22 +49,17 @@ template <class Rules>
 template <class Rules>
 [[nodiscard]] AskBrain ask_brain(const Experiment<Rules>& experiment) {
   using Brain = PolicyIn<Rules, RuleSlot::brain>;
-  const auto brain = std::make_shared<const Brain>(make_policies<Rules>(experiment.rules).brain);
-  return [brain](std::span<const double> inputs, std::span<const double> weights) {
+  return [brain = make_policies<Rules>(experiment.rules).brain](std::span<const double> inputs, std::span<const double> weights) {
     constexpr std::size_t taken = PolicyIn<Rules, RuleSlot::sensors>::size;
-    const auto check = [](const char* what, std::size_t given, std::size_t must) {
-      if (given == must) return;
-      throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + std::to_string(must) +
+    const auto check = [](bool good, std::string_view what, std::size_t given, const std::string& must) {
+      if (good) return;
+      throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + must +
                                   ", as the rule table's brain takes"};
     };
-    check("inputs", inputs.size(), taken);
-    if constexpr (control::BrainOfOneSize<Brain>) {
-      check("weights", weights.size(), brain->genome_size(taken, control::Decision::outputs));
-    } else if (!brain->fits(weights, taken, control::Decision::outputs)) {
-      throw std::invalid_argument{"weights: must be a genome that the rule table's brain takes"};
-    }
+    check(inputs.size() == taken, "inputs", inputs.size(), std::to_string(taken));
+    check(control::ask::fits(brain, weights, taken), "weights", weights.size(), control::ask::demand(brain, taken));
     StateOf<Brain> own{};
-    return control::ask::decide(*brain, own, inputs, weights);
+    return control::ask::decide(brain, own, inputs, weights);
   };
 }
 

@@ -2,8 +2,10 @@
 // Notifies the policies that have a State of what happened to its individuals.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <trophic/population/individual.hpp>
+#include <trophic/population/sighting.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
@@ -51,6 +53,18 @@ void notify_death(const Policies<Rules>& rules, RuleStates<Rules>& all, const Va
         if (body == death.body || !view.robots[body].lives()) continue;
         for_species(policy, view.robots[body].species).on_other_death(states[body], body, death, view);
       }
+    }
+  });
+}
+
+/// An individual has perceived its adversary, or none.
+template <class Rules>
+void notify_sighting(const Policies<Rules>& rules, RuleStates<Rules>& all, BodyIndex body,
+                     const std::optional<Sighting>& sighting, const View& view) {
+  for_each_state(rules, all, [&](const auto& policy, auto& states) {
+    const auto& rule = for_species(policy, view.robots[body].species);
+    if constexpr (requires { rule.on_sighting(states[body], body, sighting, view); }) {
+      rule.on_sighting(states[body], body, sighting, view);
     }
   });
 }

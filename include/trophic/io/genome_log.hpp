@@ -63,8 +63,8 @@ class GeneLog {
     if (event.kind != observe::EventKind::birth) return;
     const Genome& genome = *event.individual.genome;
     if (brains_grow_) write(event.individual.id, GenomePart::brain, genome.weights);
-    write(event.individual.id, GenomePart::gait, genome.gait);
-    write(event.individual.id, GenomePart::body, genome.body);
+    write(event.individual.id, GenomePart::gait, genome.gait_genes);
+    write(event.individual.id, GenomePart::body, genome.body_genes);
   }
   void on_tick(const View&) { file_.flush(); }
   void on_end(const View&) { file_.finish(); }

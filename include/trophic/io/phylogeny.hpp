@@ -36,14 +36,18 @@ class Phylogeny {
       tag_at_birth_.resize(view.robots.size());
       tag_at_birth_[event.body] = event.individual.tag;
     } else if (event.kind == observe::EventKind::death) {
-      write(event.individual, event.body, view, view.time_s, event.individual.tag, event.cause, event.other);
+      TaxonRow row = row_of(event.individual, event.body);
+      row.destruction_time = view.time_s;
+      row.tag_at_death = event.individual.tag;
+      row.cause_of_death = event.cause;
+      row.killer = event.other;
+      write(row, view);
     }
   }
   void on_tick(const View&) { file_.flush(); }
   void on_end(const View& view) {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-      if (!view.robots[body].lives()) continue;
-      write(view.robots[body], body, view, {}, {}, {}, {});
+      if (view.robots[body].lives()) write(row_of(view.robots[body], body), view);
     }
     file_.finish();
   }
@@ -52,26 +56,29 @@ class Phylogeny {
   [[nodiscard]] TableSum sum() const { return file_.sum(); }
 
  private:
-  void write(const Individual& self, BodyIndex body, const View& view, std::optional<double> died_s, std::optional<int> tag,
-             std::optional<Cause> cause, std::optional<IndividualId> killer) {
-    const TaxonRow row{.id = self.id,
-                       .ancestor_list = self.parent ? "[" + std::to_string(*self.parent) + "]" : "[none]",
-                       .ancestor = self.parent.value_or(self.id),
-                       .origin_time = self.born_s,
-                       .destruction_time = died_s,
-                       .species = self.species,
-                       .origin = self.origin,
-                       .body = body,
-                       .genome = self.genome->id,
-                       .mutation_distance = self.mutation_distance,
-                       .tag_at_birth = tag_at_birth_.at(body),
-                       .tag_at_death = tag,
-                       .cause_of_death = cause,
-                       .killer = killer};
+  /// The row of an individual that lives.
+  [[nodiscard]] TaxonRow row_of(const Individual& self, BodyIndex body) const {
+    return {.id = self.id,
+            .ancestor_list = self.parent ? "[" + std::to_string(*self.parent) + "]" : "[none]",
+            .ancestor = self.parent.value_or(self.id),
+            .origin_time = self.born_s,
+            .destruction_time = {},
+            .species = self.species,
+            .origin = self.origin,
+            .body = body,
+            .genome = self.genome->id,
+            .mutation_distance = self.mutation_distance,
+            .tag_at_birth = tag_at_birth_.at(body),
+            .tag_at_death = {},
+            .cause_of_death = {},
+            .killer = {}};
+  }
+
+  void write(const TaxonRow& row, const View& view) {
     append_row(file_.buffer(), row, view.web);
     if (!bodies_differ_) return;
     file_.buffer().back() = ',';
-    file_.buffer().append(body::text_of(view.phenotypes[body].design->modules)).push_back('\n');
+    file_.buffer().append(body::text_of(view.phenotypes[row.body].design->modules)).push_back('\n');
   }
 
   LineFile file_;

@@ -40,11 +40,11 @@ enum class Cause { caught, starved, sacrificed, senescence, diverged };
 /// The numbers that an individual is made of, in parts; one slot's policy defines the meaning of each part. A part that a table
 /// does not evolve is empty. Held by shared_ptr: the Heredity rule decides whether parent and offspring share one genome.
 struct Genome {
-  std::uint64_t id = 0;              ///< unique in a run; a shared genome keeps its id through mutations
-  std::vector<double> weights = {};  ///< of the brain
-  std::vector<double> gait = {};     ///< of the rule Gait
-  std::vector<double> body = {};     ///< of the rule BodyPlan
-  static constexpr auto saved() { return std::tuple{&Genome::id, &Genome::weights, &Genome::gait, &Genome::body}; }
+  std::uint64_t id = 0;                 ///< unique in a run; a shared genome keeps its id through mutations
+  std::vector<double> weights = {};     ///< of the brain
+  std::vector<double> gait_genes = {};  ///< of the rule Gait
+  std::vector<double> body_genes = {};  ///< of the rule BodyPlan
+  static constexpr auto saved() { return std::tuple{&Genome::id, &Genome::weights, &Genome::gait_genes, &Genome::body_genes}; }
 };
 
 /// An individual that offspring can descend from, possibly dead.

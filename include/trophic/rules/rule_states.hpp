@@ -9,7 +9,6 @@
 #include <trophic/population/parts.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/table.hpp>
-#include <type_traits>
 #include <utility>
 
 namespace trophic {
@@ -45,21 +44,6 @@ struct CheckStates {
 #undef TROPHIC_CHECK_STATE
   static constexpr bool ok = true;
 };
-
-/// Whether a policy, or a part of it, has a State.
-template <class P>
-struct keeps_state : std::bool_constant<Stateful<P>> {};
-template <template <class...> class Whole, class... Ps>
-requires MadeOfParts<Whole<Ps...>>
-struct keeps_state<Whole<Ps...>> : std::bool_constant<(keeps_state<Ps>::value || ...)> {
-};
-
-template <class Rules>
-[[nodiscard]] consteval bool has_states() {
-  bool any = false;
-  for_each_slot([&]<RuleSlot slot>() { any = any || keeps_state<PolicyIn<Rules, slot>>::value; });
-  return any;
-}
 
 /// Calls `visit(policy, states)` for a policy or for each of its parts.
 template <class P, class States, class Visitor>

@@ -19,7 +19,7 @@ namespace {
 struct Walker {
   explicit Walker(std::int64_t idle_steps)
       : backend{robot, load_arena("walled_square"), std::vector<Pose>(1), {}, {}},
-        locomotion{robot, load_gait("spider_published"), {}, 1, 60.0, CpgIntegration::exact, idle_steps} {}
+        locomotion{robot, load_gait("spider_published"), {}, 1, {.idle_steps = idle_steps}} {}
 
   std::vector<double> targets_after(std::int64_t steps) {
     locomotion.advance(backend, steps, std::vector<double>{0.7});

@@ -57,7 +57,7 @@ TEST_CASE("contest: given individuals -> in their bodies, active, and no births,
     CHECK(view.robots[body].id == body);
     CHECK(view.robots[body].species == (body < 10 ? predator : prey));
     CHECK(view.robots[body].active);
-    CHECK(view.robots[body].genome->weights == lineup[body].weights);
+    CHECK(view.robots[body].genome->weights == lineup[body].genome.weights);
   }
 }
 

@@ -76,7 +76,7 @@ struct BrainOnly {
 struct GaitOnly {
   static constexpr std::string_view name = "gait_only";
   [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
-    return std::make_shared<Genome>(Genome{.id = 0, .gait = parent->gait});
+    return std::make_shared<Genome>(Genome{.id = 0, .gait_genes = parent->gait_genes});
   }
 };
 
@@ -98,7 +98,7 @@ struct Birth {
           numbers.genome_source.random_share = 0.0;
           return make_policies<Rules>(numbers);
         }()},
-        population{policies, web, 99, std::vector<Species>{prey, prey, predator, predator}, false, &habitat} {
+        population{policies, web, 99, std::vector<Species>{prey, prey, predator, predator}, {.habitat = &habitat}} {
     parent = *population[2].genome;
     const View view{.web = web, .arena = habitat.arena, .robots = population.individuals(), .poses = poses};
     const auto parentage = population.parentage({.body = 0, .cause = Cause::caught, .killer = 2}, view);
@@ -196,7 +196,7 @@ void check_resumed(double duration_s, Experiment<Rules> experiment = {}, ToyBodi
   run_in_parts(experiment, toys, folder.path() / "whole", {}, 40.0, nothing);
   run_in_parts(experiment, toys, folder.path() / "parts", {33, 71}, 40.0, nothing);
   CHECK(results_in(folder.path() / "whole") == results_in(folder.path() / "parts"));
-  const bool has_genes = GenomeParts<Rules>::has_gait_genes || GenomeParts<Rules>::is_growing;
+  const bool has_genes = GaitGenes<Rules>::are_inherited || BrainGenes<Rules>::grow;
   CHECK(std::filesystem::exists(folder.path() / "whole" / "genes.csv") == has_genes);
   if (!has_genes) return;
   const std::string genes = content(folder.path() / "whole" / "genes.csv");
@@ -209,13 +209,14 @@ void check_resumed(double duration_s, Experiment<Rules> experiment = {}, ToyBodi
 TEST_CASE("genome parts: inherited gait -> founders near the robot's own, offspring near its parent's") {
   const Birth<Gaits> birth;
   const Gait& own = birth.habitat.gait;
-  REQUIRE(birth.parent.gait.size() == 10);  // four hinges and six pairs
-  CHECK(birth.parent.body.empty());
-  for (Eigen::Index i = 0; i < 4; ++i) CHECK(std::abs(birth.parent.gait[static_cast<std::size_t>(i)] - own.internal[i]) < 0.3);
-  CHECK(largest_step(birth.child.gait, birth.parent.gait) > 0.0);
-  CHECK(largest_step(birth.child.gait, birth.parent.gait) < 0.1);
-  CHECK(birth.population.phenotypes()[0].gait->internal[2] == birth.child.gait[2]);
-  CHECK(birth.population.phenotypes()[2].gait->internal[2] == birth.parent.gait[2]);
+  REQUIRE(birth.parent.gait_genes.size() == 10);  // four hinges and six pairs
+  CHECK(birth.parent.body_genes.empty());
+  for (Eigen::Index i = 0; i < 4; ++i)
+    CHECK(std::abs(birth.parent.gait_genes[static_cast<std::size_t>(i)] - own.internal[i]) < 0.3);
+  CHECK(largest_step(birth.child.gait_genes, birth.parent.gait_genes) > 0.0);
+  CHECK(largest_step(birth.child.gait_genes, birth.parent.gait_genes) < 0.1);
+  CHECK(birth.population.phenotypes()[0].gait->internal[2] == birth.child.gait_genes[2]);
+  CHECK(birth.population.phenotypes()[2].gait->internal[2] == birth.parent.gait_genes[2]);
   CHECK(birth.population.phenotypes()[0].robot == nullptr);
 }
 
@@ -224,18 +225,18 @@ TEST_CASE("genome parts: gait of its own -> brain's numbers are as without it") 
   const Birth<rules::Paper> without;
   CHECK(own.child.weights == without.child.weights);
   CHECK(own.population[0].mutation_distance == without.population[0].mutation_distance);
-  CHECK(without.child.gait.empty());
+  CHECK(without.child.gait_genes.empty());
   CHECK(without.population.phenotypes().empty());
 }
 
 TEST_CASE("genome parts: heredity that leaves a part empty -> it is drawn anew, the other one inherited") {
   const Birth<with_heredity<Gaits, BrainOnly>> brain;
   CHECK(largest_step(brain.child.weights, brain.parent.weights) < 0.5);
-  CHECK(largest_step(brain.child.gait, brain.parent.gait) > 0.02);
-  CHECK(brain.child.gait == brain.population[0].genome->gait);
+  CHECK(largest_step(brain.child.gait_genes, brain.parent.gait_genes) > 0.02);
+  CHECK(brain.child.gait_genes == brain.population[0].genome->gait_genes);
   const Birth<with_heredity<Gaits, GaitOnly>> gait;
   CHECK(largest_step(gait.child.weights, gait.parent.weights) > 0.5);
-  CHECK(largest_step(gait.child.gait, gait.parent.gait) < 0.1);
+  CHECK(largest_step(gait.child.gait_genes, gait.parent.gait_genes) < 0.1);
 }
 
 TEST_CASE("genome parts: heredity that shortens a genome -> RuleError with both lengths") {
@@ -300,13 +301,13 @@ TEST_CASE("genome parts: a new gait -> its pattern generator starts anew at birt
   using Locomotion = locomotion::Locomotion<control::steering::TargetedSteering>;
   const Habitat habitat = load_habitat(rules::Paper::ecology());
   ToyBodies bodies{habitat.robot, habitat.arena, std::vector<Pose>(2), {}, {}};
-  Locomotion locomotion{habitat.robot, habitat.gait, {}, 2, 60.0, CpgIntegration::exact};
+  Locomotion locomotion{habitat.robot, habitat.gait, {}, 2, {.hz = 60.0}};
   locomotion.separate();
   const std::vector<double> ahead(2);
   locomotion.advance(bodies, 30, ahead);
   locomotion.walk_by(1, habitat.robot, habitat.gait);
   locomotion.advance(bodies, 1, ahead);
-  Locomotion fresh{habitat.robot, habitat.gait, {}, 2, 60.0, CpgIntegration::exact};
+  Locomotion fresh{habitat.robot, habitat.gait, {}, 2, {.hz = 60.0}};
   ToyBodies others{habitat.robot, habitat.arena, std::vector<Pose>(2), {}, {}};
   fresh.advance(others, 1, ahead);
   CHECK(std::ranges::equal(bodies.joint_angles(1), others.joint_angles(1)));

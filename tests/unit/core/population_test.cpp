@@ -26,7 +26,9 @@ template <class Rules>
 struct Row {
   explicit Row(const RuleParams<Rules>& numbers = {}, std::vector<Species> founders = {prey, prey, predator, predator},
                bool shadow = false)
-      : policies{make_policies<Rules>(numbers)}, population{policies, web, 99, founders, shadow}, poses(founders.size()) {
+      : policies{make_policies<Rules>(numbers)},
+        population{policies, web, 99, founders, {.shadow = shadow}},
+        poses(founders.size()) {
     for (std::size_t i = 0; i < poses.size(); ++i) poses[i].x_m = static_cast<double>(i);
   }
   [[nodiscard]] View view(std::int64_t tick) const {

@@ -138,8 +138,6 @@ TEST_CASE("rule states: rule that only records -> same run") {
 }
 
 TEST_CASE("rule states: table without states -> empty") {
-  static_assert(!detail::has_states<rules::Paper>());
-  static_assert(detail::has_states<rules::Released>());
   std::size_t visited = 0;
   for_each_state(RuleStates<rules::Paper>{}, [&](std::string_view, const auto&) { ++visited; });
   CHECK(visited == 0);
@@ -173,7 +171,6 @@ TEST_CASE("state log: states -> a column per member, a row per robot and tick") 
 TEST_CASE("rule states: sensor with a state -> one per body, read by the sensor, in the state log") {
   using Sensors = List<perception::sensors::SideOfAdversary, test::Odometer, perception::sensors::TagRatioOfAll>;
   using Rules = with_senescence<with_sensors<rules::Paper, Sensors>, Diary>;
-  static_assert(detail::has_states<Rules>());
   struct Told {
     [[nodiscard]] bool wants_decisions() const { return true; }
     void on_decision(const observe::DecisionRecord& decision, const View&) {

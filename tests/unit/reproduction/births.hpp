@@ -29,7 +29,7 @@ struct Births {
     numbers.genome_source.random_share = 0.0;
     policies = std::make_unique<Policies<Rules>>(make_policies<Rules>(numbers));
     population = std::make_unique<Population<Rules>>(*policies, web, 7, std::vector<Species>{prey, prey, predator, predator},
-                                                     false, &habitat);
+                                                     BirthSetting{.habitat = &habitat});
   }
   /// The newborn in `body`, whose parent lives in `killer`.
   const Individual& birth(BodyIndex body, BodyIndex killer) {

@@ -85,7 +85,7 @@ TEST_CASE("inherited modules: 300 births -> viable bodies of many plans, each wi
     const Phenotype& own = births.population->phenotypes()[body];
     REQUIRE(own.robot);
     CHECK_FALSE(body::refusal(own.design->modules, *own.robot, {}));
-    CHECK(body::genes_of(own.design->modules) == born.genome->body);
+    CHECK(body::genes_of(own.design->modules) == born.genome->body_genes);
     REQUIRE(own.gait);
     CHECK_NOTHROW(check_fit(*own.gait, *own.robot));
     plans.insert(body::text_of(own.design->modules));

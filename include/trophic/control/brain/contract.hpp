@@ -2,11 +2,14 @@
 // The contract of a slot: a robot's decision from its inputs.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 #include <type_traits>
@@ -68,6 +71,63 @@ concept Brain = (BrainOfOneSize<P> || GrowingBrain<P>)&&requires(const P policy)
     });
 
 namespace ask {
+
+/// The genes of an individual without a parent, with any weights. `structure` is for brains that grow, as in all that follows.
+template <class P>
+[[nodiscard]] std::vector<double> first_genes(const P& policy, std::size_t inputs, [[maybe_unused]] Rng& structure) {
+  if constexpr (GrowingBrain<P>) {
+    return policy.first(inputs, Decision::outputs, structure);
+  } else {
+    return std::vector<double>(policy.genome_size(inputs, Decision::outputs));
+  }
+}
+
+template <class P>
+[[nodiscard]] std::span<double> weights_of([[maybe_unused]] const P& policy, std::span<double> genes) {
+  if constexpr (GrowingBrain<P>) return policy.weights_of(genes);
+  return genes;
+}
+
+template <class P>
+void mutate_structure([[maybe_unused]] const P& policy, [[maybe_unused]] std::vector<double>& genes,
+                      [[maybe_unused]] std::size_t inputs, [[maybe_unused]] Rng& structure) {
+  if constexpr (GrowingBrain<P>) policy.mutate_structure(genes, inputs, Decision::outputs, structure);
+}
+
+/// Whether a brain takes these genes.
+template <class P>
+[[nodiscard]] bool fits(const P& policy, std::span<const double> genes, std::size_t inputs) {
+  if constexpr (GrowingBrain<P>) {
+    return policy.fits(genes, inputs, Decision::outputs);
+  } else {
+    return genes.size() == policy.genome_size(inputs, Decision::outputs);
+  }
+}
+
+/// A brain's demand on a genome, for error messages: "a genome of 15 weights".
+template <class P>
+[[nodiscard]] std::string demand([[maybe_unused]] const P& policy, [[maybe_unused]] std::size_t inputs) {
+  if constexpr (GrowingBrain<P>) {
+    return "a genome that fits the brain " + std::string{P::name};
+  } else {
+    return "a genome of " + std::to_string(policy.genome_size(inputs, Decision::outputs)) + " weights";
+  }
+}
+
+/// The distance between the genes of a parent and of its offspring. Missing genes count as 0.
+template <class P>
+[[nodiscard]] double distance([[maybe_unused]] const P& policy, std::span<const double> parents, std::span<const double> own) {
+  if constexpr (requires { policy.distance(parents, own); }) {
+    return policy.distance(parents, own);
+  } else {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < std::max(parents.size(), own.size()); ++i) {
+      const double step = (i < own.size() ? own[i] : 0.0) - (i < parents.size() ? parents[i] : 0.0);
+      sum += step * step;
+    }
+    return std::sqrt(sum);
+  }
+}
 
 template <class P>
 [[nodiscard]] Decision decide(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const double> inputs,

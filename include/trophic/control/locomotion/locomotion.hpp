@@ -20,6 +20,13 @@
 
 namespace trophic::locomotion {
 
+/// The control steps of a run.
+struct ControlSteps {
+  double hz = 60.0;  ///< of simulated time
+  CpgIntegration integration = CpgIntegration::exact;
+  std::int64_t idle_steps = 0;  ///< before gaits start, in which servos keep their targets; none without joints
+};
+
 /// Moves all robots of a backend. Every robot has its own copy of the gait's CPG, which keeps running when the occupant of the
 /// body changes (Sec. "Targeted Steering"), unless robots walk by gaits of their own. At each control step the CPG takes one
 /// step, its outputs are steered and become servo targets (which the servos clip), and the backend advances to the end of the
@@ -27,18 +34,14 @@ namespace trophic::locomotion {
 template <control::Steering SteeringRule>
 class Locomotion {
  public:
-  /// The gait starts after `idle_steps` control steps, in which servos keep their targets; without joints there are no idle
-  /// steps.
-  Locomotion(const RobotModel& robot, const Gait& gait, SteeringRule steering, std::size_t robots, double control_hz,
-             CpgIntegration integration, std::int64_t idle_steps = 0)
+  Locomotion(const RobotModel& robot, const Gait& gait, SteeringRule steering, std::size_t robots, const ControlSteps& control)
       : steering_{std::move(steering)},
         sides_{sides_of(robot)},
-        cpg_params_{.integration = integration, .step_s = 1.0 / control_hz},
+        cpg_params_{.integration = control.integration, .step_s = 1.0 / control.hz},
         cpg_{gait, cpg_params_},
         states_{cpg_.initial_states(robots)},
         targets_rad_(robot.hinges.size()),
-        control_hz_{control_hz},
-        idle_steps_{idle_steps} {}
+        control_{control} {}
 
   /// Takes `steps` control steps with these target angles, one per robot. With joints, `is_cancelled()` is called between the
   /// control steps; if it returns true no more are taken. Returns whether all were taken.
@@ -87,7 +90,7 @@ class Locomotion {
   }
 
   /// Simulated time of the control steps so far.
-  [[nodiscard]] double time_s() const { return static_cast<double>(taken_) / control_hz_; }
+  [[nodiscard]] double time_s() const { return static_cast<double>(taken_) / control_.hz; }
 
   /// The state that determines further motion: the CPGs and the number of steps.
   struct State {
@@ -124,7 +127,7 @@ class Locomotion {
                       IsCancelled&& is_cancelled) {
     for (std::int64_t step = 0; step < steps; ++step) {
       if (is_cancelled()) return false;
-      if (taken_ < idle_steps_) {
+      if (taken_ < control_.idle_steps) {
         wait(backend, 1);
         continue;
       }
@@ -181,8 +184,7 @@ class Locomotion {
   std::vector<Own> own_;  ///< of each robot, if they differ
   Eigen::MatrixXd states_;
   std::vector<double> targets_rad_;
-  double control_hz_;
-  std::int64_t idle_steps_;
+  ControlSteps control_;
   std::int64_t taken_ = 0;
 };
 

@@ -30,20 +30,17 @@ struct Graft {
 };
 
 /// Attaches a copy of a subtree. Throws std::invalid_argument if the grid forbids it.
-inline void attach_copy(const ModuleTree& from, std::size_t module, bool mirrored, int quarter_turns, ModuleTree& to,
-                        std::size_t parent, Face face) {
-  const std::size_t added = to.attach(parent, face, from.modules()[module].type, quarter_turns);
-  for (const Face side : all_faces) {
-    const auto child = from.child(module, side);
-    if (!child) continue;
-    const int turns = from.modules()[*child].quarter_turns;
-    attach_copy(from, *child, mirrored, mirrored ? -turns : turns, to, added, mirrored ? left_right(side) : side);
-  }
-}
 inline void attach_copy(const ModuleTree& from, const Graft& graft, ModuleTree& to, std::size_t parent, Face face) {
-  const std::size_t module = graft.module.value();
-  attach_copy(from, module, graft.image_turns.has_value(), graft.image_turns.value_or(from.modules()[module].quarter_turns), to,
-              parent, face);
+  const std::size_t root = graft.module.value();
+  const bool is_mirrored = graft.image_turns.has_value();
+  const int turns = graft.image_turns.value_or(from.modules()[root].quarter_turns);
+  const std::size_t added = to.attach(parent, face, from.modules()[root].type, turns);
+  for (const Face side : all_faces) {
+    const auto child = from.child(root, side);
+    if (!child) continue;
+    const auto image_turns = is_mirrored ? std::optional{-from.modules()[*child].quarter_turns} : std::nullopt;
+    attach_copy(from, {.module = child, .image_turns = image_turns}, to, added, is_mirrored ? left_right(side) : side);
+  }
 }
 
 inline void copy_with(const ModuleTree& tree, std::size_t module, std::span<const Graft> grafts, ModuleTree& to,

@@ -34,4 +34,14 @@ concept Embodiment = requires(const P policy, const GroundPose& place, const Rob
   { policy.set_down(place, robot, arena, others) } -> std::same_as<Pose>;
 };
 
+namespace ask {
+
+template <class P>
+[[nodiscard]] Divergence divergence([[maybe_unused]] const P& policy) {
+  if constexpr (requires { policy.divergence(); }) return policy.divergence();
+  return Divergence::ends_run;
+}
+
+}  // namespace ask
+
 }  // namespace trophic::initialization

@@ -21,7 +21,7 @@ struct AllBut {
   static constexpr std::string_view source = "control";
   [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
     auto genome = std::make_shared<Genome>(*parent);
-    (part == Part::brain ? genome->weights : part == Part::gait ? genome->gait : genome->body).clear();
+    (part == Part::brain ? genome->weights : part == Part::gait ? genome->gait_genes : genome->body_genes).clear();
     return genome;
   }
 };

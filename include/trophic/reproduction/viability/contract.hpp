@@ -34,4 +34,18 @@ concept TriesNewborns = Viability<P> &&
   { policy.refusal_after_trial(robot, gait, nursery) } -> std::same_as<std::optional<std::string>>;
 };
 
+namespace ask {
+
+/// Nothing for a rule that does not try newborns, which needs no nursery.
+template <class P>
+[[nodiscard]] std::optional<std::string> refusal_after_trial([[maybe_unused]] const P& policy,
+                                                             [[maybe_unused]] const RobotModel& robot,
+                                                             [[maybe_unused]] const Gait& gait,
+                                                             [[maybe_unused]] const Nursery* nursery) {
+  if constexpr (TriesNewborns<P>) return policy.refusal_after_trial(robot, gait, *nursery);
+  return std::nullopt;
+}
+
+}  // namespace ask
+
 }  // namespace trophic::reproduction

@@ -68,7 +68,8 @@ TROPHIC_INLINE Lineup lineup_of(const Plan& plan, const Match& match) {
   Lineup lineup;
   for (const std::size_t number : {match.hunters, match.victims}) {
     const Team& team = plan.teams.at(number);
-    for (const std::vector<double>& weights : team.genomes) lineup.push_back({.species = team.species, .weights = weights});
+    for (const std::vector<double>& weights : team.genomes)
+      lineup.push_back({.species = team.species, .genome = {.weights = weights}});
   }
   return lineup;
 }
