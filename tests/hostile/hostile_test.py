@@ -321,7 +321,7 @@ body:
       id: 'Right'
       type: FixedBrick
 brain:
-  - weights: [0.1,
+  - weights: [0.1, 0.2]
 """
 REVOLVE2 = {"type": "core", "children": {"front": {"type": "active_hinge", "rotation": 1.5707963267948966, "children": [{"type": "brick"}]},
                                          "2": {"type": "brick", "children": {"1": None, "left": {"type": "hinge"}}}}}
@@ -362,8 +362,10 @@ class Converted(Hostile):
         self.assertEqual((modules["front"][0], modules["front"][1] % 2), ("hinge", 1))
 
     def test_revolve(self):
-        _, robot = self.converted("body.yaml", REVOLVE.replace("            2: {id: none}\n", "            2:\n"))
-        self.assertEqual(self.modules(robot["core"]), {"back": ("hinge", 1, {"front": ("brick", 3, {})}), "right": ("brick", 0, {})})
+        text = REVOLVE.replace("2: {id: none}", "2:")
+        for form in (text, text.replace("type:", "type :").replace("children:", "children  :"), text.replace("id: 'Right'", "{id: 'Right',").replace("Brick\nbrain", "Brick}\nbrain")):
+            _, robot = self.converted("body.yaml", form)
+            self.assertEqual(self.modules(robot["core"]), {"back": ("hinge", 1, {"front": ("brick", 3, {})}), "right": ("brick", 0, {})})
 
     def test_revolve2(self):
         expected = {"front": ("hinge", 1, {"front": ("brick", 0, {})}), "back": ("brick", 0, {"left": ("hinge", 0, {})})}
@@ -400,12 +402,18 @@ class Converted(Hostile):
             ("0 CoreComponent Core 0\n\tx ActiveHinge H 0\n", ':2: slot = "x": must be one digit'),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H\udcff 0\n", ":2: its name must be UTF-8"),
             ("0 CoreComponent Core 0\n", "body: is a core alone: must have a hinge or a brick"),
-            (REVOLVE, "core.0.1.2: must be a module with a type"),
+            (REVOLVE, "core.0.1.2: type: missing"),
+            (REVOLVE.replace("{id: none}", "none"), "core.0.1.2: must be a module with a type"),
             (REVOLVE.replace("orientation : 90", "orientation : 45"), "core.0: orientation = 45: must be a multiple of 90 degrees"),
             (REVOLVE.replace("orientation : 90", "rotation : 90"), "core.0: rotation: is not a key that is read here; orientation turns"),
-            (REVOLVE.replace("type        : ActiveHinge", "type        : &x ActiveHinge"), ":10: &x ActiveHinge: is YAML that Revolve does not write"),
-            (REVOLVE.replace("      id: 'Right'", "     id: 'Right'"), ": must be indented as the line before"),
-            (REVOLVE.replace("    2:\n      id: 'R", "    0:\n      id: 'R"), ": 0: appears twice"),
+            (REVOLVE.replace("type        : ActiveHinge", "type        : *x"), ":10: the referenced anchor is not defined"),
+            (REVOLVE.replace("      id: 'Right'", "     id: 'Right'"), ":23: end of map not found"),
+            (REVOLVE.replace("    2:\n      id: 'R", "    0:\n      id: 'R"), ":21: 0: appears twice"),
+            *((REVOLVE.replace("{id: none}", "[" * depth + "]" * depth), ":20: nested more than 128 deep") for depth in (200, 20000)),
+            (REVOLVE.replace("{id: none}", "{" + ", ".join(f"k{i}: 0" for i in range(101)) + "}"), ":20: more than 100 keys"),
+            (REVOLVE.replace("{id: none}", "[&a [x], " + ", ".join(f"&{b} [{', '.join(['*' + a] * 9)}]" for a, b in zip("abcdef", "bcdefg")) + "]"),
+             ": more than 100000 values"),
+            (REVOLVE.replace("{id: none}", "&a [*a]"), ":20: nested more than 128 deep"),
             (json.dumps({"type": "core", "children": {"front": {"type": "hinge", "rotation": 1.0}}}), "core.front: rotation = 1.0: must be a multiple"),
             (json.dumps({"type": "core", "children": {"top": {"type": "hinge"}}}), "core: children.top: a core has no such place"),
             (json.dumps({"type": "core", "children": {"front": {"type": "core"}}}), "core.front: front: a robot has only one core"),

@@ -26,6 +26,7 @@ NAMES = {
     "ZLIB": ("zlib-api", "zlib"),
     "Boost": ("boost", "libboost-headers"),
     "CLI11": ("cli11", "cli11"),
+    "yaml-cpp": ("yaml-cpp", "yaml-cpp"),
     "mujoco": ("mujoco", "libmujoco"),
     "pugixml": ("pugixml", "pugixml"),
 }
@@ -42,7 +43,7 @@ class Recipes(unittest.TestCase):
         self.version = re.search(r"VERSION ([\d.]+)\n", CMAKE)[1]
         self.conda = yaml.safe_load((ROOT / "packaging/conda/recipe.yaml").read_text())
         wanted_by_programs = CMAKE.split("if(TROPHIC_BUILD_TESTS)")[0]
-        self.libraries = set(re.findall(r"^ *trophic_find\((\w+) ", wanted_by_programs, re.M)) | {"mujoco", "pugixml"}
+        self.libraries = set(re.findall(r"^ *trophic_find\(([\w-]+) ", wanted_by_programs, re.M)) | {"mujoco", "pugixml"}
 
     def test_versions_are_the_projects(self):
         self.assertEqual(spack_calls("version"), [self.version])

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tools/trophic/convert/block_yaml.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
+#include <tools/trophic/convert/yaml.hpp>
 #include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
@@ -175,10 +175,9 @@ class ModuleReader {
   void read_children(const Json& module, std::size_t parent, ModuleType parent_type, std::size_t depth) {
     if (!module.contains("children")) return;
     const Json& children = module.at("children");
-    if (children.is_null() || children == "{}" || children == "[]") return;
+    if (children.is_null()) return;
     const std::string above = where_;
-    if (!children.is_structured())
-      throw std::invalid_argument{"children: must be modules by their places, in lines of their own"};
+    if (!children.is_structured()) throw std::invalid_argument{"children: must be modules by their places"};
     std::size_t index = 0;
     for (const auto& [key, child] : children.items()) {
       const std::string place = children.is_array() ? std::to_string(index++) : key;
@@ -327,7 +326,7 @@ namespace {
   }
   Json whole;
   try {
-    whole = is_json ? parse_json(text) : read_block_yaml(text, file);
+    whole = is_json ? parse_json(text) : read_yaml(std::string{text}, file);
   } catch (const Json::exception& error) {
     throw std::invalid_argument{file + ": " + error.what()};
   }

@@ -22,7 +22,15 @@ inline constexpr std::string_view robogen_text = "RoboGen's text";
   for (const std::string_view core : {"0 Core", "0 E ", "0 N "}) {
     if (first.starts_with(core)) return robogen_text;
   }
-  if (has("type:") && (has("body:") || has("children:"))) return revolve2_yaml;
+  // Keys may stand in columns: "type   : Core".
+  const auto has_key = [&](std::string_view key) {
+    for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
+      const std::size_t next = text.find_first_not_of(' ', at + key.size());
+      if (next != std::string_view::npos && text[next] == ':') return true;
+    }
+    return false;
+  };
+  if (has_key("type") && (has_key("body") || has_key("children"))) return revolve2_yaml;
   return first.starts_with("---") ? "YAML" : "";
 }
 
