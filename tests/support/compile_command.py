@@ -13,7 +13,8 @@ MEANING = ("-std=", "-D", "-I", "-isystem")  # of a compiler's flags, those that
 def compile_command(database: str, source: str) -> tuple[list[str], str]:
     """Compiler, flags that give the source its meaning, and that nothing is made; and the folder that they are for."""
     for entry in json.loads(pathlib.Path(database).read_text()):
-        if os.path.samefile(os.path.join(entry["directory"], entry["file"]), source):
+        file = os.path.join(entry["directory"], entry["file"])
+        if os.path.exists(file) and os.path.samefile(file, source):
             words = shlex.split(entry["command"])
             compiler = next(word for word in words if "++" in pathlib.Path(word).name)  # after a launcher
             flags = [

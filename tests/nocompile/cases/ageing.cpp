@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A rule's number that fields() does not list would be missing from configuration and manifest.
-// expect: the Params of the policy in Rules::Senescence need static constexpr auto fields(), listing every number
+// A rule with numbers.
 #include <trophic/rules/paper.hpp>
 
 struct Ageing {
   static constexpr std::string_view name = "ageing";
   struct Params {
-    double max_age_s = 100.0;
-#ifdef VALID
+    double max_age_s = 600.0;
+    bool spares_founders = false;
     static constexpr auto fields() {
-      return std::tuple{trophic::field("max_age_s", &Params::max_age_s, trophic::above(0.0), "age at death")};
+      return std::tuple{trophic::field("max_age_s", &Params::max_age_s, trophic::above(0.0)),
+                        trophic::field("spares_founders", &Params::spares_founders)};
     }
-#endif
   };
   Params params;
   bool dies(const trophic::Individual& one, const trophic::View& view, trophic::Rng&) const {

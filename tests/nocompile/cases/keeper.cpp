@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A question reads its state, only hooks and brains change it.
-// expect: needs bool dies(const Individual&, const View&, Rng&) const (with a State also const State& own)
+// A rule that keeps something for each individual.
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -10,17 +9,14 @@ struct Keeper {
   static constexpr std::string_view name = "keeper";
   struct State {
     double walked_m = 0.0;
-    static constexpr auto fields() { return std::tuple{trophic::field("walked_m", &State::walked_m)}; }
+    int walks = 0;
+    static constexpr auto fields() {
+      return std::tuple{trophic::field("walked_m", &State::walked_m), trophic::field("walks", &State::walks)};
+    }
   };
   State born(const trophic::Individual&, const State*, const State& body) const { return body; }
-#ifdef VALID
-  using Own = const State&;
-#else
-  using Own = State&;
-#endif
-  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&, Own own) const {
-    return own.walked_m > 100.0;
-  }
+  void on_walk(State& own, trophic::BodyIndex, double distance_m, const trophic::View&) const { own.walked_m += distance_m; }
+  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&, const State& own) const { return own.walked_m > 100.0; }
 };
 
 int main() {

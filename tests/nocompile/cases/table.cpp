@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table that leaves out a rule without a neutral one has no experiment to run.
-// expect: the rule table has no slot Heredity; write `using Heredity = ...;`
+// A rule table written out.
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -21,24 +20,16 @@ struct Table final {
   using InitialGenome = P::InitialGenome;
   using GenomeSource = P::GenomeSource;
   using Parent = P::Parent;
-#ifdef VALID
   using Heredity = P::Heredity;
-#endif
   using Mutation = P::Mutation;
   using Activation = P::Activation;
   using Capture = P::Capture;
   using Floor = P::Floor;
   using Starvation = P::Starvation;
   using MinimumPredators = P::MinimumPredators;
-  static trophic::TableParams<Table> params() {
-    return trophic::TableParams<Table>{.floor = {.floor = 5}};
-  }
-  static trophic::EcologyParams ecology() {
-    return {};
-  }
-  static trophic::Physics physics() {
-    return {};
-  }
+  static trophic::TableParams<Table> params() { return trophic::TableParams<Table>{.floor = {.floor = 5}}; }
+  static trophic::EcologyParams ecology() { return {}; }
+  static trophic::Physics physics() { return {}; }
 };
 
 int main() {
